@@ -55,11 +55,7 @@ std::string Cursor::bytes(std::uint64_t count) {
     return source_.bytes(last_, count);
 }
 
-std::string Cursor::text(std::uint64_t count) {
-    auto content = bytes(count);
-    content.resize(std::min(content.find('\0'), content.size()));
-    return std::string(trimmed(decoded(std::move(content), Encoding::detect)));
-}
+std::string Cursor::text(std::uint64_t count) { return std::string(trimmed(field_text(bytes(count)))); }
 
 void Cursor::skip(std::uint64_t count) {
     require(count);

@@ -95,6 +95,16 @@ std::string decoded(std::string bytes, Encoding encoding) {
     return text;
 }
 
+std::string field_text(std::string_view bytes) {
+    return decoded(std::string(bytes.substr(0, bytes.find('\0'))), Encoding::detect);
+}
+
+std::string utf16_field_text(std::string_view bytes, bool big_endian) {
+    std::size_t end = 0;
+    while (end + 1 < bytes.size() && (bytes[end] != '\0' || bytes[end + 1] != '\0')) end += 2;
+    return from_utf16(bytes.substr(0, end), big_endian);
+}
+
 bool looks_like_text(std::string_view bytes) {
     if (bytes.starts_with(utf16_little) || bytes.starts_with(utf16_big)) return true;
     return std::all_of(bytes.begin(), bytes.end(), [](char c) {

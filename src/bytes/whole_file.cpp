@@ -92,6 +92,10 @@ std::string Source::bytes(std::uint64_t offset, std::uint64_t count) const {
     return content;
 }
 
+std::string Source::up_to(std::uint64_t offset, std::uint64_t count) const {
+    return offset < size ? bytes(offset, std::min(count, size - offset)) : std::string();
+}
+
 Source file_source(const std::string& path) {
     const Descriptor file(path);
     const auto end = ::lseek(file.number(), 0, SEEK_END);

@@ -11,7 +11,7 @@
 #include "setae/bytes/expand.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/dialect.hpp"
-#include "storage/tiff_file.hpp"
+#include "storage/tiff_pixels.hpp"
 
 namespace setae::formats {
 
@@ -141,7 +141,7 @@ std::string kind_of(std::string_view head, const bytes::Source& source) {
 
 [[noreturn]] void unknown(const bytes::Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
-    if (is_tiff(head)) refuse_tiff(source);
+    if (bytes::is_tiff(head)) refuse_tiff(source);
     if (bytes::looks_like_text(head))
         throw FormatError(source.name, {.line = 1},
                           "text without a row of numbers; expected columns x and height below a header" +
@@ -218,23 +218,46 @@ std::optional<topography::TiledMap> tiled(const Channel& channel) {
                                 false,         info.metadata, channel.lines};
 }
 
-std::vector<Channel> open(const bytes::Source& packed, const ReadOptions& options) {
-    const auto source = bytes::unpacked(packed);
-    auto channels = detected(source).open(source, options);
+std::vector<Channel> open(const bytes::Source& source, const Format& format, const ReadOptions& options) {
+    auto channels = format.open(source, options);
     compare_sizes(channels, options, source);
     return channels;
+}
+
+std::vector<Channel> open(const bytes::Source& packed, const ReadOptions& options) {
+    const auto source = bytes::unpacked(packed);
+    return open(source, detected(source), options);
 }
 
 std::vector<Channel> open(const std::string& path, const ReadOptions& options) {
     return open(bytes::file_source(path), options);
 }
 
+std::vector<std::size_t> chosen_channels(const std::string& path, const std::vector<Channel>& channels,
+                                         std::optional<std::size_t> wanted, bool all) {
+    if (wanted && *wanted >= channels.size())
+        throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", path, *wanted, channels.size()));
+    if (wanted) return {*wanted};
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        if (channels[i].info.is_height && (all || chosen.empty())) chosen.push_back(i);
+    if (chosen.empty())
+        throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", path, channels.size()));
+    return chosen;
+}
+
+std::vector<Channel> open_chosen(const std::string& path, std::optional<std::size_t> wanted,
+                                 const ReadOptions& options) {
+    const auto source = bytes::unpacked(bytes::file_source(path));
+    const auto& format = detected(source);
+    const auto channels = open(source, format, options);
+    std::vector<Channel> chosen;
+    for (const auto i : chosen_channels(path, channels, wanted, format.is_container)) chosen.push_back(channels[i]);
+    return chosen;
+}
+
 topography::Measurement read(const std::string& path, std::size_t channel, const ReadOptions& options) {
-    const auto channels = open(path, options);
-    if (channel >= channels.size())
-        throw InvalidArgument(
-            fmt::format("{}: no channel {}, the file has {} (counted from 0)", path, channel, channels.size()));
-    return channels[channel].read();
+    return open_chosen(path, channel, options).front().read();
 }
 
 }  // namespace setae::formats

@@ -9,23 +9,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "setae/bytes/toml_text.hpp"
+
 namespace setae::simulation {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr double nano = 1e9, micro = 1e6;
-
-/// A text in quotes as TOML has it.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        if (c == '\n') result += "\\n";
-        else result += c;
-    }
-    return result + '"';
-}
 
 /// Decimals that leave a quarter of a thousandth of the step, and no rounding noise in equal steps.
 int decimals(double step) { return std::max(0, 4 - static_cast<int>(std::floor(std::log10(step)))); }
@@ -135,8 +126,8 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
         fmt::format_to(std::back_inserter(text), form, std::forward<Parts>(parts)...);
         text += '\n';
     };
-    line("title = {}", quoted(recipe.title));
-    if (!recipe.description.empty()) line("description = {}", quoted(recipe.description));
+    line("title = {}", bytes::toml_quoted(recipe.title));
+    if (!recipe.description.empty()) line("description = {}", bytes::toml_quoted(recipe.description));
     double shortest = recipe.surfaces.front().surface.short_wavelength;
     for (const auto& rough : recipe.surfaces) shortest = std::min(shortest, rough.surface.short_wavelength);
     line("\n[analysis]\nshortest_wavelength = \"{} m\"", shortest);
@@ -144,21 +135,22 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
          recipe.counter_poisson_ratio);
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& surface = recipe.surfaces[i].surface;
-        line("\n[surfaces.{}]", quoted(surface.name));
-        if (!surface.description.empty()) line("description = {}", quoted(surface.description));
+        line("\n[surfaces.{}]", bytes::toml_quoted(surface.name));
+        if (!surface.description.empty()) line("description = {}", bytes::toml_quoted(surface.description));
         line("measurements = [");
         for (const auto& m : measurements[i]) {
             const std::string tip = m.tip_radius.empty() ? "" : fmt::format(", tip_radius = \"{}\"", m.tip_radius);
             std::string references;
             for (const auto& file : m.references)
-                references += (references.empty() ? ", references = [" : ", ") + quoted(file);
+                references += (references.empty() ? ", references = [" : ", ") + bytes::toml_quoted(file);
             if (!references.empty()) references += "]";
-            line("  {{ file = {}, instrument = \"{}\"{}{} }},", quoted(m.file), m.instrument, tip, references);
+            line("  {{ file = {}, instrument = \"{}\"{}{} }},", bytes::toml_quoted(m.file), m.instrument, tip,
+                 references);
         }
         line("]");
     }
     for (const auto& elastomer : recipe.elastomers) {
-        line("\n[elastomers.{}]", quoted(elastomer.name));
+        line("\n[elastomers.{}]", bytes::toml_quoted(elastomer.name));
         if (loops.empty()) line("youngs_modulus = \"{} Pa\"", elastomer.youngs_modulus);
         line("poisson_ratio = {}", elastomer.poisson_ratio);
         line("surface_energy = \"{} ± {} J/m2\"", elastomer.surface_energy.value,
@@ -166,9 +158,10 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
         line("sphere_radius = \"{} m\"", elastomer.sphere_radius);
     }
     for (const auto& loop : loops) {
-        line("\n[[experiments]]\nfile = {}\nelastomer = {}", quoted(loop.file), quoted(loop.elastomer));
+        line("\n[[experiments]]\nfile = {}\nelastomer = {}", bytes::toml_quoted(loop.file),
+             bytes::toml_quoted(loop.elastomer));
         if (loop.surface.empty()) line("role = \"reference\"\nstage = \"{}\"", loop.stage);
-        else line("surface = {}", quoted(loop.surface));
+        else line("surface = {}", bytes::toml_quoted(loop.surface));
     }
     return text;
 }

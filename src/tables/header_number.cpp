@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/tables/header_number.hpp"
 
-#include <charconv>
 #include <cmath>
 
+#include "setae/bytes/number_text.hpp"
 #include "setae/core/text.hpp"
 
 namespace setae::tables {
@@ -13,10 +13,7 @@ template <class Number>
 std::optional<Number> whole(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('+')) text.remove_prefix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
+    return bytes::spelled<Number>(text);
 }
 
 }  // namespace

@@ -143,13 +143,6 @@ bool is_spreadsheet(const bytes::Source& source) {
     return bytes::Archive(source).has("xl/workbook.xml");
 }
 
-std::vector<std::string> sheet_names(const bytes::Source& workbook) {
-    std::vector<std::string> names;
-    const Workbook book(workbook);
-    for (const auto& sheet : book.sheets()) names.push_back(sheet.name);
-    return names;
-}
-
 RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std::string>& sheet) {
     const Workbook book(workbook);
     std::optional<RawTable> table;

@@ -8,6 +8,7 @@
 #include <pugixml.hpp>
 
 #include "setae/bytes/archive.hpp"
+#include "setae/bytes/number_text.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::tables {
@@ -115,13 +116,12 @@ struct Workbook::Content {
         const std::string value = child(cell, "v").child_value();
         if (type == "e") return {};  // #N/A, #DIV/0!
         if (type != "s") return value;
-        std::size_t index = 0;
-        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), index);
-        if (error != std::errc{} || end != value.data() + value.size() || index >= strings.size())
+        const auto index = bytes::spelled<std::size_t>(value);
+        if (!index || *index >= strings.size())
             throw FormatError(source.name, {},
                               fmt::format("sheet '{}', cell {}: shared string '{}' is not among the {} there are",
                                           sheet.name, cell.attribute("r").value(), value, strings.size()));
-        return strings[index];
+        return strings[*index];
     }
 
     bytes::Source source;

@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto bytes = setae::fuzz::text_of(data, size);
     constexpr std::size_t most_frames = 4;
     try {
-        const AviFile film(RandomAccess("input", bytes));
+        const AviFile film(setae::bytes::memory_source("input", std::string(bytes)));
         const auto picture = film.picture_size();
         if (picture.width > setae::fuzz::options.most_pixels / picture.height) return 0;  // FrameSource refuses it
         for (std::size_t i = 0; i < std::min(film.size(), most_frames); ++i)

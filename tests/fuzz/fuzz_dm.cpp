@@ -8,7 +8,8 @@ using namespace setae::imaging;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto bytes = setae::fuzz::text_of(data, size);
     if (!is_dm(bytes)) return 0;
-    setae::fuzz::read_or_refuse(
-        [&] { return read_digital_micrograph(RandomAccess("input", bytes), setae::fuzz::options); });
+    setae::fuzz::read_or_refuse([&] {
+        return read_digital_micrograph(setae::bytes::memory_source("input", std::string(bytes)), setae::fuzz::options);
+    });
     return 0;
 }

@@ -52,6 +52,7 @@ tests::EmdFile described(std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto bytes = described(setae::fuzz::text_of(data, size)).bytes();
-    setae::fuzz::read_or_refuse([&] { return read_emd(RandomAccess("input", bytes), setae::fuzz::options); });
+    setae::fuzz::read_or_refuse(
+        [&] { return read_emd(setae::bytes::memory_source("input", std::string(bytes)), setae::fuzz::options); });
     return 0;
 }

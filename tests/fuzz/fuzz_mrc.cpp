@@ -7,6 +7,7 @@ using namespace setae::imaging;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto bytes = setae::fuzz::text_of(data, size);
     if (!is_mrc(bytes)) return 0;
-    setae::fuzz::read_or_refuse([&] { return read_mrc(RandomAccess("input", bytes), setae::fuzz::options); });
+    setae::fuzz::read_or_refuse(
+        [&] { return read_mrc(setae::bytes::memory_source("input", std::string(bytes)), setae::fuzz::options); });
     return 0;
 }

@@ -8,6 +8,8 @@ using namespace setae::imaging;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto bytes = setae::fuzz::text_of(data, size);
     if (!(picture_kind(bytes) != PictureKind::none && picture_kind(bytes) != PictureKind::tiff)) return 0;
-    setae::fuzz::read_or_refuse([&] { return read_plain_picture(RandomAccess("input", bytes), setae::fuzz::options); });
+    setae::fuzz::read_or_refuse([&] {
+        return read_plain_picture(setae::bytes::memory_source("input", std::string(bytes)), setae::fuzz::options);
+    });
     return 0;
 }

@@ -9,6 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Micrograph emi;
     read_emi(bytes, emi);
     if (!is_ser(bytes)) return 0;
-    setae::fuzz::read_or_refuse([&] { return read_ser(RandomAccess("input", bytes), setae::fuzz::options); });
+    setae::fuzz::read_or_refuse(
+        [&] { return read_ser(setae::bytes::memory_source("input", std::string(bytes)), setae::fuzz::options); });
     return 0;
 }

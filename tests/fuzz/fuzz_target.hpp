@@ -3,8 +3,8 @@
 
 #include <cstdlib>
 
-#include "files/random_access.hpp"
 #include "fuzz_input.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/micrograph.hpp"
 

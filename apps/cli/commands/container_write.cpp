@@ -88,9 +88,7 @@ formats::StoredMeasurement stored(const study::MeasurementInput& input, const st
     return measurement;
 }
 
-bool is_container(const std::string& file) {
-    return formats::detect_format(bytes::file_source(file)).identifier == "ce-container";
-}
+bool is_container(const std::string& file) { return formats::detect_format(bytes::file_source(file)).is_container; }
 
 std::string surface_name(const Arguments& arguments) {
     return arguments.name.empty() ? std::filesystem::path(arguments.output).stem().string() : arguments.name;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "region_argument.hpp"
+#include "setae/bytes/number_text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/calibration_file.hpp"
@@ -120,9 +120,8 @@ std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) 
         for (std::size_t i = 0; i < count; ++i) chosen.push_back(i);
         return chosen;
     }
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(a.segment.data(), a.segment.data() + a.segment.size(), number);
-    if (error != std::errc() || *end != '\0' || number == 0 || number > count)
+    const auto number = bytes::spelled<std::size_t>(a.segment).value_or(0);
+    if (number == 0 || number > count)
         throw InvalidArgument(fmt::format(
             "--segment {}: expected all or a number from 1 to {}, that of the segments found", a.segment, count));
     return {number - 1};

@@ -42,22 +42,6 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
     return jobs_into_folder(arguments.paths, arguments.folder, arguments.to);
 }
 
-/// The channel named, all of heights, or the first of these.
-std::vector<std::size_t> chosen_channels(const Arguments& arguments, const std::string& input,
-                                         const std::vector<formats::Channel>& channels) {
-    if (arguments.file.channel) {
-        if (*arguments.file.channel < channels.size()) return {*arguments.file.channel};
-        throw InvalidArgument(
-            fmt::format("{}: no channel {}, it has {}", input, *arguments.file.channel, channels.size()));
-    }
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < channels.size(); ++i)
-        if (channels[i].info.is_height && (arguments.all_channels || chosen.empty())) chosen.push_back(i);
-    if (chosen.empty())
-        throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", input, channels.size()));
-    return chosen;
-}
-
 /// "a/out.x3p" is "a/out_3.x3p".
 std::string numbered(const std::string& path, std::size_t channel) {
     const fs::path whole(path);
@@ -74,7 +58,8 @@ struct Outcome {
 void convert_file(const Arguments& arguments, const Job& job, Outcome& outcome) {
     const auto channels = formats::open(job.input, arguments.file.read_options());
     std::vector<std::string> numbers;
-    for (const auto k : chosen_channels(arguments, job.input, channels)) numbers.push_back(fmt::format("{}", k));
+    for (const auto k : formats::chosen_channels(job.input, channels, arguments.file.channel, arguments.all_channels))
+        numbers.push_back(fmt::format("{}", k));
     const auto code = for_each_item(numbers, [&](const std::string& number) {
         const auto k = static_cast<std::size_t>(std::stoul(number));
         const auto output = arguments.all_channels ? numbered(job.output, k) : job.output;

@@ -41,24 +41,11 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
     return jobs;
 }
 
-/// The channel named, or the first of heights.
-const formats::Channel& chosen_channel(const Arguments& arguments, const std::string& path,
-                                       const std::vector<formats::Channel>& channels) {
-    if (arguments.file.channel) {
-        if (*arguments.file.channel < channels.size()) return channels[*arguments.file.channel];
-        throw InvalidArgument(
-            fmt::format("{}: no channel {}, it has {}", path, *arguments.file.channel, channels.size()));
-    }
-    for (const auto& channel : channels)
-        if (channel.info.is_height) return channel;
-    throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", path, channels.size()));
-}
-
 /// Processes and writes one file; what was done, and that it was printed for a reader.
 output::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
     const auto options = arguments.file.read_options();
     const auto channels = formats::open(job.input, options);
-    const auto& channel = chosen_channel(arguments, job.input, channels);
+    const auto& channel = channels[formats::chosen_channels(job.input, channels, arguments.file.channel).front()];
     const auto result =
         processing::apply(pipeline, channel.read(), study::measurement_loader(options), arguments.common.workers());
     if (!job.output.empty()) write_heights(job.output, result.measurement);

@@ -138,20 +138,6 @@ std::optional<ContainerInstrument> container_instrument(topography::Instrument i
     return result;
 }
 
-std::size_t chosen_channel(const StoredMeasurement& measurement, const std::vector<Channel>& channels) {
-    if (measurement.channel) {
-        if (*measurement.channel < channels.size()) return *measurement.channel;
-        throw InvalidArgument(fmt::format("{}: no channel {}, the file has {} (counted from 0)", measurement.path,
-                                          *measurement.channel, channels.size()));
-    }
-    const auto found =
-        std::find_if(channels.begin(), channels.end(), [](const Channel& channel) { return channel.info.is_height; });
-    if (found == channels.end())
-        throw InvalidArgument(
-            fmt::format("{}: none of its {} channels holds heights", measurement.path, channels.size()));
-    return static_cast<std::size_t>(found - channels.begin());
-}
-
 bool is_periodic(const Measurement& measurement) {
     return std::visit(
         [](const auto& m) {
@@ -311,7 +297,7 @@ void replace_given(const StoredMeasurement& given, ContainerTopography& topograp
 
 void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const StoredMeasurement& measurement) {
     const auto channels = open(measurement.path, measurement.options);
-    const auto index = chosen_channel(measurement, channels);
+    const auto index = chosen_channels(measurement.path, channels, measurement.channel).front();
     const auto& channel = channels[index];
     const auto heights = channel.read();
     const auto trend = measurement.trend.value_or(topography::Trend::mean);

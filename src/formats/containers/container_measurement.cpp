@@ -127,10 +127,10 @@ std::size_t channel_of(const Entry& entry, const std::vector<Channel>& channels,
 ScaledChannel open_member(const bytes::Archive& archive, const Entry& entry) {
     const auto member = bytes::unpacked(archive.member(entry.member));
     const auto& format = detect_format(member);
-    if (format.identifier == container_format().identifier)
+    if (format.is_container)
         throw FormatError(member.name, {.offset = 0},
                           "a container within a container; take it out and open it by itself");
-    auto channels = open(member, entry.options);
+    auto channels = open(member, format, entry.options);
     const bool scaled_already = format.carries_scale || entry.squeezed;
     return {std::move(channels[channel_of(entry, channels, member)]), scaled_already ? 1.0 : entry.height_scale};
 }

@@ -3,11 +3,11 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "setae/bytes/number_text.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::formats {
@@ -16,19 +16,13 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-template <class Number>
-bool parse_number(const std::string& text, Number& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size();
-}
-
 json scalar(const YAML::Node& node) {
     const auto& text = node.Scalar();
     if (node.Tag() == "!") return text;  // quoted
     if (text == "true" || text == "false") return text == "true";
     if (text == "null" || text == "~" || text.empty()) return nullptr;
-    if (std::int64_t whole = 0; parse_number(text, whole)) return whole;
-    if (double number = 0.0; parse_number(text, number) && std::isfinite(number)) return number;
+    if (const auto whole = bytes::spelled<std::int64_t>(text)) return *whole;
+    if (const auto number = bytes::spelled<double>(text); number && std::isfinite(*number)) return *number;
     return text;
 }
 

@@ -41,6 +41,7 @@ Format container_format() {
         .reference = "SurfaceTopography 1.27.1, Container/IO/Schema.py; TopoBank, manager/container_schema.py",
         .tested_on_real_files = true,
         .carries_scale = true,
+        .is_container = true,
         .detect = detect_container,
         .open = open_container};
 }

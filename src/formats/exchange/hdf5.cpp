@@ -6,6 +6,7 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -31,8 +32,8 @@ void keep_attributes(const Attributes& attributes, topography::Metadata& metadat
     }
 }
 
-/// Extents [m] from the distance of neighbours [µm] along each index, the attribute's last numbers; empty where it is
-/// not stated.
+/// Extents [m] from the distance of neighbours [µm] along each index, the attribute's last numbers; empty where it
+/// is not stated.
 std::vector<double> size_of(const StoredArray& array) {
     const auto found = std::find_if(array.attributes.begin(), array.attributes.end(),
                                     [](const Attribute& attribute) { return attribute.name == element_size; });
@@ -65,7 +66,9 @@ Channel channel_of(const StoredArray& array, const bytes::Source& source, const 
                          options_for(array, options));
 }
 
-Match detect_hdf5(std::string_view head, const bytes::Source&) { return find_hdf5(head) ? Match::maybe : Match::no; }
+Match detect_hdf5(std::string_view head, const bytes::Source&) {
+    return bytes::find_hdf5(head) ? Match::maybe : Match::no;
+}
 
 std::vector<Channel> open_hdf5(const bytes::Source& source, const ReadOptions& options) {
     const Hdf5File file(source);

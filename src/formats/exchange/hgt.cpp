@@ -9,7 +9,7 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
-#include "setae/bytes/bytes.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"

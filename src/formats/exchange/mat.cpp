@@ -6,11 +6,12 @@
 #include "channel_building.hpp"
 #include "format_list.hpp"
 #include "mat_arrays.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/core/errors.hpp"
 #include "storage/hdf5_file.hpp"
 
-// MATLAB: levels 4 and 5, and version 7.3, which is HDF5 behind a block of 512 bytes. A row of a matrix is a line of
-// the picture, the first row its top, as imagesc shows it.
+// MATLAB: levels 4 and 5, and version 7.3, which is HDF5 behind a block of 512 bytes. A row of a matrix is a line
+// of the picture, the first row its top, as imagesc shows it.
 namespace setae::formats {
 namespace {
 
@@ -19,7 +20,7 @@ constexpr std::string_view version_73 = "MATLAB 7.3 MAT-file";
 constexpr const char* orientation = "rows of the matrix from the top, as stored";
 
 bool is_mat73(std::string_view head) {
-    return head.starts_with(version_73) || (head.starts_with("MATLAB") && find_hdf5(head).value_or(0) > 0);
+    return head.starts_with(version_73) || (head.starts_with("MATLAB") && bytes::find_hdf5(head).value_or(0) > 0);
 }
 
 Match detect_mat(std::string_view head, const bytes::Source&) {

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/bytes.hpp"
 #include "setae/bytes/cursor.hpp"
 #include "setae/bytes/expand.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 #include "storage/on_demand.hpp"
 

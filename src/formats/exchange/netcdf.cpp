@@ -12,6 +12,7 @@
 #include "channel_building.hpp"
 #include "format_list.hpp"
 #include "netcdf_classic.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/header.hpp"
@@ -19,8 +20,9 @@
 #include "storage/stored_array.hpp"
 #include "writing.hpp"
 
-// Topographies as containers hold them: variables heights(x[, y]), x and y with attributes length, periodic and unit,
-// and perhaps mask; or heights(n) over positions x(n); and a global attribute json with what is known besides.
+// Topographies as containers hold them: variables heights(x[, y]), x and y with attributes length, periodic and
+// unit, and perhaps mask; or heights(n) over positions x(n); and a global attribute json with what is known
+// besides.
 namespace setae::formats {
 namespace {
 
@@ -88,7 +90,8 @@ std::vector<double> uniform_size(const ArrayFile& file, const StoredArray& heigh
     return size;
 }
 
-/// What the library writes where a program wrote nothing, unless the variable names a value of its own; of bytes none.
+/// What the library writes where a program wrote nothing, unless the variable names a value of its own; of bytes
+/// none.
 std::optional<double> default_fill(Sample sample) {
     switch (sample) {
         case Sample::int16: return -32767.0;
@@ -197,7 +200,7 @@ bool is_netcdf4(const bytes::Source& source) {
 }
 
 Match detect_netcdf(std::string_view head, const bytes::Source& source) {
-    return is_classic(head) || (find_hdf5(head) == 0u && is_netcdf4(source)) ? Match::yes : Match::no;
+    return is_classic(head) || (bytes::find_hdf5(head) == 0u && is_netcdf4(source)) ? Match::yes : Match::no;
 }
 
 /// Lengths are known, in a unit that nobody has told.

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/bytes.hpp"
 #include "setae/bytes/cursor.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::formats {

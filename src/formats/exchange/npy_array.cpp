@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "npy_array.hpp"
 
-#include <charconv>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "setae/bytes/cursor.hpp"
+#include "setae/bytes/number_text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 
@@ -66,12 +66,10 @@ void parse_shape(std::string_view text, StoredArray& array, const bytes::Source&
     while (!trimmed(body).empty()) {
         const auto comma = body.find(',');
         const auto number = trimmed(body.substr(0, comma));
-        Index extent = -1;
-        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), extent);
-        if (error != std::errc{} || end != number.data() + number.size() || extent < 0 ||
-            array.shape.size() == most_dimensions)
+        const auto extent = bytes::spelled<Index>(number);
+        if (!extent || *extent < 0 || array.shape.size() == most_dimensions)
             broken(source, magic.size(), fmt::format("'{:.40}' in the header's shape", number));
-        array.shape.push_back(extent);
+        array.shape.push_back(*extent);
         body = comma == std::string_view::npos ? std::string_view{} : body.substr(comma + 1);
     }
 }

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/bytes.hpp"
 #include "setae/bytes/cursor.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"

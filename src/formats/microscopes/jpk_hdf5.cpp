@@ -6,14 +6,15 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/header.hpp"
 #include "storage/hdf5_file.hpp"
 #include "storage/stored_array.hpp"
 
-// Images and films of JPK's fast microscopes: HDF5 with groups Measurement_n/Channel_m, each with a dataset whose rows
-// are the pixels of a frame, line after line from the bottom, and whose columns are the frames.
+// Images and films of JPK's fast microscopes: HDF5 with groups Measurement_n/Channel_m, each with a dataset whose
+// rows are the pixels of a frame, line after line from the bottom, and whose columns are the frames.
 namespace setae::formats {
 namespace {
 
@@ -107,7 +108,7 @@ void add_frames(const StoredArray& array, const Attributes& channel, const Attri
 bool starts(const std::string& name, std::string_view with) { return name.starts_with(with); }
 
 Match detect_jpk_hdf5(std::string_view head, const bytes::Source& source) {
-    if (!find_hdf5(head)) return Match::no;
+    if (!bytes::find_hdf5(head)) return Match::no;
     try {
         const Hdf5File file(source);
         for (const auto& measurement : file.members("/")) {

@@ -12,7 +12,7 @@
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "storage/tiff_file.hpp"
+#include "storage/tiff_pixels.hpp"
 
 // TIFF with private tags. The first page is a thumbnail and tells of the scan; each further page is a channel. A
 // channel has slots, ways to read its integers (volts, nominal height, calibrated height …): value = multiplier · raw +
@@ -51,7 +51,7 @@ struct Slot {
 };
 
 /// The slots whose scale is linear; others (raw, or calibrated by a curve) give no heights.
-std::vector<Slot> linear_slots(const TiffFile& file, const TiffPage& page) {
+std::vector<Slot> linear_slots(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     std::vector<Slot> slots;
     const auto announced =
         std::clamp(file.number(page, slot_count).value_or(0.0), 0.0, static_cast<double>(most_slots));
@@ -89,7 +89,7 @@ std::string property(const std::string& properties, std::string_view key) {
 }
 
 /// "Height (measured, trace)"; images of force curves add what was computed where it is not the channel itself.
-std::string name_of(const TiffFile& file, const TiffPage& page, const std::string& properties) {
+std::string name_of(const bytes::TiffFile& file, const bytes::TiffPage& page, const std::string& properties) {
     auto name = file.text(page, channel_fancy_name);
     if (name.empty()) name = file.text(page, channel_name);
     const auto algorithm = property(properties, "algorithm.object-name.fancy-name");
@@ -106,7 +106,7 @@ void keep(topography::Metadata& metadata, const char* key, const std::string& va
     if (!value.empty() && value != "<empty>") metadata.attributes[key] = value;
 }
 
-topography::Metadata metadata_of(const TiffFile& file) {
+topography::Metadata metadata_of(const bytes::TiffFile& file) {
     const auto& first = file.pages.front();
     topography::Metadata metadata;
     metadata.instrument.type = "afm";
@@ -124,7 +124,7 @@ topography::Metadata metadata_of(const TiffFile& file) {
     return metadata;
 }
 
-Channel channel_of(const TiffFile& file, const TiffPage& page, ChannelInfo info) {
+Channel channel_of(const bytes::TiffFile& file, const bytes::TiffPage& page, ChannelInfo info) {
     const auto properties = file.text(page, channel_properties);
     info.name = name_of(file, page, properties);
     info.metadata.name = info.name;
@@ -153,9 +153,9 @@ Channel channel_of(const TiffFile& file, const TiffPage& page, ChannelInfo info)
 }  // namespace
 
 Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkImage kind) {
-    if (!is_tiff(head)) return Match::no;
+    if (!bytes::is_tiff(head)) return Match::no;
     try {
-        const auto file = open_tiff(source, "JPK", 1);
+        const auto file = bytes::open_tiff(source, "JPK", 1);
         const auto& first = file.pages.front();
         const bool image = first.find(grid_width) && first.find(grid_height) &&
                            (first.find(channel_name) || first.find(channel_fancy_name));
@@ -167,7 +167,7 @@ Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkIm
 }
 
 std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format) {
-    const auto file = open_tiff(source, "JPK", most_pages + 1);
+    const auto file = bytes::open_tiff(source, "JPK", most_pages + 1);
     const auto& first = file.pages.front();
     ChannelInfo common;
     common.format = format;

@@ -11,7 +11,7 @@
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "storage/tiff_file.hpp"
+#include "storage/tiff_pixels.hpp"
 
 // A TIFF picture whose private tags hold the measurement: 50432 magic number, 50433 version, 50434 the samples, 50435 a
 // header of 356 bytes, 580 from version 2 on; all little-endian. height = gain · (scale · raw + offset) in the unit of
@@ -58,7 +58,7 @@ std::string wide_text(bytes::Cursor& cursor, std::uint64_t characters) {
                            : std::string(trimmed(bytes::decoded("\xff\xfe" + content, bytes::Encoding::utf16)));
 }
 
-ParkHeader header_of(const TiffFile& file, const TiffTag& tag) {
+ParkHeader header_of(const bytes::TiffFile& file, const bytes::TiffTag& tag) {
     if (tag.bytes() < header_bytes)
         throw FormatError(
             file.source.name, {.offset = tag.offset},
@@ -96,7 +96,7 @@ ParkHeader header_of(const TiffFile& file, const TiffTag& tag) {
     return header;
 }
 
-void require_readable(const ParkHeader& header, const TiffFile& file, std::uint64_t offset) {
+void require_readable(const ParkHeader& header, const bytes::TiffFile& file, std::uint64_t offset) {
     const auto refuse = [&](const std::string& what) {
         throw FormatError(file.source.name, {.offset = offset}, "Park: " + what);
     };
@@ -110,7 +110,7 @@ void require_readable(const ParkHeader& header, const TiffFile& file, std::uint6
         refuse("gain, scale or offset are no numbers");
 }
 
-topography::Metadata metadata_of(const ParkHeader& header, const TiffFile& file, double version) {
+topography::Metadata metadata_of(const ParkHeader& header, const bytes::TiffFile& file, double version) {
     topography::Metadata metadata;
     metadata.name = header.source;
     metadata.file = file.source.name;
@@ -134,7 +134,7 @@ topography::Metadata metadata_of(const ParkHeader& header, const TiffFile& file,
     return metadata;
 }
 
-Raster raster_of(const ParkHeader& header, const TiffTag& samples, const TiffFile& file) {
+Raster raster_of(const ParkHeader& header, const bytes::TiffTag& samples, const bytes::TiffFile& file) {
     static constexpr Sample types[] = {Sample::int16, Sample::int32, Sample::float32};
     const Raster raster{.offset = samples.offset,
                         .nx = header.nx,
@@ -151,7 +151,7 @@ Raster raster_of(const ParkHeader& header, const TiffTag& samples, const TiffFil
 }
 
 /// The picture is not read, but a file without all of it is not whole.
-void require_preview(const TiffFile& file, const TiffPage& page) {
+void require_preview(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     const auto offsets = file.integers(page, strip_offsets_tag, most_strips),
                counts = file.integers(page, strip_bytes_tag, most_strips);
     for (std::size_t k = 0; k < std::min(offsets.size(), counts.size()); ++k)
@@ -163,7 +163,7 @@ void require_preview(const TiffFile& file, const TiffPage& page) {
 }
 
 std::vector<Channel> open_park(const bytes::Source& source, const ReadOptions& options) {
-    const auto file = open_tiff(source, "Park", 1);
+    const auto file = bytes::open_tiff(source, "Park", 1);
     const auto& page = file.pages.front();
     const auto *header_at = page.find(header_tag), *samples = page.find(samples_tag);
     if (!header_at || !samples)
@@ -199,9 +199,9 @@ std::vector<Channel> open_park(const bytes::Source& source, const ReadOptions& o
 }
 
 Match detect_park(std::string_view head, const bytes::Source& source) {
-    if (!is_tiff(head)) return Match::no;
+    if (!bytes::is_tiff(head)) return Match::no;
     try {
-        const auto file = open_tiff(source, "Park", 1);
+        const auto file = bytes::open_tiff(source, "Park", 1);
         return file.number(file.pages.front(), magic_tag) == magic ? Match::yes : Match::no;
     } catch (const FormatError&) {
         return Match::no;

@@ -8,6 +8,7 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/header.hpp"
@@ -142,7 +143,7 @@ Channel channel_of(const Hdf5File& file, const StoredArray& array, const bytes::
 }
 
 Match detect_datx(std::string_view head, const bytes::Source& source) {
-    if (!find_hdf5(head)) return Match::no;
+    if (!bytes::find_hdf5(head)) return Match::no;
     try {
         const auto members = Hdf5File(source).members("/");
         const auto has = [&](const char* name) {

@@ -9,7 +9,7 @@
 #include "setae/bytes/xml_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "storage/tiff_file.hpp"
+#include "storage/tiff_pixels.hpp"
 
 // TIFF whose pages are named by their descriptions (HEIGHT, INTENSITY, …). The first page's description is XML with
 // lengths per pixel and per grey value; the device settings in its Exif directory are XML with the maker's calibration,
@@ -35,7 +35,8 @@ struct LextScale {
 };
 
 /// The number in the element of that name, which must be there and positive.
-double length_in(const pugi::xml_node& node, const std::string& name, const TiffFile& file, std::uint64_t offset) {
+double length_in(const pugi::xml_node& node, const std::string& name, const bytes::TiffFile& file,
+                 std::uint64_t offset) {
     const auto child = node.child(name.c_str());
     const double value = bytes::xml_number(child, 0.0, file.source, "LEXT");
     if (!(value > 0.0))
@@ -46,7 +47,7 @@ double length_in(const pugi::xml_node& node, const std::string& name, const Tiff
 }
 
 /// The maker's factors; 1 where the file has no device settings.
-LextScale calibration_of(const TiffFile& file) {
+LextScale calibration_of(const bytes::TiffFile& file) {
     const auto& first = file.pages.front();
     if (!first.find(exif_tag)) return {1.0, 1.0, 1.0};
     const auto exif = file.directory_of(first, exif_tag);
@@ -60,7 +61,7 @@ LextScale calibration_of(const TiffFile& file) {
     return {factor("X"), factor("Y"), factor("Z")};
 }
 
-LextScale scale_of(const TiffFile& file, const pugi::xml_node& heights, std::uint64_t offset) {
+LextScale scale_of(const bytes::TiffFile& file, const pugi::xml_node& heights, std::uint64_t offset) {
     for (const char* axis : {"X", "Y", "Z"})
         if (heights.child(fmt::format("HeightDataUnit{}", axis).c_str()).text().as_string("2") != std::string_view("2"))
             throw FormatError(file.source.name, {.offset = offset},
@@ -72,7 +73,7 @@ LextScale scale_of(const TiffFile& file, const pugi::xml_node& heights, std::uin
             picometre * calibration.z * length_in(heights, "HeightDataPerPixelZ", file, offset)};
 }
 
-topography::Metadata metadata_of(const TiffFile& file) {
+topography::Metadata metadata_of(const bytes::TiffFile& file) {
     const auto& first = file.pages.front();
     topography::Metadata metadata;
     metadata.file = file.source.name;
@@ -85,7 +86,7 @@ topography::Metadata metadata_of(const TiffFile& file) {
 }
 
 std::vector<Channel> open_lext(const bytes::Source& source, const ReadOptions& options) {
-    const auto file = open_tiff(source, "LEXT", most_pages);
+    const auto file = bytes::open_tiff(source, "LEXT", most_pages);
     const auto& first = file.pages.front();
     const auto document = bytes::parsed_xml(file.text(first, description_tag), source, "LEXT");
     ChannelInfo common;
@@ -117,9 +118,9 @@ std::vector<Channel> open_lext(const bytes::Source& source, const ReadOptions& o
 }
 
 Match detect_lext(std::string_view head, const bytes::Source& source) {
-    if (!is_tiff(head)) return Match::no;
+    if (!bytes::is_tiff(head)) return Match::no;
     try {
-        const auto file = open_tiff(source, "LEXT", 1);
+        const auto file = bytes::open_tiff(source, "LEXT", 1);
         return file.text(file.pages.front(), description_tag).find(root_name) != std::string::npos ? Match::yes
                                                                                                    : Match::no;
     } catch (const FormatError&) {

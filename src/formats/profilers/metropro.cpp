@@ -8,8 +8,8 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
-#include "setae/bytes/bytes.hpp"
 #include "setae/bytes/cursor.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/bytes/unix_time.hpp"
 #include "setae/core/errors.hpp"
 #include "storage/raster.hpp"

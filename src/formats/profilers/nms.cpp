@@ -6,8 +6,8 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
-#include "setae/bytes/bytes.hpp"
 #include "setae/bytes/cursor.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "storage/raster.hpp"

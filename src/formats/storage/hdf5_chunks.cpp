@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/bytes.hpp"
 #include "setae/bytes/expand.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/parallel/for_each.hpp"
 
@@ -50,8 +50,8 @@ std::string unshuffled(const std::string& bytes, std::size_t value_bytes) {
     return restored;
 }
 
-Hdf5Handle opened_dataset(hid_t file, const std::string& path) {
-    const Hdf5Session session;
+bytes::Hdf5Handle opened_dataset(hid_t file, const std::string& path) {
+    const bytes::Hdf5Session session;
     return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), &H5Dclose};
 }
 
@@ -64,7 +64,7 @@ bool unpacks(H5Z_filter_t filter) {
 ChunkedValues::ChunkedValues(const bytes::Source& source, Hdf5Chunks chunks)
     : source_(source),
       chunks_(std::move(chunks)),
-      file_(opened_hdf5(source)),
+      file_(bytes::opened_hdf5(source)),
       data_(opened_dataset(file_, chunks_.path)) {
     if (!data_) damaged(source_, chunks_.path, "no header");
 }
@@ -104,7 +104,7 @@ std::string ChunkedValues::unpacked_piece(std::uint64_t row, std::uint64_t colum
 }
 
 std::string ChunkedValues::unpacked_band(std::uint64_t index) const {
-    const Hdf5Session session;
+    const bytes::Hdf5Session session;
     const auto first = index * chunks_.chunk_rows(), rows = std::min(chunks_.chunk_rows(), chunks_.rows() - first);
     const auto row_bytes = chunks_.columns() * chunks_.value_bytes;
     std::string values(rows * row_bytes, '\0');

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hdf5_handle.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/bytes/source.hpp"
 
 namespace setae::formats {
@@ -51,7 +51,7 @@ private:
 
     bytes::Source source_;
     Hdf5Chunks chunks_;
-    Hdf5Handle file_, data_;
+    bytes::Hdf5Handle file_, data_;
     std::map<std::uint64_t, std::string> bands_;
     std::vector<std::uint64_t> last_used_;
 };

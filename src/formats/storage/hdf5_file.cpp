@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "hdf5_handle.hpp"
 #include "hdf5_layout.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -50,7 +50,7 @@ void find_datasets(hid_t group, const std::string& path, int depth, std::size_t&
                    std::vector<std::string>& found) {
     for (const auto& name : members_of(group)) {
         if (++visited > most_objects) return;
-        const Hdf5Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
+        const bytes::Hdf5Handle member(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
         const auto type =
             member ? H5Iget_type(member) : H5I_DATASET;  // what the library cannot open is told by array()
         if (type == H5I_DATASET) found.push_back(path + "/" + name);
@@ -60,8 +60,8 @@ void find_datasets(hid_t group, const std::string& path, int depth, std::size_t&
 }
 
 /// The object at a path all of whose links are hard.
-Hdf5Handle opened_object(hid_t file, const std::string& path) {
-    Hdf5Handle object(H5Oopen(file, "/", H5P_DEFAULT), &H5Oclose);
+bytes::Hdf5Handle opened_object(hid_t file, const std::string& path) {
+    bytes::Hdf5Handle object(H5Oopen(file, "/", H5P_DEFAULT), &H5Oclose);
     for (std::size_t at = 0; at < path.size();) {
         const auto end = std::min(path.find('/', at), path.size());
         const auto name = path.substr(at, end - at);
@@ -70,7 +70,7 @@ Hdf5Handle opened_object(hid_t file, const std::string& path) {
         H5L_info_t link;
         const bool is_hard = object && H5Iget_type(object) == H5I_GROUP &&
                              H5Lget_info(object, name.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD;
-        Hdf5Handle next(is_hard ? H5Oopen(object, name.c_str(), H5P_DEFAULT) : -1, &H5Oclose);
+        bytes::Hdf5Handle next(is_hard ? H5Oopen(object, name.c_str(), H5P_DEFAULT) : -1, &H5Oclose);
         std::swap(object.id, next.id);
     }
     return object;
@@ -88,7 +88,7 @@ bool is_in(hid_t file, const std::string& path) {
 // ---- attributes and records -----------------------------------------------------------------------------------------
 
 struct NativeType {
-    Hdf5Handle type;
+    bytes::Hdf5Handle type;
     std::uint64_t bytes = 0;
 };
 
@@ -131,7 +131,7 @@ void append_member(const char* value, hid_t type, Hdf5Record& record) {
     } else if (is_number(kind)) {
         append_numbers(value, 1, type, record.numbers);
     } else if (kind == H5T_VLEN || kind == H5T_ARRAY) {
-        const Hdf5Handle base(H5Tget_super(type), &H5Tclose);
+        const bytes::Hdf5Handle base(H5Tget_super(type), &H5Tclose);
         if (!base || !is_number(H5Tget_class(base))) return;
         if (kind == H5T_ARRAY)
             return append_numbers(value, H5Tget_size(type) / std::max<std::size_t>(H5Tget_size(base), 1), base,
@@ -146,7 +146,7 @@ Hdf5Record record_in(const char* value, hid_t type) {
     Hdf5Record record;
     for (int k = 0; k < H5Tget_nmembers(type); ++k) {
         const auto member = static_cast<unsigned>(k);
-        const Hdf5Handle member_type(H5Tget_member_type(type, member), &H5Tclose);
+        const bytes::Hdf5Handle member_type(H5Tget_member_type(type, member), &H5Tclose);
         if (member_type) append_member(value + H5Tget_member_offset(type, member), member_type, record);
     }
     return record;
@@ -163,9 +163,9 @@ void with_values(hid_t space, const NativeType& type, std::uint64_t count, const
 
 /// Calls `take` with the type and each value of an attribute of bounded size.
 void with_attribute(hid_t object, const std::string& name, const std::function<void(const char*, hid_t)>& take) {
-    const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), &H5Aclose);
+    const bytes::Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), &H5Aclose);
     if (!attribute) return;
-    const Hdf5Handle stored(H5Aget_type(attribute), &H5Tclose), space(H5Aget_space(attribute), &H5Sclose);
+    const bytes::Hdf5Handle stored(H5Aget_type(attribute), &H5Tclose), space(H5Aget_space(attribute), &H5Sclose);
     const auto type = stored ? native(stored) : std::nullopt;
     const auto points = space ? H5Sget_simple_extent_npoints(space) : -1;
     if (!type || points < 1) return;
@@ -205,7 +205,8 @@ bool are_bounded(hid_t data, hid_t properties, std::size_t dimensions) {
     if (H5Pget_layout(properties) != H5D_CHUNKED)
         return H5Pget_layout(properties) != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
     std::vector<hsize_t> chunk(dimensions);
-    if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) < 0 || hdf5_product(chunk) > most_piece)
+    if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) < 0 ||
+        bytes::hdf5_product(chunk) > most_piece)
         return false;
     return H5Pget_nfilters(properties) == 0 || H5Dget_storage_size(data) <= most_packed;
 }
@@ -213,11 +214,11 @@ bool are_bounded(hid_t data, hid_t properties, std::size_t dimensions) {
 }  // namespace
 
 Hdf5File::Hdf5File(const bytes::Source& source)
-    : source_(source), file_(std::make_shared<const Hdf5Handle>(opened_hdf5(source))) {}
+    : source_(source), file_(std::make_shared<const bytes::Hdf5Handle>(bytes::opened_hdf5(source))) {}
 
 std::vector<std::string> Hdf5File::datasets() const {
-    const Hdf5Session session;
-    const Hdf5Handle root(H5Oopen(*file_, "/", H5P_DEFAULT), &H5Oclose);
+    const bytes::Hdf5Session session;
+    const bytes::Hdf5Handle root(H5Oopen(*file_, "/", H5P_DEFAULT), &H5Oclose);
     if (!root) broken(source_, "no root group; the file is damaged");
     std::vector<std::string> found;
     std::size_t visited = 0;
@@ -226,13 +227,13 @@ std::vector<std::string> Hdf5File::datasets() const {
 }
 
 std::vector<std::string> Hdf5File::members(const std::string& group) const {
-    const Hdf5Session session;
+    const bytes::Hdf5Session session;
     const auto object = opened_object(*file_, group);
     return object && H5Iget_type(object) == H5I_GROUP ? members_of(object) : std::vector<std::string>{};
 }
 
 std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
-    const Hdf5Session session;
+    const bytes::Hdf5Session session;
     const auto data = opened_object(*file_, path);
     if (!data && is_in(*file_, path)) {
         unsigned major = 0, minor = 0, release = 0;
@@ -244,11 +245,11 @@ std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
         return closed;
     }
     if (!data || H5Iget_type(data) != H5I_DATASET) return std::nullopt;
-    const Hdf5Handle type(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose),
+    const bytes::Hdf5Handle type(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose),
         properties(H5Dget_create_plist(data), &H5Pclose);
     const auto plain = type ? hdf5_number(type) : std::nullopt;
     if (!plain || !space || !properties) return std::nullopt;
-    const auto extents = hdf5_extents(space);
+    const auto extents = bytes::hdf5_extents(space);
     StoredArray array;
     array.name = path;
     array.sample = plain->sample;
@@ -267,13 +268,13 @@ std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
 }
 
 Attributes Hdf5File::attributes(const std::string& path) const {
-    const Hdf5Session session;
+    const bytes::Hdf5Session session;
     const auto object = opened_object(*file_, path);
     return object ? attributes_of(object) : Attributes{};
 }
 
 std::optional<Hdf5Record> Hdf5File::record_attribute(const std::string& path, const std::string& name) const {
-    const Hdf5Session session;
+    const bytes::Hdf5Session session;
     const auto object = opened_object(*file_, path);
     std::optional<Hdf5Record> record;
     if (object)
@@ -284,15 +285,15 @@ std::optional<Hdf5Record> Hdf5File::record_attribute(const std::string& path, co
 }
 
 std::vector<Hdf5Record> Hdf5File::records(const std::string& path) const {
-    const Hdf5Session session;
+    const bytes::Hdf5Session session;
     const auto data = opened_object(*file_, path);
     if (!data || H5Iget_type(data) != H5I_DATASET) return {};
-    const Hdf5Handle stored(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose);
+    const bytes::Hdf5Handle stored(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose);
     if (!stored || !space || H5Tget_class(stored) != H5T_COMPOUND) return {};
-    const Hdf5Handle properties(H5Dget_create_plist(data), &H5Pclose);
+    const bytes::Hdf5Handle properties(H5Dget_create_plist(data), &H5Pclose);
     const auto type = native(stored);
-    const auto extents = hdf5_extents(space);
-    const auto count = hdf5_product(extents);
+    const auto extents = bytes::hdf5_extents(space);
+    const auto count = bytes::hdf5_product(extents);
     if (!properties || !are_bounded(data, properties, extents.size()) || !type || count > most_records ||
         count * type->bytes > most_record_bytes)
         return {};

@@ -11,11 +11,11 @@
 #include "setae/bytes/source.hpp"
 #include "stored_array.hpp"
 
-namespace setae::formats {
+namespace setae::bytes {
+struct Hdf5Handle;
+}
 
-/// Where the signature of HDF5 stands: at the start, or behind a block of the user's of 512, 1024, 2048 … bytes;
-/// nothing where it is not among the bytes given.
-[[nodiscard]] std::optional<std::uint64_t> find_hdf5(std::string_view head);
+namespace setae::formats {
 
 /// A record of a compound type, its members in order: the texts, and all numbers of the others.
 struct Hdf5Record {
@@ -50,7 +50,7 @@ public:
 
 private:
     bytes::Source source_;
-    std::shared_ptr<const struct Hdf5Handle> file_;
+    std::shared_ptr<const bytes::Hdf5Handle> file_;
 };
 
 }  // namespace setae::formats

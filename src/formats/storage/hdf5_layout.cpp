@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "hdf5_chunks.hpp"
-#include "hdf5_handle.hpp"
 #include "on_demand.hpp"
 #include "setae/bytes/expand.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::formats {
@@ -69,7 +69,7 @@ void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray&
                       {},
                       {}};
     if (H5Pget_chunk(dataset.properties, static_cast<int>(chunks.chunk.size()), chunks.chunk.data()) < 0 ||
-        hdf5_product(chunks.chunk) == 0)
+        bytes::hdf5_product(chunks.chunk) == 0)
         broken(dataset.source, fmt::format("dataset {:.200} has pieces of no size; the file is damaged", dataset.path));
     for (int k = 0; k < H5Pget_nfilters(dataset.properties); ++k) {
         unsigned flags = 0, parameter = 0;
@@ -85,7 +85,7 @@ void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray&
         chunks.filters.push_back({id, parameters > 0 ? parameter : 0});
     }
     const auto stored = std::min<std::uint64_t>(H5Dget_storage_size(dataset.data), dataset.source.size);
-    const auto most = bytes::most_expanded(stored), piece_bytes = hdf5_product(chunks.chunk, chunks.value_bytes);
+    const auto most = bytes::most_expanded(stored), piece_bytes = bytes::hdf5_product(chunks.chunk, chunks.value_bytes);
     if (bytes > most || piece_bytes > most) {
         array.refusal = fmt::format(
             "HDF5: dataset {:.200} of {} bytes in pieces of {} has {} bytes in the file; it is damaged, or a map of one value",
@@ -143,7 +143,7 @@ std::optional<Hdf5Number> hdf5_number(hid_t type) {
 }
 
 void place_values(const Hdf5Dataset& dataset, StoredArray& array) {
-    const auto bytes = hdf5_product(dataset.extents, bytes_of(array.sample));
+    const auto bytes = bytes::hdf5_product(dataset.extents, bytes_of(array.sample));
     if (bytes == std::numeric_limits<std::uint64_t>::max())
         broken(dataset.source,
                fmt::format("dataset {:.200} announces too many values; the file is damaged", dataset.path));

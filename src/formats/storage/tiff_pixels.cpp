@@ -9,7 +9,7 @@
 #include "setae/bytes/expanded_source.hpp"
 #include "setae/bytes/tiff_decoder.hpp"
 #include "setae/core/errors.hpp"
-#include "tiff_file.hpp"
+#include "tiff_pixels.hpp"
 
 namespace setae::formats {
 namespace {
@@ -25,16 +25,17 @@ struct Layout {
     std::vector<std::uint64_t> offsets, byte_counts;
 };
 
-[[noreturn]] void broken(const TiffFile& file, std::uint64_t offset, const std::string& what) {
+[[noreturn]] void broken(const bytes::TiffFile& file, std::uint64_t offset, const std::string& what) {
     throw FormatError(file.source.name, {.offset = offset}, fmt::format("{}: {}", file.format, what));
 }
 
-std::uint64_t entry(const TiffFile& file, const TiffPage& page, std::uint16_t id, std::uint64_t fallback) {
+std::uint64_t entry(const bytes::TiffFile& file, const bytes::TiffPage& page, std::uint16_t id,
+                    std::uint64_t fallback) {
     const auto values = file.integers(page, id, most_pieces);
     return values.empty() ? fallback : values.front();
 }
 
-Sample sample_of(const TiffFile& file, const TiffPage& page) {
+Sample sample_of(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     const auto bits = entry(file, page, TIFFTAG_BITSPERSAMPLE, 1),
                kind = entry(file, page, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT),
                samples = entry(file, page, TIFFTAG_SAMPLESPERPIXEL, 1);
@@ -57,7 +58,7 @@ Sample sample_of(const TiffFile& file, const TiffPage& page) {
     }
 }
 
-Layout layout_of(const TiffFile& file, const TiffPage& page) {
+Layout layout_of(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     Layout layout{.sample = sample_of(file, page),
                   .compression = entry(file, page, TIFFTAG_COMPRESSION, COMPRESSION_NONE)};
     const auto width = entry(file, page, TIFFTAG_IMAGEWIDTH, 0), height = entry(file, page, TIFFTAG_IMAGELENGTH, 0);
@@ -81,7 +82,7 @@ Layout layout_of(const TiffFile& file, const TiffPage& page) {
 }
 
 /// Refuses pieces that are not in the file, are too few, or announce to become more than honest ones do.
-void require_pieces(const TiffFile& file, const Layout& layout) {
+void require_pieces(const bytes::TiffFile& file, const Layout& layout) {
     const auto needed = layout.pieces.across() * layout.pieces.down();
     if (layout.offsets.size() < needed || layout.byte_counts.size() < needed)
         broken(file, layout.pieces.directory,
@@ -123,7 +124,7 @@ bool side_by_side(const Layout& layout) {
 
 }  // namespace
 
-TiffPixels tiff_pixels(const TiffFile& file, const TiffPage& page) {
+TiffPixels tiff_pixels(const bytes::TiffFile& file, const bytes::TiffPage& page) {
     const auto layout = layout_of(file, page);
     require_pieces(file, layout);
     Raster raster{.nx = static_cast<Index>(layout.pieces.nx),
@@ -142,6 +143,14 @@ TiffPixels tiff_pixels(const TiffFile& file, const TiffPage& page) {
                                                                    2 * source.size + allocation_floor);
                                    }),
             raster};
+}
+
+void refuse_tiff(const bytes::Source& source) {
+    (void)bytes::open_tiff(source, "TIFF");
+    throw FormatError(
+        source.name, {.offset = 0},
+        "a TIFF picture, it has none of the tags by which JPK, Park Systems and Olympus LEXT keep heights in TIFF; `setae contour` traces outlines in pictures, "
+        "heights that were exported as grey values have lost their scale: export the instrument's own format");
 }
 
 }  // namespace setae::formats

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
@@ -32,9 +33,9 @@ bool is_avi(std::string_view head) {
     return head.size() >= 12 && head.starts_with("RIFF") && head.substr(8, 4) == "AVI ";
 }
 
-AviFile::AviFile(RandomAccess file) : file_(std::move(file)) {
-    const auto& path = file_.path();
-    read_list(0, file_.size(), 0);
+AviFile::AviFile(bytes::Source file) : file_(std::move(file)) {
+    const auto& path = file_.name;
+    read_list(0, file_.size, 0);
     if (!video_ || size_.width <= 0 || size_.height <= 0)
         throw FormatError(path, {.offset = 0}, "an AVI without video; the file may be truncated");
     if (frames_.empty()) throw FormatError(path, {.offset = 0}, "an AVI without frames; the file may be truncated");
@@ -42,10 +43,10 @@ AviFile::AviFile(RandomAccess file) : file_(std::move(file)) {
 
 void AviFile::read_list(std::uint64_t begin, std::uint64_t end, int depth) {
     for (auto at = begin; at + 8 <= end;) {
-        const auto head = file_.read(at, 12);
+        const auto head = file_.up_to(at, 12);
         if (head.size() < 8) return;
         const auto id = head.substr(0, 4);
-        const auto bytes = number_in(head, 4, 4);
+        const auto bytes = bytes::number_in(head, 4, 4);
         const auto body = at + 8;
         if ((id == "RIFF" || id == "LIST") && head.size() == 12 && depth < deepest_list) {
             const auto kind = head.substr(8, 4);
@@ -56,7 +57,7 @@ void AviFile::read_list(std::uint64_t begin, std::uint64_t end, int depth) {
             continue;
         }
         if (id == "strh" || id == "strf" || id == "avih")
-            read_header(id, file_.read(body, std::min<std::uint64_t>(bytes, 4096)));
+            read_header(id, file_.up_to(body, std::min<std::uint64_t>(bytes, 4096)));
         else if (video_ && id.size() == 4 && std::isdigit(static_cast<unsigned char>(id[0])) &&
                  std::isdigit(static_cast<unsigned char>(id[1])) && (id[0] - '0') * 10 + (id[1] - '0') == *video_ &&
                  id[2] == 'd' && (id[3] == 'b' || id[3] == 'c'))
@@ -70,16 +71,17 @@ void AviFile::read_header(const std::string& id, const std::string& bytes) {
         in_video_header_ = bytes.starts_with("vids") && !video_;
         if (in_video_header_) {
             video_ = streams_;
-            const auto scale = number_in(bytes, 20, 4), rate = number_in(bytes, 24, 4);
+            const auto scale = bytes::number_in(bytes, 20, 4), rate = bytes::number_in(bytes, 24, 4);
             if (scale > 0 && rate > 0) rate_ = static_cast<double>(rate) / static_cast<double>(scale);
         }
         ++streams_;
     } else if (id == "strf" && in_video_header_ && bytes.size() >= 40) {
         in_video_header_ = false;
-        const auto height = static_cast<std::int32_t>(number_in(bytes, 8, 4));
-        size_ = {static_cast<std::int32_t>(number_in(bytes, 4, 4)), height < 0 ? -static_cast<long>(height) : height};
+        const auto height = static_cast<std::int32_t>(bytes::number_in(bytes, 8, 4));
+        size_ = {static_cast<std::int32_t>(bytes::number_in(bytes, 4, 4)),
+                 height < 0 ? -static_cast<long>(height) : height};
         top_down_ = height < 0;
-        bits_ = static_cast<int>(number_in(bytes, 14, 2));
+        bits_ = static_cast<int>(bytes::number_in(bytes, 14, 2));
         require_known_codec(bytes.substr(16, 4));
         for (std::size_t at = 40; bits_ == 8 && at + 4 <= bytes.size() && palette_.size() < 256; at += 4) {
             const auto part = [&](std::size_t k) {
@@ -102,13 +104,13 @@ void AviFile::require_known_codec(const std::string& codec) {
     else if (name == "UYVY") layout_ = Layout::uyvy;
     else
         throw FormatError(
-            file_.path(), {.offset = 0},
+            file_.name, {.offset = 0},
             fmt::format(
                 "video of codec '{}', whose frames do not stand by themselves; convert it without loss: ffmpeg -i IN.avi -pix_fmt gray frame_%05d.png",
                 printable(codec)));
     if (layout_ == Layout::rgb && bits_ != 8 && bits_ != 24 && bits_ != 32)
         throw FormatError(
-            file_.path(), {.offset = 0},
+            file_.name, {.offset = 0},
             fmt::format(
                 "uncompressed video of {} bits a pixel, expected 8, 24 or 32; convert it: ffmpeg -i IN.avi frame_%05d.png",
                 bits_));
@@ -139,7 +141,7 @@ FrameRead AviFile::uncompressed(const std::string& bytes) const {
 FrameRead AviFile::read(std::size_t index) const {
     const auto& place = frames_[index];
     if (place.bytes == 0) return {{}, "dropped by the recorder: an empty frame"};
-    const auto bytes = file_.read(place.offset, place.bytes);
+    const auto bytes = file_.up_to(place.offset, place.bytes);
     if (bytes.size() < place.bytes)
         return {{}, fmt::format("truncated: {} of {} bytes at byte {}", bytes.size(), place.bytes, place.offset)};
     if (layout_ != Layout::compressed) return uncompressed(bytes);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "picture.hpp"
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 
 namespace setae::imaging {
 
@@ -18,8 +18,8 @@ namespace setae::imaging {
 class AviFile {
 public:
     /// @throws FileError; FormatError for an AVI without video, or of a codec that needs other frames to decode one.
-    explicit AviFile(const std::string& path) : AviFile(RandomAccess(path)) {}
-    explicit AviFile(RandomAccess file);
+    explicit AviFile(const std::string& path) : AviFile(bytes::file_source(path)) {}
+    explicit AviFile(bytes::Source file);
 
     [[nodiscard]] std::size_t size() const { return frames_.size(); }
     [[nodiscard]] PictureSize picture_size() const { return size_; }
@@ -37,7 +37,7 @@ private:
     void require_known_codec(const std::string& codec);
     [[nodiscard]] FrameRead uncompressed(const std::string& bytes) const;
 
-    RandomAccess file_;
+    bytes::Source file_;
     std::vector<Place> frames_;
     int streams_ = 0;
     std::optional<int> video_;

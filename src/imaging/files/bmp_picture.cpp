@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "picture_decoders.hpp"
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -83,7 +84,7 @@ float grey_at(std::string_view row, std::uint64_t column, const Layout& layout) 
         return layout.palette[(byte(bit / 8) >> (8 - layout.bits - bit % 8)) & ((1U << layout.bits) - 1)];
     }
     if (layout.bits == 24) return luminance_of(byte(3 * column + 2), byte(3 * column + 1), byte(3 * column));
-    const auto pixel = static_cast<std::uint32_t>(number_in(row, column * layout.bits / 8, layout.bits / 8));
+    const auto pixel = static_cast<std::uint32_t>(bytes::number_in(row, column * layout.bits / 8, layout.bits / 8));
     return luminance_of(channel_of(pixel, layout.channels[0]), channel_of(pixel, layout.channels[1]),
                         channel_of(pixel, layout.channels[2]));
 }
@@ -91,15 +92,15 @@ float grey_at(std::string_view row, std::uint64_t column, const Layout& layout) 
 }  // namespace
 
 FrameRead decoded_bmp(std::string_view bytes, PictureSize size) {
-    const auto header = number_in(bytes, 14, 4);
+    const auto header = bytes::number_in(bytes, 14, 4);
     const bool core = header == core_header;
     if (!core && (header < 40 || 14 + header > bytes.size()))
         return refused(fmt::format("does not decode: a header of {} bytes; it is damaged", header));
     Layout layout{.size = size,
-                  .top_down = !core && static_cast<std::int32_t>(number_in(bytes, 22, 4)) < 0,
-                  .bits = number_in(bytes, core ? 24 : 28, 2),
-                  .packing = core ? std::uint64_t{none} : number_in(bytes, 30, 4),
-                  .pixels_at = number_in(bytes, 10, 4)};
+                  .top_down = !core && static_cast<std::int32_t>(bytes::number_in(bytes, 22, 4)) < 0,
+                  .bits = bytes::number_in(bytes, core ? 24 : 28, 2),
+                  .packing = core ? std::uint64_t{none} : bytes::number_in(bytes, 30, 4),
+                  .pixels_at = bytes::number_in(bytes, 10, 4)};
     const auto bits = layout.bits, packing = layout.packing;
     const bool known = packing == none ? bits == 1 || bits == 4 || bits == 8 || bits == 16 || bits == 24 || bits == 32
                        : packing == masks     ? bits == 16 || bits == 32
@@ -112,7 +113,7 @@ FrameRead decoded_bmp(std::string_view bytes, PictureSize size) {
     if (packing == masks) {
         if (masks_at + 12 > bytes.size()) return refused("truncated: it ends in its header");
         for (std::size_t k = 0; k < 3; ++k)
-            layout.channels[k] = static_cast<std::uint32_t>(number_in(bytes, masks_at + 4 * k, 4));
+            layout.channels[k] = static_cast<std::uint32_t>(bytes::number_in(bytes, masks_at + 4 * k, 4));
     }
     if (layout.pixels_at > bytes.size()) return refused("truncated: it ends before its pixels");
     auto rows = bytes.substr(layout.pixels_at);

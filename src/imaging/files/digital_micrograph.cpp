@@ -98,18 +98,18 @@ AxisScale axis_of(const DmTag& data, std::size_t axis) {
 
 }  // namespace
 
-Micrograph read_digital_micrograph(const RandomAccess& file, const MicrographOptions& options) {
+Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOptions& options) {
     const auto tags = read_dm_tags(file);
     auto micrograph = unread_micrograph(file, tags.version == 4 ? "dm4" : "dm3");
     const auto* list = tags.root.find("ImageList");
     if (!list || list->tags.empty())
-        throw FormatError(file.path(), {.offset = tags.root.offset},
+        throw FormatError(file.name, {.offset = tags.root.offset},
                           "a DigitalMicrograph file without an image; it holds tags alone");
     const auto images = images_of(tags.root, list->tags.size());
     choose_image(micrograph, images.size(), options);
     const auto& image = list->tags[images[options.image]];
     const auto damaged = [&](const std::string& what) {
-        return FormatError(file.path(), {.offset = image.offset}, what);
+        return FormatError(file.name, {.offset = image.offset}, what);
     };
     const auto* data = image.find("ImageData");
     const auto* numbers = data ? data->find("Data") : nullptr;
@@ -151,7 +151,7 @@ Micrograph read_digital_micrograph(const RandomAccess& file, const MicrographOpt
     const auto needed =
         static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
     if (numbers->bytes < needed)
-        throw FormatError(file.path(), {.offset = numbers->offset},
+        throw FormatError(file.name, {.offset = numbers->offset},
                           fmt::format("{} bytes of pixels, {} × {} of {} bytes need {}: damaged", numbers->bytes,
                                       size.width, size.height, bytes_of(*type), needed));
     micrograph.pixels = read_pixels(file, {numbers->offset, *type, tags.big_endian, size});

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/imaging/micrograph.hpp"
 
 namespace setae::imaging {
 
 /// Reads an image of a DM3 or DM4: those that ImageSourceList names and that are no thumbnail, in its order.
 /// @throws as read_micrograph does.
-[[nodiscard]] Micrograph read_digital_micrograph(const RandomAccess& file, const MicrographOptions& options);
+[[nodiscard]] Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

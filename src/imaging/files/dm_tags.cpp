@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 
 #include <fmt/format.h>
 
 #include "micrograph_building.hpp"
+#include "setae/bytes/number_text.hpp"
+#include "setae/bytes/stored_numbers.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
@@ -56,16 +58,16 @@ std::optional<std::uint64_t> bytes_of_type(std::uint64_t type) {
 
 class TagReader {
 public:
-    explicit TagReader(const RandomAccess& file) : file_(file) {}
+    explicit TagReader(const bytes::Source& file) : file_(file) {}
 
     DmTags read() {
         DmTags tags;
         tags.version = static_cast<int>(number(4));
         word_ = tags.version == 4 ? 8 : 4;
         const auto length = number(word_);
-        if (length > file_.size())
-            throw damaged(
-                0, fmt::format("its header announces {} bytes, the file has {}: truncated", length, file_.size()));
+        if (length > file_.size)
+            throw damaged(0,
+                          fmt::format("its header announces {} bytes, the file has {}: truncated", length, file_.size));
         tags.big_endian = big_endian_ = number(4) == 0;
         tags.root = group(0);
         return tags;
@@ -73,17 +75,17 @@ public:
 
 private:
     [[nodiscard]] FormatError damaged(std::uint64_t offset, const std::string& what) const {
-        return {file_.path(), {.offset = offset}, what};
+        return {file_.name, {.offset = offset}, what};
     }
 
     /// Bytes at the place of reading, which moves on.
     std::string_view take(std::uint64_t count) {
-        if (count > file_.size() - at_)
+        if (count > file_.size - at_)
             throw damaged(at_, fmt::format("{} bytes expected, the file ends at byte {}: truncated or damaged", count,
-                                           file_.size()));
+                                           file_.size));
         if (at_ < window_at_ || at_ + count > window_at_ + window_.size()) {
             window_at_ = at_;
-            window_ = file_.read(at_, std::max(count, window_bytes));
+            window_ = file_.up_to(at_, std::max(count, window_bytes));
             if (window_.size() < count) throw damaged(at_, "the file was cut while it was read");
         }
         const auto bytes = std::string_view(window_).substr(at_ - window_at_, count);
@@ -91,7 +93,7 @@ private:
         return bytes;
     }
 
-    std::uint64_t number(std::size_t bytes) { return number_in(take(bytes), 0, bytes, true); }
+    std::uint64_t number(std::size_t bytes) { return bytes::number_in(take(bytes), 0, bytes, true); }
 
     DmTag group(int depth) {
         if (depth > deepest_group)
@@ -99,9 +101,9 @@ private:
         (void)take(2);  // sorted, open
         const auto begin = at_;
         const auto count = number(word_);
-        if (count > (file_.size() - at_) / 3)
+        if (count > (file_.size - at_) / 3)
             throw damaged(begin, fmt::format("a group of {} tags in the {} bytes that are left: damaged", count,
-                                             file_.size() - at_));
+                                             file_.size - at_));
         DmTag tag;
         tag.offset = at_;
         for (std::uint64_t i = 0; i < count; ++i) {
@@ -111,7 +113,7 @@ private:
             if (kind != entry_group && kind != entry_data)
                 throw damaged(entry_at, fmt::format("a tag of kind {}, expected {} or {}: damaged", kind, entry_group,
                                                     entry_data));
-            auto name = text_of(take(number(2)));
+            auto name = bytes::field_text(take(number(2)));
             if (word_ == 8) (void)take(8);  // bytes of the entry
             auto member = kind == entry_group ? group(depth + 1) : data();
             member.name = std::move(name);
@@ -175,29 +177,29 @@ private:
     }
 
     [[nodiscard]] std::uint64_t times(std::uint64_t count, std::uint64_t bytes, std::uint64_t begin) const {
-        if (bytes > 0 && count > file_.size() / bytes)
+        if (bytes > 0 && count > file_.size / bytes)
             throw damaged(begin, fmt::format("{} elements of {} bytes in a file of {} bytes: truncated or damaged",
-                                             count, bytes, file_.size()));
+                                             count, bytes, file_.size));
         return count * bytes;
     }
 
     void keep_text(DmTag& tag) {
         if (tag.bytes > 2 * longest_text) return;
-        tag.text = text_of_utf16(take(tag.bytes), big_endian_);
+        tag.text = bytes::utf16_field_text(take(tag.bytes), big_endian_);
         at_ = tag.offset;
     }
 
     void skip(const DmTag& tag, std::uint64_t begin) {
-        if (tag.bytes > file_.size() - tag.offset)
+        if (tag.bytes > file_.size - tag.offset)
             throw damaged(
                 begin,
                 fmt::format("{} bytes of data, the file ends {} bytes after their beginning: truncated or damaged",
-                            tag.bytes, file_.size() - tag.offset));
+                            tag.bytes, file_.size - tag.offset));
         at_ = tag.offset + tag.bytes;
     }
 
     [[nodiscard]] double value(std::string_view bytes, std::uint64_t type) const {
-        const auto whole = number_in(bytes, 0, bytes.size(), big_endian_);
+        const auto whole = bytes::number_in(bytes, 0, bytes.size(), big_endian_);
         switch (static_cast<DmType>(type)) {
             case DmType::int8: return static_cast<std::int8_t>(whole);
             case DmType::int16: return static_cast<std::int16_t>(whole);
@@ -209,7 +211,7 @@ private:
         }
     }
 
-    const RandomAccess& file_;
+    const bytes::Source& file_;
     std::size_t word_ = 4;
     bool big_endian_ = false;
     std::uint64_t at_ = 0, tags_ = 0, window_at_ = 0;
@@ -223,10 +225,8 @@ const DmTag* DmTag::find(std::string_view path) const {
     const auto slash = path.find('/');
     const auto first = path.substr(0, slash);
     const DmTag* member = nullptr;
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(first.data(), first.data() + first.size(), index);
-    if (error == std::errc() && end == first.data() + first.size()) {
-        if (index < tags.size()) member = &tags[index];
+    if (const auto index = bytes::spelled<std::size_t>(first)) {
+        if (*index < tags.size()) member = &tags[*index];
     } else {
         const auto found = std::find_if(tags.begin(), tags.end(), [&](const DmTag& tag) { return tag.name == first; });
         if (found != tags.end()) member = &*found;
@@ -246,12 +246,12 @@ std::string DmTag::text_at(std::string_view path) const {
 
 bool is_dm(std::string_view head) {
     if (head.size() < 20) return false;
-    const auto version = number_in(head, 0, 4, true);
+    const auto version = bytes::number_in(head, 0, 4, true);
     if (version != 3 && version != 4) return false;
     const auto order_at = version == 3 ? 8U : 12U;
-    return number_in(head, order_at, 4, true) <= 1;
+    return bytes::number_in(head, order_at, 4, true) <= 1;
 }
 
-DmTags read_dm_tags(const RandomAccess& file) { return TagReader(file).read(); }
+DmTags read_dm_tags(const bytes::Source& file) { return TagReader(file).read(); }
 
 }  // namespace setae::imaging

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 
 namespace setae::imaging {
 
@@ -42,6 +42,6 @@ struct DmTags {
 /// @throws FormatError with the offset of what is damaged.
 /// Source: no public specification; B. Schaffer, "How to read DigitalMicrograph file-format" (2014), as openNCEM and
 /// RosettaSciIO do.
-[[nodiscard]] DmTags read_dm_tags(const RandomAccess& file);
+[[nodiscard]] DmTags read_dm_tags(const bytes::Source& file);
 
 }  // namespace setae::imaging

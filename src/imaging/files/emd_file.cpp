@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "micrograph_building.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
+#include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
@@ -21,45 +22,13 @@ constexpr std::size_t most_members = 10'000;
 constexpr std::uint64_t most_metadata = 1 << 20, longest_text = 1 << 12;
 constexpr std::uint64_t cache_bytes_a_pixel = 16;  // of a chunk, against most_pixels
 
-/// An identifier of HDF5, closed with its scope.
-class Handle {
-public:
-    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Handle() {
-        if (id_ >= 0) close_(id_);
-    }
-    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-    Handle& operator=(Handle&&) = delete;
-    explicit operator bool() const { return id_ >= 0; }
-    operator hid_t() const { return id_; }
-
-private:
-    hid_t id_;
-    herr_t (*close_)(hid_t);
-};
-
-Handle opened(const RandomAccess& file) {
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
-    if (const auto bytes = file.memory()) {
-        H5Pset_fapl_core(access, 1 << 16, 0);
-        H5Pset_file_image(access, const_cast<char*>(bytes->data()), bytes->size());
-    }
-    Handle opened_file(H5Fopen(file.path().c_str(), H5F_ACC_RDONLY, access), &H5Fclose);
-    if (!opened_file) throw FormatError(file.path(), {.offset = 0}, "HDF5 cannot open it: truncated or damaged");
-    return opened_file;
-}
+using Handle = bytes::Hdf5Handle;
 
 bool exists(hid_t place, const std::string& name) {
     return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0 && H5Oexists_by_name(place, name.c_str(), H5P_DEFAULT) > 0;
 }
 
-std::vector<hsize_t> sides_of(hid_t data) {
-    const Handle space(H5Dget_space(data), &H5Sclose);
-    const int rank = space ? H5Sget_simple_extent_ndims(space) : -1;
-    std::vector<hsize_t> sides(static_cast<std::size_t>(std::max(rank, 0)));
-    if (rank > 0) H5Sget_simple_extent_dims(space, sides.data(), nullptr);
-    return sides;
-}
+std::vector<hsize_t> sides_of(hid_t data) { return bytes::hdf5_extents(Handle(H5Dget_space(data), &H5Sclose)); }
 
 /// Text of an attribute, of fixed or variable length; empty where there is none.
 std::string text_attribute(hid_t object, const char* name) {
@@ -71,13 +40,13 @@ std::string text_attribute(hid_t object, const char* name) {
     if (H5Tis_variable_str(type) > 0) {
         char* text = nullptr;
         if (H5Aread(attribute, type, &text) < 0 || !text) return {};
-        auto copied = text_of(text);
+        auto copied = bytes::field_text(text);
         H5free_memory(text);
         return copied;
     }
     std::string text(std::min<std::size_t>(H5Tget_size(type), longest_text), '\0');
     if (text.size() < H5Tget_size(type) || H5Aread(attribute, type, text.data()) < 0) return {};
-    return text_of(text);
+    return bytes::field_text(text);
 }
 
 /// First two numbers of a dimension's positions.
@@ -147,9 +116,9 @@ struct Plane {
 };
 
 /// Grey levels of the first plane of a dataset. @throws FormatError.
-FramePixels plane_of(const RandomAccess& file, hid_t data, const std::vector<hsize_t>& sides, Plane plane,
+FramePixels plane_of(const bytes::Source& file, hid_t data, const std::vector<hsize_t>& sides, Plane plane,
                      const MicrographOptions& options) {
-    const auto damaged = [&](const std::string& what) { return FormatError(file.path(), {.offset = 0}, what); };
+    const auto damaged = [&](const std::string& what) { return FormatError(file.name, {.offset = 0}, what); };
     const auto size = picture_size(file, 0, sides[plane.column_axis], sides[plane.row_axis], options);
     const Handle type(H5Dget_type(data), &H5Tclose);
     const auto kind = H5Tget_class(type);
@@ -166,7 +135,7 @@ FramePixels plane_of(const RandomAccess& file, hid_t data, const std::vector<hsi
         if (bytes > static_cast<double>(cache_bytes_a_pixel) * static_cast<double>(options.most_pixels))
             throw damaged(
                 fmt::format("pixels packed in pieces of {:.3g} bytes; export the image as a file of its own", bytes));
-    } else if (H5Dget_storage_size(data) > file.size()) {
+    } else if (H5Dget_storage_size(data) > file.size) {
         throw damaged("more pixels than the file has bytes: truncated or damaged");
     }
     const Handle space(H5Dget_space(data), &H5Sclose);
@@ -193,9 +162,9 @@ void note_planes(Micrograph& micrograph, const std::vector<hsize_t>& sides, Plan
                   "save the plane wanted as a file of its own");
 }
 
-void read_ncem(const RandomAccess& file, hid_t group, Micrograph& micrograph, const MicrographOptions& options) {
+void read_ncem(const bytes::Source& file, hid_t group, Micrograph& micrograph, const MicrographOptions& options) {
     const Handle data(H5Dopen2(group, "data", H5P_DEFAULT), &H5Dclose);
-    if (!data) throw FormatError(file.path(), {.offset = 0}, "an image whose data is no dataset: damaged");
+    if (!data) throw FormatError(file.name, {.offset = 0}, "an image whose data is no dataset: damaged");
     const auto sides = sides_of(data);
     std::vector<AxisScale> axes;
     for (std::size_t axis = 0; axis < sides.size(); ++axis) {
@@ -209,13 +178,13 @@ void read_ncem(const RandomAccess& file, hid_t group, Micrograph& micrograph, co
         axes.push_back({step.value_or(0), unit});
         if (is_energy(unit))
             throw FormatError(
-                file.path(), {.offset = 0},
+                file.name, {.offset = 0},
                 fmt::format("axis {} is an energy in {}: a spectrum, not a picture; choose the file with the image",
                             axis, unit));
     }
     if (sides.size() < 2)
         throw FormatError(
-            file.path(), {.offset = 0},
+            file.name, {.offset = 0},
             "numbers along one axis: a spectrum or a line, not a picture; choose the file with the image");
     const Plane plane{sides.size() - 2, sides.size() - 1};
     micrograph.pixels = plane_of(file, data, sides, plane, options);
@@ -248,13 +217,13 @@ std::string json_text(const nlohmann::json& json, const std::string& path) {
     return value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : std::string();
 }
 
-void read_velox(const RandomAccess& file, hid_t image, Micrograph& micrograph, const MicrographOptions& options) {
+void read_velox(const bytes::Source& file, hid_t image, Micrograph& micrograph, const MicrographOptions& options) {
     const Handle data(H5Dopen2(image, "Data", H5P_DEFAULT), &H5Dclose);
-    if (!data) throw FormatError(file.path(), {.offset = 0}, "an image whose Data is no dataset: damaged");
+    if (!data) throw FormatError(file.name, {.offset = 0}, "an image whose Data is no dataset: damaged");
     const auto sides = sides_of(data);
     if (sides.size() < 2)
         throw FormatError(
-            file.path(), {.offset = 0},
+            file.name, {.offset = 0},
             "numbers along one axis: a spectrum or a line, not a picture; choose the file with the image");
     const Plane plane{0, 1};  // frames along the last axis
     micrograph.pixels = plane_of(file, data, sides, plane, options);
@@ -277,12 +246,10 @@ void read_velox(const RandomAccess& file, hid_t image, Micrograph& micrograph, c
 
 bool is_hdf5(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1A\n"); }
 
-Micrograph read_emd(const RandomAccess& file, const MicrographOptions& options) {
-    static std::mutex one_at_a_time;  // HDF5 may be built without care for threads
-    const std::lock_guard lock(one_at_a_time);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // a library does not print
+Micrograph read_emd(const bytes::Source& file, const MicrographOptions& options) {
+    const bytes::Hdf5Session session;
     auto micrograph = unread_micrograph(file, "emd");
-    const auto root = opened(file);
+    const auto root = bytes::opened_hdf5(file);
     std::vector<std::string> images;
     const std::string velox = "/Data/Image";
     const bool is_velox = exists(root, "/Data") && exists(root, velox);
@@ -298,13 +265,13 @@ Micrograph read_emd(const RandomAccess& file, const MicrographOptions& options) 
         find_ncem_images(group, "", 0, images, visited);
     }
     if (images.empty())
-        throw FormatError(file.path(), {.offset = 0},
+        throw FormatError(file.name, {.offset = 0},
                           "an HDF5 file without an image in the layout of EMD (emd_group_type or Data/Image)");
     choose_image(micrograph, images.size(), options);
     const Handle image(H5Oopen(root, images[options.image].empty() ? "/" : images[options.image].c_str(), H5P_DEFAULT),
                        &H5Oclose);
     if (!image || H5Iget_type(image) != H5I_GROUP)
-        throw FormatError(file.path(), {.offset = 0}, fmt::format("{} is no group: damaged", images[options.image]));
+        throw FormatError(file.name, {.offset = 0}, fmt::format("{} is no group: damaged", images[options.image]));
     if (is_velox) read_velox(file, image, micrograph, options);
     else read_ncem(file, image, micrograph, options);
     add_alert(micrograph, "UNTESTED_FORMAT", "EMD is read from its description, no real file was at hand",

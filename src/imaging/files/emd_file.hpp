@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/imaging/micrograph.hpp"
 
 namespace setae::imaging {
@@ -14,6 +14,6 @@ namespace setae::imaging {
 /// Reads an image of an EMD: groups with emd_group_type 1 (NCEM) or Data/Image/* (Velox). Untested on real files.
 /// @throws as read_micrograph does.
 /// Source: emdatasets.com, EMD 0.2; Velox' layout as RosettaSciIO and openNCEM read it.
-[[nodiscard]] Micrograph read_emd(const RandomAccess& file, const MicrographOptions& options);
+[[nodiscard]] Micrograph read_emd(const bytes::Source& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

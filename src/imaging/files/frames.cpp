@@ -42,7 +42,7 @@ Store opened(std::vector<std::string> paths) {
     }
     if (paths.size() > 1) return Pictures{std::move(paths)};
     const auto& path = paths.front();
-    const auto head = RandomAccess(path).read(0, 64);
+    const auto head = bytes::file_source(path).head(64);
     if (is_avi(head)) return AviFile(path);
     switch (picture_kind(head)) {
         case PictureKind::tiff: return TiffStack(path);
@@ -95,7 +95,7 @@ Stated stated_by(const Store& store) {
                                  },
                                  [](const Pictures& pictures) {
                                      const auto& path = pictures.paths.front();
-                                     if (picture_kind(RandomAccess(path).read(0, 32)) != PictureKind::tiff)
+                                     if (picture_kind(bytes::file_source(path).head(32)) != PictureKind::tiff)
                                          return Stated{};
                                      return Stated{TiffStack(path).pixel_size(), std::nullopt};
                                  }},

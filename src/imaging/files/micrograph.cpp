@@ -40,29 +40,29 @@ constexpr std::uint64_t head_bytes = 2048;
 
 }  // namespace
 
-Micrograph read_micrograph_file(RandomAccess file, const MicrographOptions& options) {
-    const auto path = file.path();
+Micrograph read_micrograph_file(const bytes::Source& file, const MicrographOptions& options) {
     auto micrograph = [&] {
-        switch (kind_of(file.read(0, head_bytes))) {
+        switch (kind_of(file.up_to(0, head_bytes))) {
             case Kind::dm: return read_digital_micrograph(file, options);
-            case Kind::tiff: return read_tiff(std::move(file), options);
+            case Kind::tiff: return read_tiff(file, options);
             case Kind::picture: return read_plain_picture(file, options);
             case Kind::mrc: return read_mrc(file, options);
             case Kind::ser: return read_ser(file, options);
             case Kind::emd: return read_emd(file, options);
             case Kind::none: break;
         }
-        throw FormatError(path, {.offset = 0},
+        throw FormatError(file.name, {.offset = 0},
                           "no picture setae knows; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC");
     }();
     if (const auto undefined = micrograph.pixels.size() - micrograph.pixels.isFinite().count(); undefined > 0)
         throw FormatError(
-            path, {}, fmt::format("{} pixels without a number; replace them and save the picture again", undefined));
+            file.name, {},
+            fmt::format("{} pixels without a number; replace them and save the picture again", undefined));
     return micrograph;
 }
 
 Micrograph read_micrograph(const std::string& path, const MicrographOptions& options) {
-    auto micrograph = read_micrograph_file(RandomAccess(path), options);
+    auto micrograph = read_micrograph_file(bytes::file_source(path), options);
     if (micrograph.format == "ser")
         if (const auto emi = emi_beside(path); std::filesystem::is_regular_file(emi))
             read_emi(bytes::read_file(emi), micrograph);
@@ -71,7 +71,7 @@ Micrograph read_micrograph(const std::string& path, const MicrographOptions& opt
 
 std::vector<std::string> micrographs_in(const std::string& folder) {
     auto paths =
-        files_in(folder, [](const RandomAccess& file) { return kind_of(file.read(0, head_bytes)) != Kind::none; });
+        files_in(folder, [](const bytes::Source& file) { return kind_of(file.up_to(0, head_bytes)) != Kind::none; });
     if (paths.empty())
         throw FormatError(folder, {}, "no pictures; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC files");
     return paths;

@@ -2,13 +2,14 @@
 #include "micrograph_building.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 
 #include <fmt/format.h>
 
+#include "setae/bytes/number_text.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
@@ -39,16 +40,6 @@ bool reciprocal(std::string_view unit) {
            unit.find("\xE2\x81\xBB\xC2\xB9") != std::string_view::npos;
 }
 
-void put_utf8(std::string& text, std::uint32_t point) {
-    const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
-    if (point < 0x80) byte(point);
-    else if (point < 0x800) byte(0xC0 | (point >> 6)), byte(0x80 | (point & 63));
-    else if (point < 0x10000) byte(0xE0 | (point >> 12)), byte(0x80 | ((point >> 6) & 63)), byte(0x80 | (point & 63));
-    else
-        byte(0xF0 | (point >> 18)), byte(0x80 | ((point >> 12) & 63)), byte(0x80 | ((point >> 6) & 63)),
-            byte(0x80 | (point & 63));
-}
-
 }  // namespace
 
 std::optional<double> metres_of(std::string_view unit) {
@@ -60,11 +51,11 @@ std::optional<double> metres_of(std::string_view unit) {
     }
 }
 
-Micrograph unread_micrograph(const RandomAccess& file, std::string format) {
+Micrograph unread_micrograph(const bytes::Source& file, std::string format) {
     Micrograph micrograph;
     micrograph.format = std::move(format);
-    micrograph.file = file.path();
-    micrograph.name = std::filesystem::path(file.path()).filename().string();
+    micrograph.file = file.name;
+    micrograph.name = std::filesystem::path(file.name).filename().string();
     return micrograph;
 }
 
@@ -106,20 +97,20 @@ bool is_energy(std::string_view unit) {
     return unit == "eV" || unit == "keV" || unit == "meV" || unit == "MeV";
 }
 
-PictureSize picture_size(const RandomAccess& file, std::uint64_t offset, std::uint64_t width, std::uint64_t height,
+PictureSize picture_size(const bytes::Source& file, std::uint64_t offset, std::uint64_t width, std::uint64_t height,
                          const MicrographOptions& options) {
     if (width == 0 || height == 0)
-        throw FormatError(file.path(), {.offset = offset},
+        throw FormatError(file.name, {.offset = offset},
                           fmt::format("a picture of {} × {} pixels; the file is damaged", width, height));
     if (width == 1 || height == 1)
         throw FormatError(
-            file.path(), {.offset = offset},
+            file.name, {.offset = offset},
             fmt::format("{} × {} numbers: a spectrum or a line, not a picture; choose the file with the image", width,
                         height));
     const auto most = static_cast<std::uint64_t>(std::max(0L, options.most_pixels));
     if (width > most / height)
         throw FormatError(
-            file.path(), {.offset = offset},
+            file.name, {.offset = offset},
             fmt::format(
                 "{} × {} pixels, more than the {} that are read; crop the picture to the edge, or bin it, with ImageJ or the microscope's program",
                 width, height, most));
@@ -136,43 +127,9 @@ void choose_image(Micrograph& micrograph, std::uint64_t images, const Micrograph
                   "ask for another by its number, counted from 0");
 }
 
-std::string text_of(std::string_view bytes) {
-    bytes = bytes.substr(0, bytes.find('\0'));
-    bool utf8 = true;
-    for (std::size_t at = 0; at < bytes.size() && utf8;) {
-        const auto length = utf8_length(bytes.substr(at));
-        utf8 = length > 0;
-        at += length;
-    }
-    if (utf8) return std::string(bytes);
-    std::string text;
-    for (const char c : bytes) put_utf8(text, static_cast<unsigned char>(c));
-    return text;
-}
-
-std::string text_of_utf16(std::string_view bytes, bool big_endian) {
-    std::string text;
-    for (std::size_t at = 0; at + 2 <= bytes.size(); at += 2) {
-        auto point = static_cast<std::uint32_t>(number_in(bytes, at, 2, big_endian));
-        if (point == 0) break;
-        if (point >= 0xD800 && point < 0xDC00 && at + 4 <= bytes.size()) {
-            const auto low = static_cast<std::uint32_t>(number_in(bytes, at + 2, 2, big_endian));
-            if (low >= 0xDC00 && low < 0xE000) {
-                point = 0x10000 + ((point - 0xD800) << 10) + (low - 0xDC00);
-                at += 2;
-            }
-        }
-        put_utf8(text, point >= 0xD800 && point < 0xE000 ? 0xFFFD : point);
-    }
-    return text;
-}
-
 std::optional<double> number_of(std::string_view text) {
-    text = trimmed(text);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
+    const auto value = bytes::spelled<double>(trimmed(text));
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace setae::imaging

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "picture.hpp"
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/imaging/micrograph.hpp"
 
 namespace setae::imaging {
@@ -19,7 +19,7 @@ struct AxisScale {
 };
 
 /// A micrograph that knows its file and format, and nothing else yet.
-[[nodiscard]] Micrograph unread_micrograph(const RandomAccess& file, std::string format);
+[[nodiscard]] Micrograph unread_micrograph(const bytes::Source& file, std::string format);
 
 /// Pixels [m] larger than this stand for what printers and screens are told, not for a microscope.
 inline constexpr double coarsest_pixel = 20e-6;
@@ -38,18 +38,12 @@ void add_alert(Micrograph& micrograph, std::string code, std::string message, st
 
 /// Width and height as a file states them, found fit for a picture.
 /// @throws FormatError for one row or column (a spectrum) and for more pixels than the options allow.
-[[nodiscard]] PictureSize picture_size(const RandomAccess& file, std::uint64_t offset, std::uint64_t width,
+[[nodiscard]] PictureSize picture_size(const bytes::Source& file, std::uint64_t offset, std::uint64_t width,
                                        std::uint64_t height, const MicrographOptions& options);
 
 /// Checks that the file has the image asked for and says what is passed over: alert SEVERAL_IMAGES.
 /// @throws InvalidArgument for an image the file has not.
 void choose_image(Micrograph& micrograph, std::uint64_t images, const MicrographOptions& options);
-
-/// Text of the bytes of an ISO 8859-1 string up to its first zero, or of UTF-8 where it is that.
-[[nodiscard]] std::string text_of(std::string_view bytes);
-
-/// Text of UTF-16 code units up to the first zero; what is no character becomes U+FFFD.
-[[nodiscard]] std::string text_of_utf16(std::string_view bytes, bool big_endian);
 
 /// A finite number that is the whole text; nothing for other text.
 [[nodiscard]] std::optional<double> number_of(std::string_view text);

@@ -7,6 +7,7 @@
 
 #include "micrograph_building.hpp"
 #include "raw_pixels.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
@@ -41,14 +42,14 @@ bool sensible(double size) { return size > 1e-13 && size < 1e-6; }
 
 /// Pixel size [m] of FEI's extended header, entry by entry; true where one stands there. Its numbers are little endian
 /// in practice.
-bool read_fei_header(const RandomAccess& file, std::uint64_t section, Micrograph& micrograph) {
-    const auto first = file.read(header_bytes, fei::least_size);
+bool read_fei_header(const bytes::Source& file, std::uint64_t section, Micrograph& micrograph) {
+    const auto first = file.up_to(header_bytes, fei::least_size);
     if (first.size() < fei::least_size) return false;
-    const auto entry_bytes = number_in(first, fei::size, 4);
+    const auto entry_bytes = bytes::number_in(first, fei::size, 4);
     if (entry_bytes < fei::least_size || entry_bytes > 4096) return false;
-    const auto entry = file.read(header_bytes + section * entry_bytes, fei::least_size);
+    const auto entry = file.up_to(header_bytes + section * entry_bytes, fei::least_size);
     if (entry.size() < fei::least_size) return false;
-    const auto real = [&](std::size_t offset) { return std::bit_cast<double>(number_in(entry, offset, 8)); };
+    const auto real = [&](std::size_t offset) { return std::bit_cast<double>(bytes::number_in(entry, offset, 8)); };
     if (!sensible(real(fei::pixel_x)) || !sensible(real(fei::pixel_y))) return false;
     set_pixel_size(micrograph, {real(fei::pixel_x), "m"}, {real(fei::pixel_y), "m"}, "MRC extended header of FEI");
     if (real(fei::voltage) > 0 && real(fei::voltage) < 1e7)
@@ -60,19 +61,19 @@ bool read_fei_header(const RandomAccess& file, std::uint64_t section, Micrograph
 
 bool is_mrc(std::string_view head) {
     if (head.size() < at::stamp + 4 || head.substr(at::mark, 3) != "MAP") return false;
-    const auto stamp = number_in(head, at::stamp, 2, true);
+    const auto stamp = bytes::number_in(head, at::stamp, 2, true);
     return stamp == 0x4444 || stamp == 0x4441 || stamp == 0x1111;
 }
 
-Micrograph read_mrc(const RandomAccess& file, const MicrographOptions& options) {
+Micrograph read_mrc(const bytes::Source& file, const MicrographOptions& options) {
     auto micrograph = unread_micrograph(file, "mrc");
-    const auto header = file.read(0, header_bytes);
+    const auto header = file.up_to(0, header_bytes);
     if (header.size() < header_bytes)
-        throw FormatError(file.path(), {.offset = header.size()},
+        throw FormatError(file.name, {.offset = header.size()},
                           fmt::format("an MRC begins with {} bytes of header: truncated", header_bytes));
     const bool big_endian = header[at::stamp] == 0x11;
     const auto whole = [&](std::size_t offset) {
-        return static_cast<std::int32_t>(number_in(header, offset, 4, big_endian));
+        return static_cast<std::int32_t>(bytes::number_in(header, offset, 4, big_endian));
     };
     const auto real = [&](std::size_t offset) { return static_cast<double>(std::bit_cast<float>(whole(offset))); };
     const auto positive = [&](std::size_t offset) { return static_cast<std::uint64_t>(std::max(0, whole(offset))); };
@@ -81,14 +82,14 @@ Micrograph read_mrc(const RandomAccess& file, const MicrographOptions& options) 
     choose_image(micrograph, std::max<std::uint64_t>(1, sections), options);
     const auto type = sample_type(positive(at::mode));
     if (!type || whole(at::mode) < 0)
-        throw FormatError(file.path(), {.offset = at::mode},
+        throw FormatError(file.name, {.offset = at::mode},
                           fmt::format("mode {}, expected 0, 1, 2, 3, 4, 6 or 12", whole(at::mode)));
     const auto extended = positive(at::extended_bytes);
     const auto section_bytes =
         static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
-    if (section_bytes > file.size() || options.image > file.size() / section_bytes)
-        throw FormatError(file.path(), {.offset = header_bytes},
-                          fmt::format("sections of {} bytes in a file of {}: truncated", section_bytes, file.size()));
+    if (section_bytes > file.size || options.image > file.size / section_bytes)
+        throw FormatError(file.name, {.offset = header_bytes},
+                          fmt::format("sections of {} bytes in a file of {}: truncated", section_bytes, file.size));
     micrograph.pixels =
         read_pixels(file, {header_bytes + extended + options.image * section_bytes, *type, big_endian, size});
     if (is_complex(*type))

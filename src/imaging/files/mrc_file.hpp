@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/imaging/micrograph.hpp"
 
 namespace setae::imaging {
@@ -15,6 +15,6 @@ namespace setae::imaging {
 /// @throws as read_micrograph does.
 /// Source: Cheng et al., J. Struct. Biol. 192, 2015, 146 (MRC2014), modes 0 to 4, 6 and 12; FEI extended headers from
 /// the EPU manual.
-[[nodiscard]] Micrograph read_mrc(const RandomAccess& file, const MicrographOptions& options);
+[[nodiscard]] Micrograph read_mrc(const bytes::Source& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

@@ -5,7 +5,8 @@
 
 #include "picture_decoders.hpp"
 #include "png_chunks.hpp"
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -22,9 +23,9 @@ std::optional<PictureSize> jpeg_size(std::string_view bytes) {
         const bool start_of_frame =
             marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
         if (start_of_frame)
-            return PictureSize{static_cast<long>(number_in(bytes, at + 7, 2, true)),
-                               static_cast<long>(number_in(bytes, at + 5, 2, true))};
-        at += 2 + number_in(bytes, at + 2, 2, true);
+            return PictureSize{static_cast<long>(bytes::number_in(bytes, at + 7, 2, true)),
+                               static_cast<long>(bytes::number_in(bytes, at + 5, 2, true))};
+        at += 2 + bytes::number_in(bytes, at + 2, 2, true);
     }
     return std::nullopt;
 }
@@ -34,7 +35,7 @@ bool ends_whole(std::string_view bytes) {
     switch (picture_kind(bytes)) {
         case PictureKind::png: return png_is_whole(bytes);
         case PictureKind::jpeg: return bytes.rfind("\xFF\xD9") != std::string_view::npos;
-        case PictureKind::bmp: return bytes.size() >= number_in(bytes, 2, 4);
+        case PictureKind::bmp: return bytes.size() >= bytes::number_in(bytes, 2, 4);
         default: return true;
     }
 }
@@ -56,14 +57,14 @@ std::optional<PictureSize> stated_size(std::string_view bytes) {
     switch (picture_kind(bytes)) {
         case PictureKind::png:
             if (bytes.size() < 24) return std::nullopt;
-            return PictureSize{static_cast<long>(number_in(bytes, 16, 4, true)),
-                               static_cast<long>(number_in(bytes, 20, 4, true))};
+            return PictureSize{static_cast<long>(bytes::number_in(bytes, 16, 4, true)),
+                               static_cast<long>(bytes::number_in(bytes, 20, 4, true))};
         case PictureKind::bmp: {
-            if (number_in(bytes, 14, 4) == 12)  // as OS/2 writes it
-                return PictureSize{static_cast<long>(number_in(bytes, 18, 2)),
-                                   static_cast<long>(number_in(bytes, 20, 2))};
-            const auto height = static_cast<std::int32_t>(number_in(bytes, 22, 4));
-            return PictureSize{static_cast<std::int32_t>(number_in(bytes, 18, 4)),
+            if (bytes::number_in(bytes, 14, 4) == 12)  // as OS/2 writes it
+                return PictureSize{static_cast<long>(bytes::number_in(bytes, 18, 2)),
+                                   static_cast<long>(bytes::number_in(bytes, 20, 2))};
+            const auto height = static_cast<std::int32_t>(bytes::number_in(bytes, 22, 4));
+            return PictureSize{static_cast<std::int32_t>(bytes::number_in(bytes, 18, 4)),
                                height < 0 ? -static_cast<long>(height) : height};
         }
         case PictureKind::jpeg: return jpeg_size(bytes);

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "tiff_stack.hpp"
@@ -60,12 +60,12 @@ bool natural_order(std::string_view first, std::string_view second) {
     return i == first.size();
 }
 
-std::vector<std::string> files_in(const std::string& folder, const std::function<bool(const RandomAccess&)>& wanted) {
+std::vector<std::string> files_in(const std::string& folder, const std::function<bool(const bytes::Source&)>& wanted) {
     std::vector<std::string> paths;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         if (!entry->is_regular_file() || entry->path().filename().string().starts_with('.')) continue;
-        if (wanted(RandomAccess(entry->path().string()))) paths.push_back(entry->path().string());
+        if (wanted(bytes::file_source(entry->path().string()))) paths.push_back(entry->path().string());
     }
     if (error) throw FileError(folder + ": cannot list the folder: " + error.message());
     std::sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
@@ -73,8 +73,8 @@ std::vector<std::string> files_in(const std::string& folder, const std::function
 }
 
 std::vector<std::string> pictures_in(const std::string& folder) {
-    auto paths =
-        files_in(folder, [](const RandomAccess& file) { return picture_kind(file.read(0, 32)) != PictureKind::none; });
+    auto paths = files_in(
+        folder, [](const bytes::Source& file) { return picture_kind(file.up_to(0, 32)) != PictureKind::none; });
     if (paths.empty()) throw FormatError(folder, {}, "no pictures; expected PNG, JPEG, TIFF or BMP files");
     return paths;
 }
@@ -112,13 +112,13 @@ FrameNumbers numbers_of(const std::vector<std::string>& paths) {
 }
 
 std::optional<PictureSize> size_of_picture(const std::string& path) {
-    const RandomAccess file(path);
-    const auto head = file.read(0, 65536);
+    const auto file = bytes::file_source(path);
+    const auto head = file.up_to(0, 65536);
     if (picture_kind(head) != PictureKind::tiff) {
         const auto size = stated_size(head);
-        return size || file.size() <= head.size()
+        return size || file.size <= head.size()
                    ? size
-                   : stated_size(file.read(0, file.size()));  // long comments before a JPEG's size
+                   : stated_size(file.up_to(0, file.size));  // long comments before a JPEG's size
     }
     try {
         const auto size = TiffStack(path).size_of(0);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "picture.hpp"
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 
 namespace setae::imaging {
 
@@ -17,7 +17,7 @@ namespace setae::imaging {
 
 /// Files of a folder that `wanted` takes, in natural order; hidden files are left out. @throws FileError.
 [[nodiscard]] std::vector<std::string> files_in(const std::string& folder,
-                                                const std::function<bool(const RandomAccess&)>& wanted);
+                                                const std::function<bool(const bytes::Source&)>& wanted);
 
 /// Pictures in a folder, in natural order; hidden files and what is no PNG, JPEG, TIFF or BMP are left out.
 /// @throws FileError; FormatError for a folder without pictures.

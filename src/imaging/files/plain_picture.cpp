@@ -4,6 +4,7 @@
 #include "micrograph_building.hpp"
 #include "picture.hpp"
 #include "png_chunks.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
@@ -13,7 +14,7 @@ namespace {
 std::optional<PixelSize> png_pixel_size(std::string_view bytes) {
     const auto chunk = png_chunk(bytes, "pHYs");
     if (chunk.size() != 9 || chunk[8] != 1) return std::nullopt;  // 1: per metre
-    const auto x = number_in(chunk, 0, 4, true), y = number_in(chunk, 4, 4, true);
+    const auto x = bytes::number_in(chunk, 0, 4, true), y = bytes::number_in(chunk, 4, 4, true);
     if (x == 0 || y == 0) return std::nullopt;
     return PixelSize{1.0 / static_cast<double>(x), 1.0 / static_cast<double>(y)};
 }
@@ -24,20 +25,19 @@ std::string format_of(PictureKind kind) {
 
 }  // namespace
 
-Micrograph read_plain_picture(const RandomAccess& file, const MicrographOptions& options) {
-    const auto owned = file.memory() ? std::string() : file.read(0, file.size());
-    const auto bytes = file.memory().value_or(owned);
+Micrograph read_plain_picture(const bytes::Source& file, const MicrographOptions& options) {
+    const auto bytes = file.all();
     auto micrograph = unread_micrograph(file, format_of(picture_kind(bytes)));
     choose_image(micrograph, 1, options);
     const auto stated = stated_size(bytes);
     if (!stated || stated->width <= 0 || stated->height <= 0)
-        throw FormatError(file.path(), {.offset = 0}, "a picture whose header states no size: truncated or damaged");
+        throw FormatError(file.name, {.offset = 0}, "a picture whose header states no size: truncated or damaged");
     const auto size = picture_size(file, 0, static_cast<std::uint64_t>(stated->width),
                                    static_cast<std::uint64_t>(stated->height), options);
     auto frame = decoded_picture(bytes);
-    if (!frame.fault.empty()) throw FormatError(file.path(), {.offset = bytes.size()}, frame.fault);
+    if (!frame.fault.empty()) throw FormatError(file.name, {.offset = bytes.size()}, frame.fault);
     if (frame.pixels.cols() != size.width || frame.pixels.rows() != size.height)
-        throw FormatError(file.path(), {.offset = 0},
+        throw FormatError(file.name, {.offset = 0},
                           "the decoded picture has another size than its header states: damaged");
     micrograph.pixels = std::move(frame.pixels);
     if (micrograph.format == "png")

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/imaging/micrograph.hpp"
 
 namespace setae::imaging {
 
 /// Reads a PNG, JPEG or BMP. A pixel size is taken from a PNG's pHYs where it is finer than print.
 /// @throws as read_micrograph does.
-[[nodiscard]] Micrograph read_plain_picture(const RandomAccess& file, const MicrographOptions& options);
+[[nodiscard]] Micrograph read_plain_picture(const bytes::Source& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

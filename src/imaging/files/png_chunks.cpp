@@ -4,7 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::array<std::uint32_t, 256> remainders = [] {
 /// Kind, content and checksum of the chunk at a place; nothing where it is not all there.
 std::optional<std::string_view> chunk_at(std::string_view png, std::size_t at) {
     if (at + 12 > png.size()) return std::nullopt;
-    const auto length = number_in(png, at, 4, true);
+    const auto length = bytes::number_in(png, at, 4, true);
     if (length > png.size() - at - 12) return std::nullopt;
     return png.substr(at + 4, length + 8);
 }
@@ -41,7 +42,7 @@ bool png_is_whole(std::string_view png) {
     auto at = signature_bytes;
     for (auto chunk = chunk_at(png, at); chunk; chunk = chunk_at(png, at)) {
         const auto content = chunk->substr(0, chunk->size() - 4);
-        if (png_checksum(content) != number_in(*chunk, content.size(), 4, true)) return false;
+        if (png_checksum(content) != bytes::number_in(*chunk, content.size(), 4, true)) return false;
         if (content.starts_with("IEND")) return true;
         at += chunk->size() + 4;
     }

@@ -10,21 +10,13 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
 namespace {
 
 constexpr std::uint64_t block_bytes = 1 << 20;
-
-template <class Value>
-Value value_at(const char* from, bool swap) {
-    std::array<char, sizeof(Value)> bytes;
-    std::memcpy(bytes.data(), from, sizeof(Value));
-    if constexpr (sizeof(Value) > 1)
-        if (swap) std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<Value>(bytes);
-}
 
 /// IEEE 754 binary16.
 float half(std::uint16_t bits) {
@@ -36,47 +28,47 @@ float half(std::uint16_t bits) {
 }
 
 template <class Value>
-void convert(const char* from, bool swap, std::uint64_t count, float* to) {
+void convert(const char* from, std::endian order, std::uint64_t count, float* to) {
     for (std::uint64_t i = 0; i < count; ++i)
-        to[i] = static_cast<float>(value_at<Value>(from + i * sizeof(Value), swap));
+        to[i] = static_cast<float>(bytes::load<Value>(from + i * sizeof(Value), order));
 }
 
 template <class Part>
-void convert_complex(const char* from, bool swap, std::uint64_t count, float* to) {
+void convert_complex(const char* from, std::endian order, std::uint64_t count, float* to) {
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto* at = from + 2 * i * sizeof(Part);
-        to[i] = static_cast<float>(std::hypot(static_cast<double>(value_at<Part>(at, swap)),
-                                              static_cast<double>(value_at<Part>(at + sizeof(Part), swap))));
+        to[i] = static_cast<float>(std::hypot(static_cast<double>(bytes::load<Part>(at, order)),
+                                              static_cast<double>(bytes::load<Part>(at + sizeof(Part), order))));
     }
 }
 
 /// Packed colours are numbers 0xAARRGGBB in the file's order of bytes.
-void convert_colour(const char* from, bool swap, std::uint64_t count, float* to) {
+void convert_colour(const char* from, std::endian order, std::uint64_t count, float* to) {
     for (std::uint64_t i = 0; i < count; ++i) {
-        const auto packed = value_at<std::uint32_t>(from + 4 * i, swap);
+        const auto packed = bytes::load<std::uint32_t>(from + 4 * i, order);
         to[i] = luminance_of((packed >> 16) & 255, (packed >> 8) & 255, packed & 255);
     }
 }
 
 void convert_samples(const char* from, SampleType type, bool big_endian, std::uint64_t count, float* to) {
-    const bool swap = big_endian != (std::endian::native == std::endian::big);
+    const auto order = big_endian ? std::endian::big : std::endian::little;
     switch (type) {
-        case SampleType::int8: return convert<std::int8_t>(from, swap, count, to);
-        case SampleType::uint8: return convert<std::uint8_t>(from, swap, count, to);
-        case SampleType::int16: return convert<std::int16_t>(from, swap, count, to);
-        case SampleType::uint16: return convert<std::uint16_t>(from, swap, count, to);
-        case SampleType::int32: return convert<std::int32_t>(from, swap, count, to);
-        case SampleType::uint32: return convert<std::uint32_t>(from, swap, count, to);
-        case SampleType::int64: return convert<std::int64_t>(from, swap, count, to);
-        case SampleType::uint64: return convert<std::uint64_t>(from, swap, count, to);
-        case SampleType::float32: return convert<float>(from, swap, count, to);
-        case SampleType::float64: return convert<double>(from, swap, count, to);
-        case SampleType::complex_int16: return convert_complex<std::int16_t>(from, swap, count, to);
-        case SampleType::complex_float32: return convert_complex<float>(from, swap, count, to);
-        case SampleType::complex_float64: return convert_complex<double>(from, swap, count, to);
-        case SampleType::bgra: return convert_colour(from, swap, count, to);
+        case SampleType::int8: return convert<std::int8_t>(from, order, count, to);
+        case SampleType::uint8: return convert<std::uint8_t>(from, order, count, to);
+        case SampleType::int16: return convert<std::int16_t>(from, order, count, to);
+        case SampleType::uint16: return convert<std::uint16_t>(from, order, count, to);
+        case SampleType::int32: return convert<std::int32_t>(from, order, count, to);
+        case SampleType::uint32: return convert<std::uint32_t>(from, order, count, to);
+        case SampleType::int64: return convert<std::int64_t>(from, order, count, to);
+        case SampleType::uint64: return convert<std::uint64_t>(from, order, count, to);
+        case SampleType::float32: return convert<float>(from, order, count, to);
+        case SampleType::float64: return convert<double>(from, order, count, to);
+        case SampleType::complex_int16: return convert_complex<std::int16_t>(from, order, count, to);
+        case SampleType::complex_float32: return convert_complex<float>(from, order, count, to);
+        case SampleType::complex_float64: return convert_complex<double>(from, order, count, to);
+        case SampleType::bgra: return convert_colour(from, order, count, to);
         case SampleType::float16:
-            for (std::uint64_t i = 0; i < count; ++i) to[i] = half(value_at<std::uint16_t>(from + 2 * i, swap));
+            for (std::uint64_t i = 0; i < count; ++i) to[i] = half(bytes::load<std::uint16_t>(from + 2 * i, order));
             return;
     }
     throw InternalError("a type of samples without a conversion");
@@ -110,26 +102,23 @@ bool is_complex(SampleType type) {
            type == SampleType::complex_float64;
 }
 
-FramePixels read_pixels(const RandomAccess& file, const RawPixels& layout) {
+FramePixels read_pixels(const bytes::Source& file, const RawPixels& layout) {
     const auto count = static_cast<std::uint64_t>(layout.size.width) * static_cast<std::uint64_t>(layout.size.height),
                unit = bytes_of(layout.type);
-    if (layout.offset > file.size() || count > (file.size() - layout.offset) / unit)
+    if (layout.offset > file.size || count > (file.size - layout.offset) / unit)
         throw FormatError(
-            file.path(), {.offset = layout.offset},
+            file.name, {.offset = layout.offset},
             fmt::format("{} × {} pixels of {} bytes reach beyond the end of the file at byte {}; the file is truncated",
-                        layout.size.width, layout.size.height, unit, file.size()));
+                        layout.size.width, layout.size.height, unit, file.size));
     FramePixels pixels(layout.size.height, layout.size.width);
-    const auto cut = [&] {
-        return FormatError(file.path(), {.offset = file.size()}, "the file was cut while it was read");
-    };
     if (layout.type == SampleType::float32 && !layout.big_endian && std::endian::native == std::endian::little) {
-        if (file.read_into(reinterpret_cast<char*>(pixels.data()), layout.offset, 4 * count) < 4 * count) throw cut();
+        file.read_into(layout.offset, 4 * count, reinterpret_cast<char*>(pixels.data()));
         return pixels;
     }
     std::vector<char> block(std::min(block_bytes, count * unit));
     for (std::uint64_t done = 0; done < count;) {
         const auto some = std::min(count - done, block_bytes / unit);
-        if (file.read_into(block.data(), layout.offset + done * unit, some * unit) < some * unit) throw cut();
+        file.read_into(layout.offset + done * unit, some * unit, block.data());
         convert_samples(block.data(), layout.type, layout.big_endian, some, pixels.data() + done);
         done += some;
     }

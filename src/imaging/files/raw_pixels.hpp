@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "picture.hpp"
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 
 namespace setae::imaging {
 
@@ -42,7 +42,7 @@ struct RawPixels {
 
 /// Grey levels of pixels in a file.
 /// @throws FormatError, before memory is taken, where they reach beyond the end of the file.
-[[nodiscard]] FramePixels read_pixels(const RandomAccess& file, const RawPixels& layout);
+[[nodiscard]] FramePixels read_pixels(const bytes::Source& file, const RawPixels& layout);
 
 /// Grey levels of pixels in memory, `channels` numbers each: one, two (the second left out), or red, green, blue and
 /// more. Nothing where `bytes` are fewer than the size needs.

@@ -10,6 +10,7 @@
 
 #include "micrograph_building.hpp"
 #include "raw_pixels.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::imaging {
@@ -39,42 +40,45 @@ std::optional<SampleType> sample_type(std::uint64_t type) {
 
 bool is_ser(std::string_view head) {
     if (head.size() < head_bytes || !head.starts_with("II")) return false;
-    const auto version = number_in(head, 4, 2);
-    return number_in(head, 2, 2) == series_id && (version == version_of_32_bit || version == version_of_64_bit);
+    const auto version = bytes::number_in(head, 4, 2);
+    return bytes::number_in(head, 2, 2) == series_id && (version == version_of_32_bit || version == version_of_64_bit);
 }
 
-Micrograph read_ser(const RandomAccess& file, const MicrographOptions& options) {
+Micrograph read_ser(const bytes::Source& file, const MicrographOptions& options) {
     auto micrograph = unread_micrograph(file, "ser");
-    const auto head = file.read(0, head_bytes);
-    const std::size_t word = number_in(head, 4, 2) == version_of_32_bit ? 4 : 8;
-    const auto kind = number_in(head, 6, 4), valid = number_in(head, 18, 4), offsets = number_in(head, 22, word);
+    const auto head = file.up_to(0, head_bytes);
+    const std::size_t word = bytes::number_in(head, 4, 2) == version_of_32_bit ? 4 : 8;
+    const auto kind = bytes::number_in(head, 6, 4), valid = bytes::number_in(head, 18, 4),
+               offsets = bytes::number_in(head, 22, word);
     if (kind == data_1d)
-        throw FormatError(file.path(), {.offset = 6},
+        throw FormatError(file.name, {.offset = 6},
                           "a series of spectra, not a picture; choose the file with the image");
     if (kind != data_2d)
-        throw FormatError(file.path(), {.offset = 6},
+        throw FormatError(file.name, {.offset = 6},
                           fmt::format("data of type {:#x}, expected {:#x}: damaged", kind, data_2d));
     choose_image(micrograph, valid, options);
-    const auto place = file.read(offsets, word * (options.image + 1));
+    const auto place = file.up_to(offsets, word * (options.image + 1));
     if (place.size() < word * (options.image + 1))
-        throw FormatError(file.path(), {.offset = offsets},
+        throw FormatError(file.name, {.offset = offsets},
                           "the list of images lies beyond the end of the file: truncated");
-    const auto start = number_in(place, word * options.image, word);
+    const auto start = bytes::number_in(place, word * options.image, word);
     constexpr std::uint64_t element_bytes = 2 * 20 + 2 + 8;
-    const auto element = file.read(start, element_bytes);
+    const auto element = file.up_to(start, element_bytes);
     if (element.size() < element_bytes)
-        throw FormatError(file.path(), {.offset = start}, "an image lies beyond the end of the file: truncated");
-    const auto type = sample_type(number_in(element, 40, 2));
+        throw FormatError(file.name, {.offset = start}, "an image lies beyond the end of the file: truncated");
+    const auto type = sample_type(bytes::number_in(element, 40, 2));
     if (!type)
-        throw FormatError(file.path(), {.offset = start + 40},
-                          fmt::format("pixels of type {}, expected 1 to 10: damaged", number_in(element, 40, 2)));
-    const auto size = picture_size(file, start + 42, number_in(element, 42, 4), number_in(element, 46, 4), options);
+        throw FormatError(
+            file.name, {.offset = start + 40},
+            fmt::format("pixels of type {}, expected 1 to 10: damaged", bytes::number_in(element, 40, 2)));
+    const auto size =
+        picture_size(file, start + 42, bytes::number_in(element, 42, 4), bytes::number_in(element, 46, 4), options);
     micrograph.pixels = read_pixels(file, {start + element_bytes, *type, false, size});
     micrograph.pixels.colwise().reverseInPlace();
     if (is_complex(*type))
         add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
                   "read the real image if this is a Fourier transform");
-    const auto real = [&](std::size_t offset) { return std::bit_cast<double>(number_in(element, offset, 8)); };
+    const auto real = [&](std::size_t offset) { return std::bit_cast<double>(bytes::number_in(element, offset, 8)); };
     set_pixel_size(micrograph, {real(8), "m"}, {real(28), "m"}, "SER calibration");
     add_alert(micrograph, "UNTESTED_FORMAT", "SER is read from its description, no real file was at hand",
               "compare picture and pixel size with another program's");

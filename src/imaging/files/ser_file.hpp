@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/imaging/micrograph.hpp"
 
 namespace setae::imaging {
@@ -15,7 +15,7 @@ namespace setae::imaging {
 /// Reads an image of a series; rows are stored from the bottom up, lengths in metres. Untested on real files.
 /// @throws as read_micrograph does.
 /// Source: C. Boothroyd, "TIA (Emispec) file format" (2006), as openNCEM reads it.
-[[nodiscard]] Micrograph read_ser(const RandomAccess& file, const MicrographOptions& options);
+[[nodiscard]] Micrograph read_ser(const bytes::Source& file, const MicrographOptions& options);
 
 /// Adds what the EMI of a series says of microscope and time: the XML between other bytes. Nothing where there is none.
 void read_emi(std::string_view emi, Micrograph& micrograph);

@@ -10,6 +10,7 @@
 #include <pugixml.hpp>
 
 #include "micrograph_building.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 
@@ -17,9 +18,10 @@ namespace setae::imaging {
 namespace {
 
 namespace tag {
-constexpr int description = 270, make = 271, model = 272, x_resolution = 282, y_resolution = 283, resolution_unit = 296,
-              date_time = 306, olympus = 33560, zeiss = 34118, fei_sfeg = 34680, fei_helios = 34682, dm_unit_x = 65003,
-              dm_unit_y = 65004, dm_scale_x = 65009, dm_scale_y = 65010;
+constexpr std::uint16_t description = 270, make = 271, model = 272, x_resolution = 282, y_resolution = 283,
+                        resolution_unit = 296, date_time = 306, olympus = 33560, zeiss = 34118, fei_sfeg = 34680,
+                        fei_helios = 34682, dm_unit_x = 65003, dm_unit_y = 65004, dm_scale_x = 65009,
+                        dm_scale_y = 65010;
 }
 
 using Section = std::map<std::string, std::string>;
@@ -60,7 +62,7 @@ std::optional<double> fei_number(const std::map<std::string, Section>& sections,
 }
 
 /// Source: no public specification; keys as files of Helios instruments and RosettaSciIO have them, lengths in metres.
-bool read_fei(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
+bool read_fei(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     auto text = stack.text(page, tag::fei_helios);
     if (text.empty()) text = stack.text(page, tag::fei_sfeg);
     if (text.empty()) return false;
@@ -95,24 +97,24 @@ bool read_fei(const TiffStack& stack, const TiffPage& page, Micrograph& microgra
 }
 
 /// Source: no public specification; the known part of the block as tifffile reads it.
-bool read_olympus(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
+bool read_olympus(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     const auto start = stack.number(page, tag::olympus);
     if (!start) return false;
     const auto& file = stack.file();
-    const auto head = file.read(*start, 60);
+    const auto head = file.up_to(*start, 60);
     if (head.size() < 60 || !head.starts_with("SIS0")) {
         add_alert(micrograph, "BAD_CALIBRATION", fmt::format("the Olympus block at byte {} is damaged", *start),
                   "give the pixel size, or calibrate on the scale bar");
         return true;
     }
-    const auto parts = number_in(head, 58, 2);
-    const auto list = file.read(*start + 60, 8 * parts);
+    const auto parts = bytes::number_in(head, 58, 2);
+    const auto list = file.up_to(*start + 60, 8 * parts);
     for (std::size_t at = 0; at + 8 <= list.size(); at += 8) {
-        if (number_in(list, at, 2) != 1) continue;  // 1: general data
-        const auto data = file.read(number_in(list, at + 4, 4), 112);
+        if (bytes::number_in(list, at, 2) != 1) continue;  // 1: general data
+        const auto data = file.up_to(bytes::number_in(list, at + 4, 4), 112);
         if (data.size() < 112) continue;
-        const auto real = [&](std::size_t offset) { return std::bit_cast<double>(number_in(data, offset, 8)); };
-        const double unit = std::pow(10.0, static_cast<std::int16_t>(number_in(data, 10, 2)));
+        const auto real = [&](std::size_t offset) { return std::bit_cast<double>(bytes::number_in(data, offset, 8)); };
+        const double unit = std::pow(10.0, static_cast<std::int16_t>(bytes::number_in(data, 10, 2)));
         set_pixel_size(micrograph, {real(12) * unit, "m"}, {real(20) * unit, "m"}, "Olympus SIS block");
         if (std::isfinite(real(36)) && real(36) > 0)
             micrograph.attributes["magnification"] = fmt::format("{:g}", real(36));
@@ -121,7 +123,7 @@ bool read_olympus(const TiffStack& stack, const TiffPage& page, Micrograph& micr
     return true;
 }
 
-bool read_dm(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
+bool read_dm(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     const auto x = stack.real(page, tag::dm_scale_x), y = stack.real(page, tag::dm_scale_y);
     if (!x || !y) return false;
     set_pixel_size(micrograph, {*x, stack.text(page, tag::dm_unit_x)}, {*y, stack.text(page, tag::dm_unit_y)},
@@ -130,7 +132,7 @@ bool read_dm(const TiffStack& stack, const TiffPage& page, Micrograph& micrograp
 }
 
 /// The number and unit that follow a key: "AP_IMAGE_PIXEL_SIZE\r\nImage Pixel Size = 1.1 nm".
-bool read_zeiss(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
+bool read_zeiss(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     const auto text = stack.text(page, tag::zeiss);
     for (const std::string_view key : {"AP_IMAGE_PIXEL_SIZE", "AP_PIXEL_SIZE"}) {
         const auto at = text.find(key);
@@ -169,7 +171,7 @@ bool read_ome(const TiffStack& stack, Micrograph& micrograph) {
 }
 
 /// Metres of a pixel by the resolution tags, of what they were told: film, screen or paper.
-std::optional<PixelSize> printed_size(const TiffStack& stack, const TiffPage& page) {
+std::optional<PixelSize> printed_size(const TiffStack& stack, const bytes::TiffPage& page) {
     const auto x = stack.real(page, tag::x_resolution), y = stack.real(page, tag::y_resolution);
     const auto unit = stack.number(page, tag::resolution_unit).value_or(2);
     if (!x || !(*x > 0) || (y && !(*y > 0)) || (unit != 2 && unit != 3)) return std::nullopt;
@@ -179,7 +181,7 @@ std::optional<PixelSize> printed_size(const TiffStack& stack, const TiffPage& pa
 
 /// SightX: the description is XML, resolution is that of the picture on the screen at the magnification named. SEM: the
 /// description holds the bar's length in pixels and what it stands for.
-bool read_jeol(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
+bool read_jeol(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     const auto text = stack.text(page, tag::description);
     const auto untested = [&] {
         add_alert(micrograph, "UNTESTED_FORMAT",
@@ -219,18 +221,17 @@ bool read_jeol(const TiffStack& stack, const TiffPage& page, Micrograph& microgr
     return untested();
 }
 
-bool read_imagej(const TiffStack& stack, const TiffPage& page, Micrograph& micrograph) {
+bool read_imagej(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& micrograph) {
     const auto unit = stack.description("unit");
     const auto x = stack.real(page, tag::x_resolution), y = stack.real(page, tag::y_resolution);
     if (!unit || !x || !(*x > 0) || (y && !(*y > 0))) return false;
-    set_pixel_size(micrograph, {1.0 / *x, text_of(*unit)}, {1.0 / y.value_or(*x), text_of(*unit)},
-                   "ImageJ calibration");
+    set_pixel_size(micrograph, {1.0 / *x, *unit}, {1.0 / y.value_or(*x), *unit}, "ImageJ calibration");
     return true;
 }
 
 }  // namespace
 
-bool has_olympus_block(const TiffPage& page) { return page.entries.contains(tag::olympus); }
+bool has_olympus_block(const bytes::TiffPage& page) { return page.find(tag::olympus) != nullptr; }
 
 void read_tiff_calibration(const TiffStack& stack, std::size_t index, Micrograph& micrograph) {
     const auto& page = stack.page(index);

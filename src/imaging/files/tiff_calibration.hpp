@@ -14,6 +14,6 @@ namespace setae::imaging {
 void read_tiff_calibration(const TiffStack& stack, std::size_t page, Micrograph& micrograph);
 
 /// Whether a page holds the block of data that Olympus' programs put beside the image proper, not beside its thumbnail.
-[[nodiscard]] bool has_olympus_block(const TiffPage& page);
+[[nodiscard]] bool has_olympus_block(const bytes::TiffPage& page);
 
 }  // namespace setae::imaging

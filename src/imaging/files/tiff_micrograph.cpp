@@ -12,7 +12,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr int tag_subfile = 254;
+constexpr std::uint16_t tag_subfile = 254;
 constexpr std::uint64_t reduced_or_mask = 1 | 4;
 
 std::vector<std::size_t> images_of(const TiffStack& stack) {
@@ -34,22 +34,19 @@ std::vector<std::size_t> images_of(const TiffStack& stack) {
 
 }  // namespace
 
-Micrograph read_tiff(RandomAccess file, const MicrographOptions& options) {
+Micrograph read_tiff(const bytes::Source& file, const MicrographOptions& options) {
     auto micrograph = unread_micrograph(file, "tiff");
-    const TiffStack stack(std::move(file));
+    const TiffStack stack(file);
     for (std::size_t i = 0; i < stack.size(); ++i)  // whether it is a thumbnail or the image cannot be told
-        if (const auto& page = stack.page(i); !page.fault.empty())
-            throw FormatError(micrograph.file, {.offset = page.directory}, page.fault);
+        if (const auto fault = stack.fault(i); !fault.empty()) throw FormatError(file.name, {}, fault);
     const auto images = images_of(stack);
     choose_image(micrograph, images.size(), options);
     const auto index = images[options.image];
     const auto& page = stack.page(index);
-    const auto damaged = [&](const std::string& what) {
-        return FormatError(micrograph.file, {.offset = page.directory}, what);
-    };
-    if (!page.lost.empty()) throw damaged(page.lost);
+    if (!page.lost.empty()) throw FormatError(file.name, {}, page.lost);
+    const auto damaged = [&](const std::string& what) { return FormatError(file.name, {.offset = page.offset}, what); };
     const auto stated = stack.size_of(index);
-    const auto size = picture_size(stack.file(), page.directory, static_cast<std::uint64_t>(stated.width),
+    const auto size = picture_size(stack.file(), page.offset, static_cast<std::uint64_t>(stated.width),
                                    static_cast<std::uint64_t>(stated.height), options);
     auto frame = stack.read(index);
     if (!frame.fault.empty()) throw damaged(frame.fault);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "random_access.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/imaging/micrograph.hpp"
 
 namespace setae::imaging {
@@ -9,6 +9,6 @@ namespace setae::imaging {
 /// Reads an image of a TIFF: pages that are no thumbnails (marked as reduced, without the block that Olympus' programs
 /// put beside the image, or less than half as wide as the widest page).
 /// @throws as read_micrograph does.
-[[nodiscard]] Micrograph read_tiff(RandomAccess file, const MicrographOptions& options);
+[[nodiscard]] Micrograph read_tiff(const bytes::Source& file, const MicrographOptions& options);
 
 }  // namespace setae::imaging

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "setae/bytes/number_text.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -54,10 +55,8 @@ LabelMeaning meaning_of_label(std::string_view reading) {
     }
     const auto* unit =
         std::find_if(units.begin(), units.end(), [&](const LengthUnit& known) { return known.spelling == unit_text; });
-    double number = 0;
-    const auto [end, error] = std::from_chars(number_text.data(), number_text.data() + number_text.size(), number);
-    const bool is_number = error == std::errc{} && end == number_text.data() + number_text.size() && number > 0 &&
-                           number_text.front() != '.';
+    const auto number = bytes::spelled<double>(number_text).value_or(0);
+    const bool is_number = number > 0 && number_text.front() != '.';
     const bool leading_zero = number_text.size() > 1 && number_text[0] == '0' && number_text[1] != '.';
     if (!is_number || unit == units.end()) {
         meaning.fault = fmt::format("label read as '{}', which is no number with a unit of length", text);

@@ -14,7 +14,7 @@ namespace setae::imaging::tests {
 
 /// A micrograph from bytes in memory, as read_micrograph reads it from a file.
 inline Micrograph read_bytes(const std::string& bytes, const MicrographOptions& options = {}) {
-    return read_micrograph_file(RandomAccess("sample", bytes), options);
+    return read_micrograph_file(bytes::memory_source("sample", bytes), options);
 }
 
 inline void expect_common_picture(const Micrograph& micrograph, float tolerance = 0) {

@@ -11,6 +11,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "setae/bytes/toml_reader.hpp"
+#include "setae/bytes/toml_text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -211,16 +212,7 @@ bool plain(const std::string& value) {
     return !value.empty() && value.find_first_not_of("0123456789.-") == std::string::npos;
 }
 
-std::string quoted(const std::string& value) {
-    std::string text = "\"";
-    for (const char c : value) {
-        if (c == '"' || c == '\\') text += '\\';
-        text += c;
-    }
-    return text + "\"";
-}
-
-std::string written(const std::string& value) { return plain(value) ? value : quoted(value); }
+std::string written(const std::string& value) { return plain(value) ? value : bytes::toml_quoted(value); }
 
 enum class Ending { yaml, toml };
 
@@ -258,7 +250,7 @@ std::string pipeline_toml(const Pipeline& pipeline) {
     std::string text = pipeline.entries.empty() ? "steps = []\n" : "";
     for (const auto& entry : pipeline.entries) {
         text += fmt::format("{}[[{}]]\n{} = {}\n", text.empty() ? "" : "\n", list_key, name_key,
-                            quoted(processing::name(entry.step)));
+                            bytes::toml_quoted(processing::name(entry.step)));
         for (const auto& parameter : processing::changed_parameters(entry.step))
             text += fmt::format("{} = {}\n", parameter.name, written(parameter.value));
         if (!entry.on) text += fmt::format("{} = false\n", switch_key);

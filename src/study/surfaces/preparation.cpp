@@ -146,20 +146,10 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
 
 std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input) {
     const formats::ReadOptions options{input.size, input.unit};
-    const auto channels = formats::open(input.file, options);
-    const bool container = formats::detect_format(bytes::file_source(input.file)).identifier == "ce-container";
     std::vector<MeasurementSource> found;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        const bool wanted =
-            input.channel ? *input.channel == i : channels[i].info.is_height && (container || found.empty());
-        if (wanted)
-            found.push_back({[channel = channels[i], input, options] { return prepare(channel, input, options); },
-                             tiled_measurement(channels[i], input)});
-    }
-    if (found.empty())
-        throw InvalidArgument(
-            input.channel ? fmt::format("{}: no channel {}, it has {}", input.file, *input.channel, channels.size())
-                          : fmt::format("{}: none of its {} channels holds heights", input.file, channels.size()));
+    for (const auto& channel : formats::open_chosen(input.file, input.channel, options))
+        found.push_back({[channel, input, options] { return prepare(channel, input, options); },
+                         tiled_measurement(channel, input)});
     return found;
 }
 

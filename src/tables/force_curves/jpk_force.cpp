@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -9,7 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "setae/bytes/archive.hpp"
-#include "setae/bytes/bytes.hpp"
+#include "setae/bytes/number_text.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/dialect.hpp"
@@ -77,11 +77,9 @@ struct Segment {
     }
 
     [[nodiscard]] double number(const std::string& text, const std::string& key) const {
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-            fail(fmt::format("{} = '{:.40}' is no number", key, text));
-        return value;
+        const auto value = bytes::spelled<double>(text);
+        if (!value || !std::isfinite(*value)) fail(fmt::format("{} = '{:.40}' is no number", key, text));
+        return *value;
     }
 };
 
@@ -209,10 +207,8 @@ std::vector<std::string> segment_folders(const bytes::Archive& archive) {
         constexpr std::string_view begin = "segments/", end = "/segment-header.properties";
         if (!name.starts_with(begin) || !name.ends_with(end) || name.size() < begin.size() + end.size()) continue;
         const auto digits = std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size());
-        long number = 0;
-        const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-        if (error == std::errc{} && stop == digits.data() + digits.size())
-            folders.emplace(number, name.substr(0, name.size() - end.size() + 1));
+        if (const auto number = bytes::spelled<long>(digits))
+            folders.emplace(*number, name.substr(0, name.size() - end.size() + 1));
     }
     std::vector<std::string> result;
     for (const auto& [number, folder] : folders) result.push_back(folder);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "setae/bytes/number_text.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/whole_file.hpp"
@@ -261,10 +261,8 @@ namespace {
 
 /// Position of a column that a user names by header or number.
 std::size_t column_named(const ColumnGuess& guess, const std::string& role, const std::string& wanted) {
-    std::size_t position = 0;
-    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), position);
-    const bool number = error == std::errc{} && end == wanted.data() + wanted.size();
-    if (number && position >= 1 && position <= guess.columns.size()) return position - 1;
+    const auto position = bytes::spelled<std::size_t>(wanted).value_or(0);
+    if (position >= 1 && position <= guess.columns.size()) return position - 1;
     std::vector<std::size_t> found;
     std::vector<std::string> names;
     const auto cell = parse_header_cell(wanted);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "expression.hpp"
+#include "setae/bytes/toml_text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/mapping.hpp"
@@ -11,19 +12,7 @@
 namespace setae::tables {
 namespace {
 
-/// A TOML basic string.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') result += fmt::format("\\{}", c);
-        else if (byte < 0x20 || byte == 0x7f) result += fmt::format("\\u{:04X}", byte);
-        else result += c;
-    }
-    return result + '"';
-}
-
-std::string key(const std::string& name) { return is_identifier(name) ? name : quoted(name); }
+std::string key(const std::string& name) { return is_identifier(name) ? name : bytes::toml_quoted(name); }
 
 void require_name(const std::string& name) {
     if (!is_identifier(name))
@@ -44,8 +33,8 @@ std::string file_section(const TableOptions& file) {
     if (file.encoding != bytes::Encoding::detect) text += fmt::format("encoding = \"{}\"\n", word(file.encoding));
     if (file.separator) text += fmt::format("separator = \"{}\"\n", word(*file.separator));
     if (file.decimal_point) text += fmt::format("decimal = \"{}\"\n", *file.decimal_point == ',' ? "comma" : "point");
-    if (file.header_end) text += fmt::format("header_end = {}\n", quoted(*file.header_end));
-    if (file.sheet) text += fmt::format("sheet = {}\n", quoted(*file.sheet));
+    if (file.header_end) text += fmt::format("header_end = {}\n", bytes::toml_quoted(*file.header_end));
+    if (file.sheet) text += fmt::format("sheet = {}\n", bytes::toml_quoted(*file.sheet));
     return text + '\n';
 }
 
@@ -66,8 +55,8 @@ std::string column_section(const MappedColumn& column) {
     require_name(column.name);
     std::string text = fmt::format("[columns.{}]\n", column.name);
     if (column.position) text += fmt::format("position = {}\n", *column.position);
-    else text += fmt::format("header = {}\n", quoted(column.header.value_or("")));
-    if (column.unit) text += fmt::format("unit = {}\n", quoted(*column.unit));
+    else text += fmt::format("header = {}\n", bytes::toml_quoted(column.header.value_or("")));
+    if (column.unit) text += fmt::format("unit = {}\n", bytes::toml_quoted(*column.unit));
     return text + '\n';
 }
 
@@ -86,10 +75,10 @@ std::string as_toml(const Mapping& mapping) {
     text += "[table]\n";
     for (const auto& result : mapping.results) {
         if (has_known_dimension(result.name))
-            text += fmt::format("{} = {}\n", key(result.name), quoted(result.expression));
+            text += fmt::format("{} = {}\n", key(result.name), bytes::toml_quoted(result.expression));
         else
             text += fmt::format("{} = {{ expression = {}, unit = \"{}\" }}\n", key(result.name),
-                                quoted(result.expression), si_unit(result.dimension));
+                                bytes::toml_quoted(result.expression), si_unit(result.dimension));
     }
     return text;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "enclosed_mask.hpp"
 #include "reference_data.hpp"
 #include "setae/imaging/contour_trace.hpp"
 #include "setae/imaging/micrograph.hpp"
@@ -17,7 +18,7 @@ void expect_enclosed(const std::filesystem::path& path, std::size_t outlines) {
     EXPECT_TRUE(trace.binary);
     EXPECT_EQ(trace.vacuum, Vacuum::dark);
     EXPECT_EQ(trace.segments.size(), outlines);
-    const auto again = enclosed(trace.segments, mask.cols(), mask.rows());
+    const auto again = tests::enclosed(trace.segments, mask.cols(), mask.rows());
     EXPECT_EQ(((again == 1) != (mask > mask.minCoeff())).count(), 0);
     EXPECT_GT((again == 1).count(), 300'000);
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "enclosed_mask.hpp"
 #include "rendered_edge.hpp"
 #include "setae/core/errors.hpp"
 
@@ -258,7 +259,7 @@ TEST(ContourTrace, OfAMaskEnclosesItsPixelsExactly) {
     const auto trace = trace_contour(mask);
     EXPECT_TRUE(trace.binary);
     EXPECT_EQ(trace.vacuum, Vacuum::dark);
-    const auto again = enclosed(trace.segments, mask.cols(), mask.rows());
+    const auto again = tests::enclosed(trace.segments, mask.cols(), mask.rows());
     EXPECT_TRUE(((again == 1) == (mask == 255)).all());
     EXPECT_EQ(std::count_if(trace.segments.begin(), trace.segments.end(), [](const auto& s) { return !s.closed; }), 1);
     for (const auto& s : trace.segments) EXPECT_NEAR(s.standard_error[0], std::sqrt(1.0 / 12), 1e-12);
@@ -270,7 +271,7 @@ TEST(ContourTrace, OfAnyMaskEnclosesItsPixelsExactly) {
         FramePixels mask(33, 35);
         for (long i = 0; i < mask.size(); ++i) mask.data()[i] = engine() % 3 == 0 ? 1.0F : 0.0F;
         const auto trace = trace_contour(mask, {.vacuum = round % 2 == 0 ? Vacuum::dark : Vacuum::bright});
-        const auto again = enclosed(trace.segments, mask.cols(), mask.rows());
+        const auto again = tests::enclosed(trace.segments, mask.cols(), mask.rows());
         const std::uint8_t bright = round % 2 == 0 ? 1 : 0;
         EXPECT_TRUE(((again == bright) == (mask == 1.0F)).all()) << round;
     }

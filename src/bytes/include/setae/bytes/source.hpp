@@ -19,9 +19,11 @@ struct Source {
     /// Exactly `count` bytes from `offset`. @throws FormatError where the source ends before; nothing is allocated
     /// then.
     [[nodiscard]] std::string bytes(std::uint64_t offset, std::uint64_t count) const;
+    /// Up to `count` bytes from `offset`; fewer at the end of the source.
+    [[nodiscard]] std::string up_to(std::uint64_t offset, std::uint64_t count) const;
     [[nodiscard]] std::string all() const { return bytes(0, size); }
     /// The first `count` bytes, or all where there are fewer.
-    [[nodiscard]] std::string head(std::uint64_t count) const { return bytes(0, count < size ? count : size); }
+    [[nodiscard]] std::string head(std::uint64_t count) const { return up_to(0, count); }
 };
 
 /// How much of a source tells its format.

@@ -13,6 +13,12 @@ enum class Encoding { detect, utf8, utf16, latin1 };
 /// Bytes of a text as UTF-8 with '\n' line ends, without byte order mark.
 [[nodiscard]] std::string decoded(std::string bytes, Encoding encoding);
 
+/// The text of a field of fixed width: up to its first zero, Latin-1 or UTF-8 made UTF-8.
+[[nodiscard]] std::string field_text(std::string_view bytes);
+
+/// UTF-16 code units up to the first zero as UTF-8; what is no character becomes U+FFFD.
+[[nodiscard]] std::string utf16_field_text(std::string_view bytes, bool big_endian);
+
 /// Whether bytes can be text: a UTF-16 byte order mark, or no control characters besides white space.
 [[nodiscard]] bool looks_like_text(std::string_view bytes);
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "setae/bytes/bytes.hpp"
 #include "setae/bytes/source.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 
 namespace setae::bytes {
 

@@ -73,6 +73,16 @@ struct ReadOptions {
 /// sizes that do not fit the data.
 [[nodiscard]] std::vector<Channel> open(const std::string& path, const ReadOptions& options = {});
 
+/// Which of a file's channels are meant: the one wanted, else the first of heights, or all of these.
+/// @throws InvalidArgument that begins with the path where there is none.
+[[nodiscard]] std::vector<std::size_t> chosen_channels(const std::string& path, const std::vector<Channel>& channels,
+                                                       std::optional<std::size_t> wanted, bool all = false);
+
+/// The channels meant where a file is named: the one wanted, else of a container all of heights, of another file the
+/// first of heights. @throws as open; InvalidArgument where there is none.
+[[nodiscard]] std::vector<Channel> open_chosen(const std::string& path, std::optional<std::size_t> wanted,
+                                               const ReadOptions& options = {});
+
 /// The heights of one channel.
 /// @throws InvalidArgument where the file has no such channel or it holds no heights; else as open.
 [[nodiscard]] topography::Measurement read(const std::string& path, std::size_t channel = 0,

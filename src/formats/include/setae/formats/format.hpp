@@ -28,6 +28,7 @@ struct Format {
     std::string reference;              ///< where the layout is described
     bool tested_on_real_files = false;  ///< of instruments, not only files made by the tests
     bool carries_scale = true;          ///< heights come with their unit and scale from the file itself
+    bool is_container = false;          ///< each channel of heights is a measurement of its own
     /// from the first `bytes::detection_bytes` bytes, and for archives from the names of their members
     std::function<Match(std::string_view head, const bytes::Source&)> detect;
     std::function<std::vector<Channel>(const bytes::Source&, const ReadOptions&)> open;
@@ -50,5 +51,7 @@ struct Format {
 
 /// The channels of a source, as open() gives them for a path.
 [[nodiscard]] std::vector<Channel> open(const bytes::Source& source, const ReadOptions& options);
+/// The same for a source whose format is known.
+[[nodiscard]] std::vector<Channel> open(const bytes::Source& source, const Format& format, const ReadOptions& options);
 
 }  // namespace setae::formats

@@ -73,9 +73,4 @@ struct ContourTrace {
 /// UndefinedDataError for a picture of one grey level or without an edge.
 [[nodiscard]] ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& options = {});
 
-/// The mask a binary picture's outlines enclose: 1 sample, 0 vacuum; row-major as FramePixels. Inverse of tracing such
-/// a picture.
-[[nodiscard]] Eigen::Array<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> enclosed(
-    const std::vector<ContourSegment>& outlines, long width, long height);
-
 }  // namespace setae::imaging

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdf5_handle.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "hdf5_file.hpp"
 #include "hdf5_heaps.hpp"
 #include "setae/bytes/cursor.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::formats {
+namespace setae::bytes {
 namespace {
 
 constexpr std::string_view signature = "\x89HDF\r\n\x1A\n";
@@ -24,7 +23,7 @@ std::recursive_mutex& guard() {
 }
 
 /// An address of `bytes` bytes.
-std::uint64_t address(bytes::Cursor& cursor, unsigned bytes) {
+std::uint64_t address(Cursor& cursor, unsigned bytes) {
     switch (bytes) {
         case 2: return cursor.number<std::uint16_t>();
         case 4: return cursor.number<std::uint32_t>();
@@ -34,8 +33,8 @@ std::uint64_t address(bytes::Cursor& cursor, unsigned bytes) {
 }
 
 /// The file holds all that its superblock says. Source: HDF5 File Format Specification 3.0, II.A.
-void require_whole(const bytes::Source& source, std::uint64_t start) {
-    bytes::Cursor cursor(source, "HDF5", start + signature.size());
+void require_whole(const Source& source, std::uint64_t start) {
+    Cursor cursor(source, "HDF5", start + signature.size());
     const unsigned version = cursor.number<std::uint8_t>();
     if (version > 3) cursor.fail(fmt::format("version {} of the superblock, expected 0 to 3", version));
     const bool old = version < 2;
@@ -72,7 +71,7 @@ std::optional<std::uint64_t> find_hdf5(std::string_view head) {
     return std::nullopt;
 }
 
-Hdf5Handle opened_hdf5(const bytes::Source& source) {
+Hdf5Handle opened_hdf5(const Source& source) {
     const auto start = find_hdf5(source.head(1 << 16));
     if (!start)
         throw FormatError(source.name, {.offset = std::min<std::uint64_t>(source.size, 512)},
@@ -110,4 +109,4 @@ std::vector<hsize_t> hdf5_extents(hid_t space) {
     return extents;
 }
 
-}  // namespace setae::formats
+}  // namespace setae::bytes

@@ -5,7 +5,9 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace setae::bytes {
 
@@ -17,6 +19,17 @@ template <class T>
     if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
     T value;
     std::memcpy(&value, bytes.data(), sizeof(T));
+    return value;
+}
+
+/// A whole number of `count` ≤ 8 bytes; the caller has checked that they are there.
+[[nodiscard]] inline std::uint64_t number_in(std::string_view bytes, std::size_t offset, std::size_t count,
+                                             bool big_endian = false) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto byte = static_cast<unsigned char>(bytes[offset + (big_endian ? i : count - 1 - i)]);
+        value = (value << 8) | byte;
+    }
     return value;
 }
 

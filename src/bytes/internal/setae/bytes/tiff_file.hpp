@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -9,11 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "raster.hpp"
 #include "setae/bytes/source.hpp"
-#include "setae/formats/channel.hpp"
 
-namespace setae::formats {
+namespace setae::bytes {
 
 /// An entry of a TIFF directory: where its values lie in the file. Private tags are entries as others.
 struct TiffTag {
@@ -21,6 +20,8 @@ struct TiffTag {
     std::uint16_t type = 0;    ///< of TIFF 6.0: 1 byte, 2 text, 3 short, 4 long, 12 double …
     std::uint64_t count = 0;   ///< values
     std::uint64_t offset = 0;  ///< of the first value, in the file
+    /// the values themselves, where they have room in the entry
+    std::optional<std::array<char, 8>> here = {};
 
     [[nodiscard]] std::uint64_t bytes() const;
 };
@@ -28,6 +29,8 @@ struct TiffTag {
 struct TiffPage {
     std::uint64_t offset = 0;  ///< of its directory
     std::vector<TiffTag> tags;
+    std::string fault = {};  ///< why the directory cannot be read, where pages go on being asked for
+    std::string lost = {};   ///< the same of a tag, which is left out
 
     [[nodiscard]] const TiffTag* find(std::uint16_t id) const;
 };
@@ -35,7 +38,7 @@ struct TiffPage {
 /// The directories of a TIFF or BigTIFF file of either byte order. Values, pixels and what private tags hold stay in
 /// the file until asked for.
 struct TiffFile {
-    bytes::Source source;
+    Source source;
     std::string format;  ///< begins messages
     std::endian order = std::endian::little;
     std::vector<TiffPage> pages;
@@ -53,26 +56,15 @@ struct TiffFile {
 
 [[nodiscard]] bool is_tiff(std::string_view head);
 
+/// What a damaged directory, or a tag whose values lie beyond the end of the file, does: it is refused, or noted in its
+/// page, where directories then end.
+enum class Damage { refused, noted };
+
 /// The directories, or the first `most_pages` of them.
 /// @throws FormatError "<format>: …" with offset where a directory or the values of a tag lie beyond the end of the
-/// file, or directories form a loop.
-[[nodiscard]] TiffFile open_tiff(const bytes::Source& source, const std::string& format,
-                                 std::size_t most_pages = std::numeric_limits<std::size_t>::max());
+/// file, or directories form a loop, or are more than the file has bytes for.
+[[nodiscard]] TiffFile open_tiff(const Source& source, const std::string& format,
+                                 std::size_t most_pages = std::numeric_limits<std::size_t>::max(),
+                                 Damage damage = Damage::refused);
 
-/// Why a TIFF file is none of the formats that keep heights in TIFF: it is damaged, or a picture. @throws FormatError
-/// always.
-[[noreturn]] void refuse_tiff(const bytes::Source& source);
-
-/// Where the samples of a page lie. Strips side by side and not compressed are a raster of the file itself, read where
-/// asked; all others become a source in memory that libtiff expands at its first read.
-struct TiffPixels {
-    bytes::Source source;
-    Raster raster;
-};
-
-/// Pixels of one sample each. @throws FormatError for several samples a pixel, a type that is no number of 1, 2, 4 or 8
-/// bytes, strips or tiles beyond the end of the file or fewer than the page needs, or a page that announces more than
-/// most_expanded of its bytes.
-[[nodiscard]] TiffPixels tiff_pixels(const TiffFile& file, const TiffPage& page);
-
-}  // namespace setae::formats
+}  // namespace setae::bytes

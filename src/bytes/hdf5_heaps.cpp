@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/bytes.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::formats {
+namespace setae::bytes {
 namespace {
 
 constexpr std::string_view signature("GCOL\x01\x00\x00\x00", 8);
@@ -32,7 +32,7 @@ std::string fault(std::string_view bytes) {
 
 }  // namespace
 
-void require_sound_heaps(const bytes::Source& source) {
+void require_sound_heaps(const Source& source) {
     if (source.size > most_searched_for_heaps) return;
     const auto content = source.all();
     const std::string_view bytes(content);
@@ -41,4 +41,4 @@ void require_sound_heaps(const bytes::Source& source) {
             throw FormatError(source.name, {.offset = at}, fmt::format("HDF5: a heap {}; the file is damaged", what));
 }
 
-}  // namespace setae::formats
+}  // namespace setae::bytes

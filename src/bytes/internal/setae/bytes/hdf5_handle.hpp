@@ -5,13 +5,15 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "setae/bytes/source.hpp"
 
-namespace setae::formats {
+namespace setae::bytes {
 
 /// While one lives no other thread uses HDF5, which may be built without care for threads, and the library does not
 /// print.
@@ -41,8 +43,12 @@ struct Hdf5Handle {
     herr_t (*close)(hid_t);
 };
 
+/// Where the signature of HDF5 stands: at the start, or behind a block of the user's of 512, 1024, 2048 … bytes;
+/// nothing where it is not among the bytes given.
+[[nodiscard]] std::optional<std::uint64_t> find_hdf5(std::string_view head);
+
 /// @throws FormatError for bytes that are no HDF5, are truncated, or that the library refuses.
-[[nodiscard]] Hdf5Handle opened_hdf5(const bytes::Source& source);
+[[nodiscard]] Hdf5Handle opened_hdf5(const Source& source);
 
 /// Number of values of extents, times `start`; the largest number there is where it would be more.
 [[nodiscard]] std::uint64_t hdf5_product(const std::vector<hsize_t>& extents, std::uint64_t start = 1);
@@ -50,4 +56,4 @@ struct Hdf5Handle {
 /// Extents of a dataset or attribute's dataspace; of a single value none.
 [[nodiscard]] std::vector<hsize_t> hdf5_extents(hid_t space);
 
-}  // namespace setae::formats
+}  // namespace setae::bytes

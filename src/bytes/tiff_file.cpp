@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tiff_file.hpp"
+#include "setae/bytes/tiff_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,17 +7,17 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/bytes.hpp"
+#include "setae/bytes/stored_numbers.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 
 // TIFF 6.0 (Adobe, 1992) and BigTIFF: a header of byte order, magic number and the offset of the first directory;
 // directories of entries (tag, type, count, values or their offset), each ending with the offset of the next.
-namespace setae::formats {
+namespace setae::bytes {
 namespace {
 
-constexpr std::uint64_t longest_text = 1 << 20, most_directories = 1 << 16, most_entries = 1 << 16;
+constexpr std::uint64_t longest_text = 1 << 20, most_directories = 1'000'000, most_entries = 1 << 16;
 
 /// Bytes of one value of types 1 to 18; 0 for unknown ones.
 std::uint64_t type_bytes(std::uint16_t type) {
@@ -47,19 +47,19 @@ struct Header {
     std::uint64_t first = 0;
 };
 
-[[noreturn]] void truncated(const bytes::Source& source, const std::string& format, const std::string& what) {
+[[noreturn]] void truncated(const Source& source, const std::string& format, const std::string& what) {
     throw FormatError(source.name, {.offset = source.size},
                       fmt::format("{}: the file ends here, {}; it is truncated or damaged", format, what));
 }
 
-Numbers numbers_at(const bytes::Source& source, const std::string& format, std::endian order, std::uint64_t offset,
+Numbers numbers_at(const Source& source, const std::string& format, std::endian order, std::uint64_t offset,
                    std::uint64_t count) {
     if (offset > source.size || count > source.size - offset)
         truncated(source, format, fmt::format("expected {} bytes from byte {}", count, offset));
     return {source.bytes(offset, count), order};
 }
 
-Header header_of(const bytes::Source& source, const std::string& format) {
+Header header_of(const Source& source, const std::string& format) {
     Header header;
     header.order = source.head(1) == "M" ? std::endian::big : std::endian::little;
     header.big = numbers_at(source, format, header.order, 2, 2).next<std::uint16_t>() == 43;
@@ -68,16 +68,22 @@ Header header_of(const bytes::Source& source, const std::string& format) {
     return header;
 }
 
+Numbers values_of(const TiffFile& file, const TiffTag& tag) {
+    if (tag.here) return {std::string(tag.here->data(), tag.bytes()), file.order};
+    return numbers_at(file.source, file.format, file.order, tag.offset, tag.bytes());
+}
+
 struct Directory {
     TiffPage page;
-    std::uint64_t next = 0;
+    std::uint64_t next = 0, bytes = 0;
 };
 
 /// The entry that begins at `at`; nothing for types this reader does not know.
-std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const bytes::Source& source,
+std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const Source& source,
                               const std::string& format) {
     TiffTag tag{.id = entry.next<std::uint16_t>(), .type = entry.next<std::uint16_t>()};
     tag.count = entry.next_long(big);
+    const auto place = entry.at;
     const auto far = entry.next_long(big);
     const auto size = type_bytes(tag.type);
     if (size == 0) return std::nullopt;
@@ -85,11 +91,17 @@ std::optional<TiffTag> tag_of(Numbers& entry, std::uint64_t at, bool big, const 
     if (!here && (tag.count > source.size / size || far > source.size || tag.count * size > source.size - far))
         truncated(source, format, fmt::format("tag {} announces {} values from byte {}", tag.id, tag.count, far));
     tag.offset = here ? at + (big ? 12 : 8) : far;
+    if (here) std::copy_n(entry.bytes.data() + place, big ? 8 : 4, tag.here.emplace().data());
     return tag;
 }
 
-Directory directory_at(const bytes::Source& source, const std::string& format, const Header& header,
-                       std::uint64_t offset) {
+/// What an error says without the file's name.
+std::string said(const FormatError& error, const Source& source) {
+    return std::string(error.what()).substr(source.name.size() + 2);
+}
+
+Directory directory_at(const Source& source, const std::string& format, const Header& header, std::uint64_t offset,
+                       Damage damage = Damage::refused) {
     const std::uint64_t head_bytes = header.big ? 8 : 2, entry_bytes = header.big ? 20 : 12,
                         next_bytes = header.big ? 8 : 4;
     auto head = numbers_at(source, format, header.order, offset, head_bytes);
@@ -99,10 +111,17 @@ Directory directory_at(const bytes::Source& source, const std::string& format, c
                           fmt::format("{}: a directory of {} entries; it is damaged", format, entries));
     auto body = numbers_at(source, format, header.order, offset + head_bytes, entries * entry_bytes + next_bytes);
     Directory directory{.page = {.offset = offset, .tags = {}}};
-    for (std::uint64_t k = 0; k < entries; ++k)
-        if (const auto tag = tag_of(body, offset + head_bytes + k * entry_bytes, header.big, source, format))
-            directory.page.tags.push_back(*tag);
+    for (std::uint64_t k = 0; k < entries; ++k) try {
+            body.at = k * entry_bytes;
+            if (const auto tag = tag_of(body, offset + head_bytes + k * entry_bytes, header.big, source, format))
+                directory.page.tags.push_back(*tag);
+        } catch (const FormatError& error) {
+            if (damage == Damage::refused) throw;
+            directory.page.lost = said(error, source);
+        }
+    body.at = entries * entry_bytes;
     directory.next = body.next_long(header.big);
+    directory.bytes = head_bytes + body.bytes.size();
     return directory;
 }
 
@@ -145,7 +164,9 @@ const TiffTag* TiffPage::find(std::uint16_t id) const {
 std::optional<double> TiffFile::number(const TiffPage& page, std::uint16_t id) const {
     const auto* tag = page.find(id);
     if (!tag || tag->count == 0) return std::nullopt;
-    auto numbers = numbers_at(source, format, order, tag->offset, type_bytes(tag->type));
+    auto first = *tag;
+    first.count = 1;
+    auto numbers = values_of(*this, first);
     return value_of(numbers, tag->type);
 }
 
@@ -160,7 +181,7 @@ std::vector<std::uint64_t> TiffFile::integers(const TiffPage& page, std::uint16_
     if (!integral)
         throw FormatError(source.name, {.offset = tag->offset},
                           fmt::format("{}: tag {} is of type {}, expected integers", format, id, tag->type));
-    auto numbers = numbers_at(source, format, order, tag->offset, tag->bytes());
+    auto numbers = values_of(*this, *tag);
     std::vector<std::uint64_t> values(tag->count);
     for (auto& value : values)
         value = tag->type == 3 ? numbers.next<std::uint16_t>() : numbers.next_long(type_bytes(tag->type) == 8);
@@ -170,9 +191,9 @@ std::vector<std::uint64_t> TiffFile::integers(const TiffPage& page, std::uint16_
 std::string TiffFile::text(const TiffPage& page, std::uint16_t id) const {
     const auto* tag = page.find(id);
     if (!tag) return {};
-    auto content = source.bytes(tag->offset, std::min(tag->bytes(), longest_text));
-    content.resize(std::min(content.find('\0'), content.size()));
-    return std::string(trimmed(bytes::decoded(std::move(content), bytes::Encoding::detect)));
+    const auto content = tag->here ? std::string(tag->here->data(), tag->bytes())
+                                   : source.bytes(tag->offset, std::min(tag->bytes(), longest_text));
+    return std::string(trimmed(field_text(content)));
 }
 
 TiffPage TiffFile::directory_of(const TiffPage& page, std::uint16_t id) const {
@@ -193,28 +214,31 @@ bool is_tiff(std::string_view head) {
            head.starts_with("MM\0+"sv);
 }
 
-TiffFile open_tiff(const bytes::Source& source, const std::string& format, std::size_t most_pages) {
+TiffFile open_tiff(const Source& source, const std::string& format, std::size_t most_pages, Damage damage) {
     const auto header = header_of(source, format);
     TiffFile file{.source = source, .format = format, .order = header.order, .pages = {}};
     std::set<std::uint64_t> seen;
-    for (auto next = header.first; next != 0 && file.pages.size() < most_pages;) {
-        if (!seen.insert(next).second || seen.size() > most_directories)
-            throw FormatError(source.name, {.offset = next},
+    std::uint64_t bytes = 0;  // each part of a sound file serves once: what overlaps could grow without end
+    const auto next_page = [&](std::uint64_t offset) {
+        if (!seen.insert(offset).second || seen.size() > most_directories)
+            throw FormatError(source.name, {.offset = offset},
                               format + ": its directories form a loop or are too many; it is damaged");
-        auto directory = directory_at(source, format, header, next);
+        auto directory = directory_at(source, format, header, offset, damage);
+        bytes += directory.bytes;
+        if (bytes > source.size)
+            throw FormatError(source.name, {.offset = offset}, format + ": its directories overlap; it is damaged");
         file.pages.push_back(std::move(directory.page));
-        next = directory.next;
-    }
+        return directory.next;
+    };
+    for (auto next = header.first; next != 0 && file.pages.size() < most_pages;) try {
+            next = next_page(next);
+        } catch (const FormatError& error) {
+            if (damage == Damage::refused) throw;
+            file.pages.push_back({.offset = next, .tags = {}, .fault = said(error, source)});
+            break;
+        }
     if (file.pages.empty()) throw FormatError(source.name, {.offset = 0}, format + ": a TIFF file without a directory");
     return file;
 }
 
-void refuse_tiff(const bytes::Source& source) {
-    (void)open_tiff(source, "TIFF");
-    throw FormatError(
-        source.name, {.offset = 0},
-        "a TIFF picture, it has none of the tags by which JPK, Park Systems and Olympus LEXT keep heights in TIFF; `setae contour` traces outlines in pictures, "
-        "heights that were exported as grey values have lost their scale: export the instrument's own format");
-}
-
-}  // namespace setae::formats
+}  // namespace setae::bytes

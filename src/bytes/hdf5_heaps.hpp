@@ -3,7 +3,7 @@
 
 #include "setae/bytes/source.hpp"
 
-namespace setae::formats {
+namespace setae::bytes {
 
 /// The largest file whose heaps are looked at before the library sees it: all of it is read for that.
 inline constexpr std::uint64_t most_searched_for_heaps = std::uint64_t{16} << 20;
@@ -13,6 +13,6 @@ inline constexpr std::uint64_t most_searched_for_heaps = std::uint64_t{16} << 20
 /// stood there. Larger files are not looked at.
 /// @throws FormatError with the place of the heap.
 /// Source: HDF5 File Format Specification 3.0, III.E.
-void require_sound_heaps(const bytes::Source& source);
+void require_sound_heaps(const Source& source);
 
-}  // namespace setae::formats
+}  // namespace setae::bytes

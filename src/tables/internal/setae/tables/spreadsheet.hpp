@@ -14,10 +14,6 @@ namespace setae::tables {
 /// Whether a source is an Office Open XML workbook (.xlsx).
 [[nodiscard]] bool is_spreadsheet(const bytes::Source& source);
 
-/// The sheets of a workbook in its order.
-/// @throws FormatError for a file that is no whole workbook.
-[[nodiscard]] std::vector<std::string> sheet_names(const bytes::Source& workbook);
-
 /// A table of a workbook (.xlsx, ECMA-376): of the sheet named, else of the first sheet that holds one.
 ///
 /// A table is the columns with numbers in at least half as many rows as the fullest; names and units stand above it as

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "raster.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/bytes/tiff_file.hpp"
+
+namespace setae::formats {
+
+/// Why a TIFF file is none of the formats that keep heights in TIFF: it is damaged, or a picture. @throws FormatError
+/// always.
+[[noreturn]] void refuse_tiff(const bytes::Source& source);
+
+/// Where the samples of a page lie. Strips side by side and not compressed are a raster of the file itself, read where
+/// asked; all others become a source in memory that libtiff expands at its first read.
+struct TiffPixels {
+    bytes::Source source;
+    Raster raster;
+};
+
+/// Pixels of one sample each. @throws FormatError for several samples a pixel, a type that is no number of 1, 2, 4 or 8
+/// bytes, strips or tiles beyond the end of the file or fewer than the page needs, or a page that announces more than
+/// most_expanded of its bytes.
+[[nodiscard]] TiffPixels tiff_pixels(const bytes::TiffFile& file, const bytes::TiffPage& page);
+
+}  // namespace setae::formats
