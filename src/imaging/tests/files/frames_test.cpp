@@ -260,7 +260,7 @@ TEST(FrameSource, NamesWhatIsWrongWithItsFiles) {
     write_bytes(folder / "text.tif", "no picture at all");
     expect_holds(message_of([&] { FrameSource(folder / "text.tif", at_20_a_second()); }),
                  "expected a TIFF, an AVI, or pictures");
-    expect_holds(message_of([&] { FrameSource(folder / "missing.tif", at_20_a_second()); }), "cannot open");
+    expect_holds(message_of([&] { FrameSource(folder / "missing.tif", at_20_a_second()); }), "no such file");
     expect_holds(message_of([&] { FrameSource(folder.path(), at_20_a_second()); }), "no pictures");
     expect_holds(message_of([&] { FrameSource(std::vector<std::string>{}, at_20_a_second()); }), "no frames");
     write_bytes(folder / "one.png", encoded(pattern(1), ".png"));
