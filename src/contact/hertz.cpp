@@ -31,11 +31,6 @@ double penetration(double force, const SphereOnFlat& contact) {
     return a * a / contact.radius;
 }
 
-double peak_pressure(double force, const SphereOnFlat& contact) {
-    // 3F/(2πa²) with F = 4E*a³/(3R): no division by zero at F = 0
-    return 2.0 * contact.contact_modulus * contact_radius(force, contact) / (pi * contact.radius);
-}
-
 double energy(double penetration, const SphereOnFlat& contact) {
     return 0.4 * force(penetration, contact) * penetration;
 }

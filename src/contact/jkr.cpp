@@ -197,13 +197,6 @@ double work_of_adhesion_from_pull_off(double pull_off_force, double radius, Cont
     return factor * std::abs(pull_off_force) / (pi * radius);
 }
 
-double retraction_contact_radius(double force, double pull_off_force, const SphereOnFlat& contact) {
-    require_positive(pull_off_force, "magnitude of the pull-off force");
-    return contact_radius_at_force(force, {.radius = contact.radius,
-                                           .contact_modulus = contact.contact_modulus,
-                                           .work_of_adhesion = pull_off_force / (1.5 * pi * contact.radius)});
-}
-
 MaugisUnits maugis_units(const Contact& contact) {
     require(contact);
     require_positive(contact.work_of_adhesion, "work of adhesion");

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "bracketed_root.hpp"
 #include "domain.hpp"
 #include "mapped.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketed_root.hpp"
 
 namespace setae::contact::large_strain {
 namespace {
@@ -54,7 +54,7 @@ double fold_of_force(double w) {
     const auto slope = [w](double x) {
         return 2.0 * x * (std::atanh(x) + x / (1.0 - x * x)) - 1.5 * std::sqrt(8.0 * pi * w * x);
     };
-    return bracketed_root(slope, 1e-3 * upper, upper);
+    return numerics::bracketed_root(slope, 1e-3 * upper, upper);
 }
 
 /// Where dδ/da = 0.
@@ -62,7 +62,7 @@ double fold_of_displacement(double w) {
     if (w == 0.0) return 0.0;
     const double upper = std::min(std::cbrt(pi * w / 8.0), largest_share);
     const auto slope = [w](double x) { return std::atanh(x) + x / (1.0 - x * x) - 0.5 * std::sqrt(2.0 * pi * w / x); };
-    return bracketed_root(slope, 1e-3 * upper, upper);
+    return numerics::bracketed_root(slope, 1e-3 * upper, upper);
 }
 
 /// x where a curve that falls from 0 to its fold and rises beyond has a value; NaN where it does not reach it.
@@ -72,7 +72,7 @@ double share_at(double value, double fold, Branch branch, Curve&& curve) {
     const double least = curve(fold);
     if (!(value >= least && value <= curve(end))) return undefined;
     if (value == least) return fold;
-    return bracketed_root([&](double x) { return curve(x) - value; }, fold, end);
+    return numerics::bracketed_root([&](double x) { return curve(x) - value; }, fold, end);
 }
 
 double radius_at_force(double force, const Contact& contact, Branch branch, double w, double fold) {

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "bracketed_root.hpp"
 #include "domain.hpp"
 #include "mapped.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketed_root.hpp"
 
 namespace setae::contact::layer {
 namespace {
@@ -61,7 +61,7 @@ double fold(double Slopes::*slope, double half_space_fold, const AdhesiveContact
             fmt::format("this contact parts at a contact radius above {} layer thicknesses of {} m, where the "
                         "layer's factors end: use a thicker layer",
                         Layer::largest_ratio, layer.thickness()));
-    return bracketed_root(slope_at, 1e-3 * std::min(half_space_fold, upper), upper);
+    return numerics::bracketed_root(slope_at, 1e-3 * std::min(half_space_fold, upper), upper);
 }
 
 double fold_of_force(const AdhesiveContact& contact, const Layer& layer) {
@@ -78,14 +78,14 @@ double radius_at(double value, double State::*member, double fold, const Adhesiv
     const double at_fold = excess(fold);
     if (!(at_fold <= 0.0)) return undefined;
     if (at_fold == 0.0) return fold;
-    if (branch == Branch::inner) return value > 0.0 ? undefined : bracketed_root(excess, 0.0, fold);
+    if (branch == Branch::inner) return value > 0.0 ? undefined : numerics::bracketed_root(excess, 0.0, fold);
     const double upper = layer.largest_contact_radius();
     if (excess(upper) < 0.0)
         throw InvalidArgument(
             fmt::format("the contact radius would exceed {} layer thicknesses of {} m, where the layer's "
                         "factors end: use a thicker layer or press less",
                         Layer::largest_ratio, layer.thickness()));
-    return bracketed_root(excess, fold, upper);
+    return numerics::bracketed_root(excess, fold, upper);
 }
 
 }  // namespace

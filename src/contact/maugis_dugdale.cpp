@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "bracketed_root.hpp"
 #include "domain.hpp"
 #include "mapped.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketed_root.hpp"
 
 namespace setae::contact::maugis_dugdale {
 namespace {
@@ -100,7 +100,7 @@ double zone_at_radius(double radius, double lambda) {
     while (!(difference(lower) >= 0.0)) lower *= 0.5;
     double upper = lower;
     while (difference(upper) > 0.0) upper *= 2.0;
-    return bracketed_root(difference, std::max(lower, 0.5 * upper), upper);
+    return numerics::bracketed_root(difference, std::max(lower, 0.5 * upper), upper);
 }
 
 /// s where the force is least; contacts have radii between λ (or 1/2) and 2 there.
@@ -109,7 +109,7 @@ double zone_at_least_force(double lambda) {
     const double lower = zone_at_radius(2.0, lambda);
     const double upper = zone_at_radius(std::min(lambda, 0.5), lambda);
     if (!(slope(upper) > 0.0)) return upper;  // λ < 1e-5: flat to rounding
-    return bracketed_root(slope, lower, upper);
+    return numerics::bracketed_root(slope, lower, upper);
 }
 
 /// s where the displacement is least, NaN where it falls all the way to A = 0.
@@ -117,7 +117,7 @@ double zone_at_least_displacement(double lambda) {
     const auto slope = [&](double s) { return point_at(s, lambda).displacement_slope; };
     const double upper = zone_at_radius(1e-4, lambda);
     if (!(slope(upper) > 0.0)) return undefined;
-    return bracketed_root(slope, zone_at_radius(2.0, lambda), upper);
+    return numerics::bracketed_root(slope, zone_at_radius(2.0, lambda), upper);
 }
 
 /// What forces, or displacements, of a curve are compared with.
@@ -150,13 +150,13 @@ double radius_at(double value, double Point::*member, double lambda, const Fold&
         const double last = 1e9 * std::max(fold.zone, zone_of_vanished_contact(lambda));
         while (excess(upper) < 0.0 && upper < last) lower = upper, upper *= 2.0;
         if (!(excess(upper) > 0.0)) return 0.0;
-        return point_at(bracketed_root(excess, lower, upper), lambda).radius;
+        return point_at(numerics::bracketed_root(excess, lower, upper), lambda).radius;
     }
     double upper = has_fold ? fold.zone : 1e9 * zone_of_vanished_contact(lambda);
     if (!(excess(upper) < 0.0)) return has_fold ? point_at(upper, lambda).radius : 0.0;
     double lower = has_fold ? upper : zone_at_radius(1.0, lambda);
     while (excess(lower) < 0.0) upper = lower, lower *= 0.5;
-    return point_at(bracketed_root(excess, lower, upper), lambda).radius;
+    return point_at(numerics::bracketed_root(excess, lower, upper), lambda).radius;
 }
 
 AdhesiveContact without_range(const Contact& contact) {

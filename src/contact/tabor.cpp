@@ -54,11 +54,6 @@ double transition_parameter(double tabor_parameter) {
     return transition_per_tabor * tabor_parameter;
 }
 
-double tabor_parameter_from(double transition_parameter) {
-    require_positive(transition_parameter, "transition parameter");
-    return transition_parameter / transition_per_tabor;
-}
-
 double lennard_jones_stress(double work_of_adhesion, double interaction_range) {
     require_not_negative(work_of_adhesion, "work of adhesion");
     require_positive(interaction_range, "interaction range");

@@ -77,15 +77,6 @@ double transition_parameter(double transition_share) {
     return -relation_scale * std::log1p(-relation_share * transition_share);
 }
 
-double interpolated_pull_off_force(double transition_parameter, double radius, double work_of_adhesion) {
-    require_positive(transition_parameter, "transition parameter");
-    require_positive(radius, "sphere radius");
-    require_not_negative(work_of_adhesion, "work of adhesion");
-    // (t − 1)/(t + 1) = 1 − 2/(t + 1): no ∞/∞
-    const double term = 4.04 * std::pow(transition_parameter, 1.4);
-    return -(1.5 + 0.5 / (term + 1.0)) * pi * radius * work_of_adhesion;
-}
-
 Curve curve_of(const maugis_dugdale::Contact& contact) {
     return {.zero_load_radius = maugis_dugdale::contact_radius_at_force(0.0, contact),
             .pull_off_force = maugis_dugdale::pull_off_at_fixed_load(contact).force,

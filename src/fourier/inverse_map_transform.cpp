@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/fourier/inverse_map_transform.hpp"
+#include "setae/core/extent.hpp"
 
 #include <algorithm>
 
@@ -11,8 +12,6 @@
 
 namespace setae::fourier {
 namespace {
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// A half spectrum inside the map it belongs to: the complex values of lines 1 … inner lie in the rows, those of lines
 /// 0 and ny/2, which the transform along x makes real, beside it.

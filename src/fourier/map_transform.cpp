@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/fourier/map_transform.hpp"
+#include "setae/core/extent.hpp"
 
 #include <algorithm>
 
@@ -18,8 +19,6 @@ constexpr Index padded(Index n) {
     constexpr Index line = 64 / static_cast<Index>(sizeof(Value));
     return (n + line - 1) / line * line + line;
 }
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 SpectrumBlock block_of(Index index, Index lines, Index modes, const Complex* values) {
     const Index first = index * lines_per_block;

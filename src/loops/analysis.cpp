@@ -43,38 +43,25 @@ PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const 
     return record;
 }
 
-void move_into(LoopAnalysis& analysis, ContactAnalysis first) {
-    analysis.loading = std::move(first.loading);
-    analysis.pinned = first.pinned;
-    analysis.unloading = std::move(first.unloading);
-    analysis.pull_off = std::move(first.pull_off);
-    analysis.retraction = std::move(first.retraction);
-    analysis.loop = std::move(first.loop);
-    analysis.context = first.context;
-    analysis.contact_points = std::move(first.contact_points);
-    analysis.ledger = std::move(first.ledger);
-    analysis.compliance = std::move(first.compliance);
-}
-
 }  // namespace
 
 LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
                      const std::string& subject) {
-    LoopAnalysis analysis{.faults = record_faults(recorded)};
-    const PreparedRecord record = prepared(recorded, analysis.faults, options);
+    const RecordFaults faults = record_faults(recorded);
+    const PreparedRecord record = prepared(recorded, faults, options);
     const Segments& segments = record.segments;
     const auto n = static_cast<Index>(segments.contacts.size());
-    ContactAnalysis first = analyse_contact(record, 0, bodies, options);
+    LoopAnalysis analysis{analyse_contact(record, 0, bodies, options)};
+    analysis.faults = faults;
     for (Index k = 1; k < n; ++k)
         analysis.further_contacts.push_back(attempt([&] { return analyse_contact(record, k, bodies, options); }));
     for (Index i = 0; i < static_cast<Index>(segments.cycles.size()); ++i) {
         const Index k = segments.cycles[static_cast<std::size_t>(i)].contact;
         const Outcome<ContactAnalysis>* further =
             k > 0 ? &analysis.further_contacts[static_cast<std::size_t>(k) - 1] : nullptr;
-        const ContactAnalysis& contact = further != nullptr && *further ? **further : first;
+        const ContactAnalysis& contact = further != nullptr && *further ? **further : analysis;
         analysis.cycles.push_back(analyse_cycle(record, i, contact, bodies, options));
     }
-    move_into(analysis, std::move(first));
     analysis.segments = segments;
     analysis.corrected = record.level;
     analysis.corrected.force -= segments.before.force;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/loops/branch_samples.hpp"
-
 #include "contact_analysis.hpp"
 #include "setae/core/errors.hpp"
 

@@ -2,6 +2,7 @@
 #include "setae/numerics/dense.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -15,6 +16,15 @@ VectorXd solved_symmetric(const MatrixXd& matrix, const VectorXd& right) { retur
 
 VectorXd solved(const MatrixXd& matrix, const VectorXd& right) { return matrix.partialPivLu().solve(right); }
 MatrixXd inverse(const MatrixXd& matrix) { return matrix.inverse(); }
+
+VectorXd least_squares(const MatrixXd& design, const VectorXd& values) {
+    return design.colPivHouseholderQr().solve(values);
+}
+
+SymmetricEigen symmetric_eigen(const MatrixXd& matrix) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
+    return {.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
+}
 
 MatrixXd orthonormal(const MatrixXd& columns) {
     const Eigen::HouseholderQR<MatrixXd> qr(columns);

@@ -59,21 +59,10 @@ void fill_normal(RandomKey key, std::uint64_t first_counter, Eigen::Ref<Array1D>
     }
 }
 
-void fill_uniform(RandomKey key, std::uint64_t first_counter, Eigen::Ref<Array1D> out) {
-    for (Index i = 0; i < out.size(); ++i) out[i] = uniform_number(key, first_counter + static_cast<std::uint64_t>(i));
-}
-
 Array1D normal_numbers(RandomKey key, std::uint64_t first_counter, Index count) {
     require_count(count);
     Array1D numbers(count);
     fill_normal(key, first_counter, numbers);
-    return numbers;
-}
-
-Array1D uniform_numbers(RandomKey key, std::uint64_t first_counter, Index count) {
-    require_count(count);
-    Array1D numbers(count);
-    fill_uniform(key, first_counter, numbers);
     return numbers;
 }
 

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 
 #include "jet.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::statistics {
 namespace {
@@ -123,10 +124,10 @@ Climb climb(const Scaled& scaled, const std::vector<std::size_t>& free, Array1D 
             for (Index j = 0; j < m; ++j)
                 hessian(i, j) = here.second[Jet::at(static_cast<std::size_t>(i), static_cast<std::size_t>(j))];
         }
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian);
-        const Eigen::VectorXd along = solver.eigenvectors().transpose() * gradient;
-        const Eigen::VectorXd curvature = solver.eigenvalues().cwiseAbs().cwiseMax(1e-10);
-        Eigen::VectorXd move = solver.eigenvectors() * along.cwiseQuotient(curvature);
+        const numerics::SymmetricEigen eigen = numerics::symmetric_eigen(hessian);
+        const Eigen::VectorXd along = eigen.vectors.transpose() * gradient;
+        const Eigen::VectorXd curvature = eigen.values.cwiseAbs().cwiseMax(1e-10);
+        Eigen::VectorXd move = eigen.vectors * along.cwiseQuotient(curvature);
         const double gain = gradient.dot(move);
         if (gain < 1e-18) return {x, here.value, true};
         constexpr double longest = 3.0;
@@ -251,7 +252,7 @@ DesignInformation information_of(const NestedDesign& design, const Array1D& vari
         first = last;
     }
     information.triangularView<Eigen::StrictlyUpper>() = information.transpose();
-    result.covariance = (unit * unit * information.inverse()).array();
+    result.covariance = (unit * unit * numerics::inverse(information)).array();
     return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/validation/loop_coverage.hpp"
+#include "setae/contact/jkr.hpp"
 
 #include <functional>
 #include <limits>

@@ -122,18 +122,6 @@ TEST(JkrEnergy, HasForceAndEnergyReleaseRateAsDerivatives) {
     EXPECT_NEAR(release, lens.work_of_adhesion - energy_release_rate_at_displacement(a, d, bodies), 1e-7);
 }
 
-TEST(JkrRetraction, IsEquationOneWrittenWithThePullOffForce) {
-    const double pull_off = 1.5 * pi * lens.radius * lens.work_of_adhesion;
-    const double shares[] = {-0.999, -0.5, 0.0, 2.0};
-    for (const double share : shares) {
-        const double a = retraction_contact_radius(share * pull_off, pull_off, bodies);
-        const double a3 =
-            0.75 * lens.radius * pull_off / lens.contact_modulus * (share + 2.0 + 2.0 * std::sqrt(share + 1.0));
-        EXPECT_NEAR(a * a * a / a3, 1.0, 1e-13);
-        EXPECT_NEAR(a / contact_radius_at_force(share * pull_off, lens), 1.0, 1e-13);
-    }
-}
-
 TEST(JkrPullOff, GivesBackTheWorkOfAdhesionUnderEitherControl) {
     EXPECT_NEAR(work_of_adhesion_from_pull_off(pull_off_at_fixed_load(lens).force, lens.radius), 0.05, 1e-15);
     EXPECT_NEAR(work_of_adhesion_from_pull_off(pull_off_at_fixed_grips(lens).force, lens.radius, Control::fixed_grips),

@@ -84,20 +84,6 @@ TEST(Transition, ShareFollowsFromTheTransitionParameterAndBack) {
     EXPECT_NEAR(transition_parameter(0.5), -0.924 * std::log(0.49), 1e-15);
 }
 
-TEST(TransitionPullOff, DeviatesFromMaugisAndDugdaleByWhatItsHeaderSays) {
-    double worst = 0.0;
-    for (double lambda = 0.01; lambda < 20.0; lambda *= 1.1)
-        worst = std::max(worst, std::abs(interpolated_pull_off_force(lambda, 1.0, 1.0 / pi) -
-                                         maugis_dugdale::reduced_pull_off_at_fixed_load(lambda).force));
-    EXPECT_LT(worst, 0.031);
-    EXPECT_GT(worst, 0.029);
-    // as printed
-    const double term = 4.04 * std::pow(0.7, 1.4);
-    EXPECT_NEAR(interpolated_pull_off_force(0.7, 1.0, 1.0 / pi), -(1.75 - 0.25 * (term - 1.0) / (term + 1.0)), 1e-15);
-    EXPECT_NEAR(interpolated_pull_off_force(1e-9, 1.0, 1.0 / pi), -2.0, 1e-9);
-    EXPECT_NEAR(interpolated_pull_off_force(1e300, 1.0, 1.0 / pi), -1.5, 1e-15);
-}
-
 TEST(Transition, GivesBackTheContactItsCurveIsOf) {
     for (const double lambda : {0.05, 0.5, 3.0}) {
         const maugis_dugdale::Contact contact = with(lambda), back = contact_of(curve_of(contact), contact.radius);
@@ -129,7 +115,6 @@ TEST(Transition, RefusesValuesOutsideItsDomain) {
     EXPECT_THROW((void)transition_share(0.0), InvalidArgument);
     EXPECT_THROW((void)transition_parameter(0.0), InvalidArgument);
     EXPECT_THROW((void)transition_parameter(0.99), InvalidArgument);
-    EXPECT_THROW((void)interpolated_pull_off_force(1.0, 1.0, -1.0), InvalidArgument);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "fits/least_squares.hpp"
 #include "records/baseline.hpp"
@@ -14,6 +14,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/loops/spring_jumps.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::loops {
 namespace {
@@ -348,8 +349,7 @@ Estimate without_work(const Touch& touch, double radius) {
         solution = solve_linear(design, weight * data.force);
         modulus = solution.parameters[0];
         zero = solution.parameters[1] / modulus;
-        const Eigen::Vector2d shift =
-            design.colPivHouseholderQr().solve(Eigen::VectorXd(weight * data.force_zero_standard_error));
+        const Eigen::Vector2d shift = numerics::least_squares(design, weight * data.force_zero_standard_error);
         by_zero_of_force = (shift[1] - zero * shift[0]) / modulus;
     }
     const Eigen::Vector2d by(-zero / modulus, 1.0 / modulus);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "records/jump.hpp"
+#include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/loops/energy_ledger.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/loops/energy_ledger.hpp"
+#include "setae/contact/jkr.hpp"
 
 #include <cmath>
 

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/LU>
 
 #include "least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::loops {
 namespace {
@@ -37,7 +39,7 @@ struct LawProblem {
             const double exponent = exponent_free ? 0.03 * std::pow(100.0, k / 60.0) : given_exponent;
             Eigen::MatrixXd design(rate.size(), 2);
             design << weight, weight * (exponent * log_speed).exp();
-            const Eigen::Vector2d linear = design.colPivHouseholderQr().solve((weight * rate).matrix());
+            const Eigen::Vector2d linear = numerics::least_squares(design, weight * rate);
             steepest = std::max(steepest, linear[1]);
             const double cost = (design * linear - (weight * rate).matrix()).squaredNorm();
             if (linear[0] > 0.0 && linear[1] > 0.0 && cost < least) {
@@ -125,7 +127,7 @@ EdgeSpeeds speeds_of_edge(const ArrayView1D& time, const ArrayView1D& contact_ra
         Eigen::MatrixXd design(window, 3);
         design << Array1D::Ones(window), steps, steps.square();
         const Eigen::VectorXd radii = contact_radius.segment(first, window);
-        const Eigen::Vector3d parabola = design.colPivHouseholderQr().solve(radii);
+        const Eigen::Vector3d parabola = numerics::least_squares(design, radii);
         const Eigen::Matrix3d inverse = (design.transpose() * design).inverse();
         edge.speed[i] = -parabola[1] / scale;
         edge.standard_error[i] = std::sqrt(inverse(1, 1)) / scale;  // per unit of noise

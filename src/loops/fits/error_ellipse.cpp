@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/loops/error_ellipse.hpp"
+#include "setae/loops/profile_likelihood.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,9 @@
 
 #include <ceres/ceres.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "setae/numerics/dense.hpp"
 
 namespace setae::loops {
 namespace {
@@ -68,7 +70,7 @@ LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::Vec
 }
 
 LeastSquaresSolution solve_linear(const Eigen::MatrixXd& design, const Eigen::VectorXd& values) {
-    LeastSquaresSolution solution{.parameters = design.colPivHouseholderQr().solve(values), .converged = true};
+    LeastSquaresSolution solution{.parameters = numerics::least_squares(design, values), .converged = true};
     solution.residuals = values - design * solution.parameters;
     solution.uncertainty = correlated_covariance(design, solution.residuals);
     return solution;

@@ -115,9 +115,9 @@ void fill_residuals(ModelFit& fit, const PreparedFit& prepared, const FitSolutio
 std::optional<contact::tabor::Verdict> verdict(const ModelFit& fit, const BranchData& data, double radius,
                                                double range) {
     if (!fit.work_of_adhesion || !(fit.work_of_adhesion->value > 0.0)) return std::nullopt;
-    // of equal largest attraction: σ0 = 16W/(9√3 z0)
+    // of equal largest attraction, σ0 = 16W/(9√3 z0): the relation turns σ0 into z0, too
     if (fit.cohesive_stress)
-        range = 16.0 * fit.work_of_adhesion->value / (9.0 * std::sqrt(3.0) * fit.cohesive_stress->value);
+        range = contact::tabor::lennard_jones_stress(fit.work_of_adhesion->value, fit.cohesive_stress->value);
     return contact::tabor::which_model(data.force.maxCoeff(),
                                        {.radius = radius,
                                         .contact_modulus = fit.contact_modulus.value,

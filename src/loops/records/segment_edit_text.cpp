@@ -38,13 +38,6 @@ GivenRange range_from(std::string_view range, std::string_view whole) {
     }
 }
 
-std::string text_of(const GivenRange& range) {
-    if (const auto* samples = std::get_if<IndexRange>(&range))
-        return fmt::format("{}:{}", samples->first, samples->last);
-    const auto& times = std::get<TimeRange>(range);
-    return fmt::format("{}s:{}s", times.first, times.last);
-}
-
 /// The segment of a contact that a name stands for.
 template <class Contact>
 auto* segment_of(Contact& contact, std::string_view name) {
@@ -55,8 +48,6 @@ auto* segment_of(Contact& contact, std::string_view name) {
     if (name == "pull_off") return &contact.pull_off;
     return decltype(&contact.jump_in){nullptr};
 }
-
-constexpr const char* segment_names[] = {"jump_in", "loading", "hold", "unloading", "pull_off"};
 
 IgnoredSamples ignored_from(std::string_view value, std::string_view whole) {
     const auto open = value.find('(');
@@ -108,22 +99,6 @@ void add_segment_edit(SegmentEdits& edits, std::string_view text) {
     ContactEdits& edit = edits.contacts[contact - 1];
     if (cut) edit.cuts.push_back(*sample);
     else *segment_of(edit, name) = range;
-}
-
-std::vector<std::string> segment_edit_texts(const SegmentEdits& edits) {
-    std::vector<std::string> texts;
-    if (edits.baseline_before) texts.push_back("baseline=" + text_of(*edits.baseline_before));
-    if (edits.baseline_after) texts.push_back("baseline_after=" + text_of(*edits.baseline_after));
-    for (std::size_t k = 0; k < edits.contacts.size(); ++k) {
-        const std::string contact = k == 0 ? "" : fmt::format("@{}", k + 1);
-        for (const char* name : segment_names)
-            if (const auto* range = segment_of(edits.contacts[k], name); *range)
-                texts.push_back(name + contact + "=" + text_of(**range));
-        for (const Index cut : edits.contacts[k].cuts) texts.push_back(fmt::format("cut{}={}", contact, cut));
-    }
-    for (const IgnoredSamples& ignored : edits.ignored)
-        texts.push_back(fmt::format("ignore={} ({})", text_of(ignored.range), ignored.reason));
-    return texts;
 }
 
 }  // namespace setae::loops

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "setae/contact/jkr.hpp"
 #include "setae/loops/jkr_fits.hpp"
 #include "synthetic_loop.hpp"
 

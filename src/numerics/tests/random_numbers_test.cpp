@@ -47,11 +47,8 @@ TEST(NormalNumbers, AreBoxMullerOfTheirBits) {
 TEST(NormalNumbers, AreTheSameOneByOneAndInBlocks) {
     const RandomKey key{1, 2};
     for (const std::uint64_t first : {0U, 1U, 6U, 257U}) {
-        const auto normal = normal_numbers(key, first, 301), uniform = uniform_numbers(key, first, 301);
-        for (Index i = 0; i < 301; ++i) {
-            EXPECT_EQ(normal[i], normal_number(key, first + static_cast<std::uint64_t>(i)));
-            EXPECT_EQ(uniform[i], uniform_number(key, first + static_cast<std::uint64_t>(i)));
-        }
+        const auto normal = normal_numbers(key, first, 301);
+        for (Index i = 0; i < 301; ++i) EXPECT_EQ(normal[i], normal_number(key, first + static_cast<std::uint64_t>(i)));
     }
     EXPECT_EQ(normal_numbers(key, 5, 0).size(), 0);
 }
@@ -84,7 +81,8 @@ TEST(NormalNumbers, FollowTheNormalDistributionFunction) {
 
 TEST(UniformNumbers, LieStrictlyInsideAndFillTheInterval) {
     constexpr Index n = 200000;
-    const auto u = uniform_numbers({3, 3}, 0, n);
+    Array1D u(n);
+    for (Index i = 0; i < n; ++i) u[i] = uniform_number({3, 3}, static_cast<std::uint64_t>(i));
     EXPECT_GT(u.minCoeff(), 0.0);
     EXPECT_LT(u.maxCoeff(), 1.0);
     EXPECT_LT(std::abs(u.mean() - 0.5), 4.0 / std::sqrt(12.0 * n));

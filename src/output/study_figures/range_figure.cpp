@@ -6,7 +6,7 @@
 
 #include "drawing.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/loops/error_ellipse.hpp"
+#include "setae/loops/profile_likelihood.hpp"
 #include "setae/study_figures/loop_figures.hpp"
 
 namespace setae::study_figures {

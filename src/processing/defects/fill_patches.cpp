@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include "setae/core/extent.hpp"
 
 namespace setae::processing {
 namespace {
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// Whether any of some heights is undefined: their sum tells, for nothing makes a number of NaN again.
 bool any_undefined(const double* heights, Index count) {

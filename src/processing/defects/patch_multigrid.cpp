@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 
 namespace setae::processing {
 namespace {
@@ -15,8 +16,6 @@ constexpr double converged = 1e-13;
 constexpr int most_steps = 400;
 constexpr Index coarsest_points = 16;
 constexpr int coarsest_sweeps = 8;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// For every fine place along a direction: the coarse place it lies in and the next one, with their shares.
 struct Steps {

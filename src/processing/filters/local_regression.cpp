@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "moment_field.hpp"
+#include "setae/core/extent.hpp"
 
 namespace setae::processing {
 namespace {
@@ -15,8 +16,6 @@ constexpr Index columns_per_block = 128;
 constexpr std::size_t most_terms = 6;
 /// A pivot below this share of its diagonal: the points near lie on a curve on which the polynomial vanishes.
 constexpr double smallest_pivot = 1e-9;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 struct Census {
     double centre = 0.0;  ///< mean of the defined heights

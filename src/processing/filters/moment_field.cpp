@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include "setae/core/extent.hpp"
 
 namespace setae::processing {
 namespace {
 
 constexpr Index columns_per_block = 128;
 constexpr std::size_t rows_at_once = 4;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 constexpr std::array<std::array<double, 5>, 5> binomials{
     {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};

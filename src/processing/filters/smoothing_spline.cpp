@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "setae/core/extent.hpp"
 
 namespace setae::processing {
 namespace {
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 struct Term {
     Index point;

@@ -9,6 +9,7 @@
 #include "filter_arguments.hpp"
 #include "robust_weights.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/processing/iso_filter.hpp"
 #include "smoothing_spline.hpp"
 
@@ -16,8 +17,6 @@ namespace setae::processing {
 namespace {
 
 constexpr Index columns_per_block = 64;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 void require_valid(const SplineFilter& filter, double pixel_size, const topography::Metadata& metadata) {
     require_cutoff(filter.cutoff, "spline filter", metadata);

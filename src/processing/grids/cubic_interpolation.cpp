@@ -4,6 +4,7 @@
 
 #include "grid_place.hpp"
 #include "line_slopes.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/processing/interpolation.hpp"
 
 namespace setae::processing {
@@ -11,8 +12,6 @@ namespace {
 
 constexpr double outside = std::numeric_limits<double>::quiet_NaN();
 constexpr Index columns_per_block = 16;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// Hermite's cubics between two points and their derivatives: of the heights and of the slopes there.
 struct Hermite {

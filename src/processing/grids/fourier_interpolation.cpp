@@ -5,6 +5,7 @@
 
 #include "fourier_lines.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/fourier/buffer.hpp"
 #include "setae/processing/interpolation.hpp"
 
@@ -12,8 +13,6 @@ namespace setae::processing {
 namespace {
 
 constexpr Index columns_per_block = 16;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 void require_points(Index n, const topography::Metadata& metadata) {
     if (n < 1)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/processing/resample.hpp"
+#include "setae/core/extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,6 @@ namespace {
 using topography::HeightMap;
 using topography::LineScan;
 using topography::Profile;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// New points of a direction.
 struct Points {

@@ -10,6 +10,7 @@
 #include "padded_rows.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 
 namespace setae::scales {
 namespace {
@@ -18,8 +19,6 @@ using fourier::block_count;
 using fourier::Buffer;
 using fourier::Complex;
 using fourier::lines_per_block;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// A map about its mean, with sums of squares of its columns over the first rows.
 class CentredMap {

@@ -10,6 +10,7 @@
 #include "radial_bins.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/scales/autocorrelation.hpp"
 
 namespace setae::scales {
@@ -17,8 +18,6 @@ namespace {
 
 using fourier::Buffer;
 using fourier::Complex;
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// Sums over pairs by lag (k, l), k = −x … x, l = 0 … y.
 struct LagSums {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/fourier/buffer.hpp"
 #include "setae/fourier/fast_length.hpp"
 
@@ -17,8 +18,6 @@ using fourier::Complex;
 
 constexpr Index gathered = 16;    ///< lines taken out of a map at a time
 constexpr Index most_parts = 64;  ///< of a sum over lines, whatever the number of threads
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 }  // namespace
 

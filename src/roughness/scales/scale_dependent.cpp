@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/scales/scale_dependent.hpp"
+#include "setae/core/extent.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,6 @@ namespace {
 using fourier::Buffer;
 
 constexpr Index block_rows = 32;  ///< rows whose sums belong together
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// Differences at one distance: along x or y, or both with what is made of them.
 struct Scale {

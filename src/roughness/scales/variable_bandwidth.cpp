@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/scales/variable_bandwidth.hpp"
+#include "setae/core/extent.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,8 +16,6 @@
 
 namespace setae::scales {
 namespace {
-
-std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
 
 /// Sum of squares left and weight, by level: level p has 2^p times the cells of level 0.
 struct LevelSums {

@@ -183,8 +183,11 @@ SETAE_KEEP(ContactAnalysis, loading, pinned, unloading, pull_off, retraction, lo
            compliance)
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
-SETAE_KEEP(LoopAnalysis, corrected, segments, loading, pinned, unloading, pull_off, retraction, loop, context,
-           contact_points, ledger, compliance, further_contacts, cycles, faults, alerts)
+template <class Archive>
+void serialize(Archive& archive, LoopAnalysis& of) {
+    archive(static_cast<ContactAnalysis&>(of), of.corrected, of.segments, of.further_contacts, of.cycles, of.faults,
+            of.alerts);
+}
 
 }  // namespace setae::loops
 

@@ -10,7 +10,6 @@
 
 #include "noisy_branch.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/loops/error_ellipse.hpp"
 
 namespace setae::loops {
 namespace {

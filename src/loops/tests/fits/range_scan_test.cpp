@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "setae/loops/branch_samples.hpp"
+#include "setae/loops/analysis.hpp"
 #include "synthetic_loop.hpp"
 
 namespace setae::loops {

@@ -34,13 +34,6 @@ SegmentEdits some_edits(Index samples) {
     return edits;
 }
 
-RC_GTEST_PROP(SegmentEditsProperty, ComeBackFromTheirText, ()) {
-    const SegmentEdits edits = some_edits(300);
-    SegmentEdits again;
-    for (const auto& text : segment_edit_texts(edits)) add_segment_edit(again, text);
-    RC_ASSERT(again == edits);
-}
-
 RC_GTEST_PROP(SegmentEditsProperty, AreRefusedOrLeaveSegmentsInOrderWithinTheRecord, ()) {
     static const Loop loop = tests::SyntheticLoop{.samples = 60}.make();
     static const Segments found = find_segments(loop);

@@ -33,7 +33,7 @@ std::string refused(const Loop& loop, const std::vector<std::string>& texts) {
     return refusal_of<InvalidArgument>([&] { (void)edited(loop, texts); });
 }
 
-TEST(SegmentEditText, ComesBackAsItWentIn) {
+TEST(SegmentEditText, NamesEveryEditThereIs) {
     const std::vector<std::string> texts{"baseline=0s:12.5s",
                                          "baseline_after=1500:1600",
                                          "jump_in=399:401",
@@ -46,8 +46,12 @@ TEST(SegmentEditText, ComesBackAsItWentIn) {
                                          "loading@3=5s:6.25s",
                                          "ignore=30:35 (door slammed)"};
     const SegmentEdits edits = edits_of(texts);
-    EXPECT_EQ(segment_edit_texts(edits), texts);
-    EXPECT_EQ(edits_of(segment_edit_texts(edits)), edits);
+    ASSERT_EQ(edits.contacts.size(), 3u);
+    EXPECT_EQ(std::get<IndexRange>(*edits.contacts[0].pull_off), (IndexRange{1000, 1004}));
+    EXPECT_EQ(edits.contacts[0].cuts, (std::vector<Index>{600, 700}));
+    EXPECT_EQ(std::get<TimeRange>(*edits.contacts[2].loading), (TimeRange{5.0, 6.25}));
+    ASSERT_EQ(edits.ignored.size(), 1u);
+    EXPECT_EQ(edits.ignored[0].reason, "door slammed");
     EXPECT_TRUE(SegmentEdits{}.empty());
     EXPECT_FALSE(edits.empty());
 }

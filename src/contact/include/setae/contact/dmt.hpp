@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "setae/contact/adhesive_contact.hpp"
+#include "setae/contact/elasticity.hpp"
 #include "setae/core/arrays.hpp"
 
 /// Contact with adhesion of long range (Derjaguin, Muller, Toporov) of a sphere and an elastic half-space: Hertz's

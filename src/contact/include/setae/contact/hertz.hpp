@@ -16,9 +16,6 @@ namespace setae::contact::hertz {
 /// Penetration d = a²/R [m] under force F [N]. @throws InvalidArgument for F < 0 or E*, R <= 0.
 [[nodiscard]] double penetration(double force, const SphereOnFlat& contact);
 
-/// Largest pressure p0 = 3F/(2πa²) [Pa], at the centre of the contact. @throws InvalidArgument for F < 0 or E*, R <= 0.
-[[nodiscard]] double peak_pressure(double force, const SphereOnFlat& contact);
-
 /// Stored elastic energy U = 8/15 E* √R d^(5/2) [J]. @throws InvalidArgument for d < 0 or E*, R <= 0.
 [[nodiscard]] double energy(double penetration, const SphereOnFlat& contact);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "setae/contact/adhesive_contact.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/arrays.hpp"
 
@@ -104,13 +103,6 @@ enum class Control { fixed_load, fixed_grips };
 /// @throws InvalidArgument for R <= 0.
 [[nodiscard]] double work_of_adhesion_from_pull_off(double pull_off_force, double radius,
                                                     Control control = Control::fixed_load);
-
-/// Contact radius [m] on retraction, written with the pull-off force F_po > 0 in place of W (S2).
-///
-///   a³ = (3R F_po/4E*) [F/F_po + 2 + 2√(F/F_po + 1)],  F_po = 3/2 πRW
-///
-/// @throws InvalidArgument for F_po <= 0 or E*, R <= 0.
-[[nodiscard]] double retraction_contact_radius(double force, double pull_off_force, const SphereOnFlat& contact);
 
 /// Scales in which every JKR contact is the same: R = 1, W = 1/π, K = 4E*/3 = 1.
 struct MaugisUnits {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "setae/contact/adhesive_contact.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/arrays.hpp"
 

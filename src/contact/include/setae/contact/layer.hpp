@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "setae/contact/adhesive_contact.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/arrays.hpp"
 

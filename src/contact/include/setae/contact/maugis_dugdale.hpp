@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "setae/contact/adhesive_contact.hpp"
+#include "setae/contact/elasticity.hpp"
 #include "setae/core/arrays.hpp"
 
 /// Contact with adhesion of any range: a constant attraction σ0 acts across gaps below W/σ0 around the contact (Maugis

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "setae/contact/adhesive_contact.hpp"
+#include "setae/contact/elasticity.hpp"
 
 /// Which model of adhesion applies: the range of the attraction against the elastic deformation it causes.
 ///
@@ -18,9 +18,6 @@ namespace setae::contact::tabor {
 
 /// Maugis' λ = 1.1570 μ. @throws InvalidArgument for μ <= 0.
 [[nodiscard]] double transition_parameter(double tabor_parameter);
-
-/// Tabor's μ = λ/1.1570. @throws InvalidArgument for λ <= 0.
-[[nodiscard]] double tabor_parameter_from(double transition_parameter);
 
 /// Largest attraction σ0 = 16W/(9√3 z0) = 1.0264 W/z0 [Pa] of a Lennard-Jones law, z0 [m] its gap of equilibrium.
 /// @throws InvalidArgument for W < 0 or z0 <= 0.

@@ -40,14 +40,6 @@ struct Curve {
 /// λ = −0.924 ln(1 − 1.02 α). @throws InvalidArgument for α outside (0, 1/1.02), where the relation gives no λ.
 [[nodiscard]] double transition_parameter(double transition_share);
 
-/// Pull-off force [N] at fixed load by the authors' interpolation.
-///
-///   Fc = −[7/4 − ¼ (4.04 λ^1.4 − 1)/(4.04 λ^1.4 + 1)] πRW
-///
-/// Within 0.031 πRW of Maugis–Dugdale (worst at λ = 0.25), exact in both limits; maugis_dugdale::pull_off_at_fixed_load
-/// has no such error. @throws InvalidArgument for λ <= 0, R <= 0 or W < 0.
-[[nodiscard]] double interpolated_pull_off_force(double transition_parameter, double radius, double work_of_adhesion);
-
 /// The curve of a Maugis–Dugdale contact: a0 and Fc its own, α from its λ.
 /// @throws InvalidArgument for a contact outside its domain.
 [[nodiscard]] Curve curve_of(const maugis_dugdale::Contact& contact);

@@ -131,21 +131,11 @@ struct ContactAnalysis {
     std::optional<ComplianceEffect> compliance;  ///< where the machine's stiffness has a standard error
 };
 
-/// Of the first contact in full; a record of several touches has the others in `further_contacts`.
-struct LoopAnalysis {
+/// A record: its first contact in full, and what there is beside it.
+struct LoopAnalysis : ContactAnalysis {
     Loop corrected;  ///< the record as analysed: force counted from its zero, drift and the machine's own deflection
                      ///< taken off
     Segments segments;
-    BranchAnalysis loading;
-    std::optional<IndexRange> pinned;
-    Outcome<BranchAnalysis> unloading;
-    Outcome<PullOff> pull_off;
-    Outcome<RetractionFit> retraction;
-    Outcome<LoopEnergy> loop;
-    LoopContext context;
-    Outcome<ContactPoints> contact_points;
-    Outcome<EnergyLedger> ledger;
-    std::optional<ComplianceEffect> compliance;
     std::vector<Outcome<ContactAnalysis>> further_contacts;  ///< of segments.contacts 1, 2, …
     std::vector<CycleAnalysis> cycles;
     RecordFaults faults;
@@ -159,5 +149,17 @@ struct LoopAnalysis {
 /// (see find_segments) or the loading branch has too few samples. A missing retraction is no error: see the reasons.
 [[nodiscard]] LoopAnalysis analyse(const Loop& loop, const LensAndCounterBody& bodies,
                                    const AnalysisOptions& options = {}, const std::string& subject = "loop");
+
+enum class LoopBranch { loading, unloading };
+
+/// The samples that the fits of a branch of the first contact rest on.
+struct BranchSamples {
+    BranchData data;  ///< force counted from its zero
+    Array1D time;     ///< [s]; empty where not recorded
+};
+
+/// @throws UndefinedDataError with the analysis' reason where it has no such branch.
+[[nodiscard]] BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch,
+                                           const AnalysisOptions& options);
 
 }  // namespace setae::loops

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "setae/contact/jkr.hpp"
+#include "setae/contact/elasticity.hpp"
 #include "setae/loops/loop_energy.hpp"
 
 namespace setae::loops {
@@ -43,10 +43,10 @@ struct EnergyLedger {
 };
 
 struct LedgerInputs {
-    contact::jkr::Contact smooth_sphere;  ///< R, E* and W of loading
-    double largest_contact_area = 0.0;    ///< [m²]
-    double true_area_ratio = 1.0;         ///< >= 1
-    double machine_stiffness = 0.0;       ///< [N/m], > 0; infinite for fixed grips
+    contact::AdhesiveContact smooth_sphere;  ///< R, E* and W of loading
+    double largest_contact_area = 0.0;       ///< [m²]
+    double true_area_ratio = 1.0;            ///< >= 1
+    double machine_stiffness = 0.0;          ///< [N/m], > 0; infinite for fixed grips
     DriftModel drift = DriftModel::between_baselines;
     std::optional<Estimate> displacement_stiffness;  ///< k that made δ = stage − F/k of the record
 };
@@ -70,8 +70,8 @@ struct EnergyCourse {
 };
 
 struct CourseInputs {
-    contact::jkr::Contact contact;  ///< R, E* and W of loading
-    double contact_point = 0.0;     ///< δ0 [m]
+    contact::AdhesiveContact contact;  ///< R, E* and W of loading
+    double contact_point = 0.0;        ///< δ0 [m]
 };
 
 /// `loop` has its force counted from zero, as LoopAnalysis::corrected has. Between frames the radius runs on a straight

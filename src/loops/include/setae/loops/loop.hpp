@@ -9,6 +9,16 @@
 
 namespace setae::loops {
 
+/// Samples first … last, both included.
+struct IndexRange {
+    Index first = 0;
+    Index last = 0;
+
+    [[nodiscard]] Index count() const { return last - first + 1; }
+    [[nodiscard]] bool contains(Index sample) const { return first <= sample && sample <= last; }
+    friend bool operator==(const IndexRange&, const IndexRange&) = default;
+};
+
 /// What a contact experiment records, sample by sample: approach, contact, retraction.
 ///
 /// Series are empty where they were not measured; those present have equal length. Force is needed, and displacement or

@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "setae/loops/index_range.hpp"
 #include "setae/loops/loop.hpp"
 
 namespace setae::loops {
@@ -77,8 +76,5 @@ struct Segments;
 /// Names: baseline, baseline_after, jump_in, loading, hold, unloading, pull_off, cut, ignore. Contacts count from 1.
 /// @throws InvalidArgument for text of another form, naming it.
 void add_segment_edit(SegmentEdits& edits, std::string_view text);
-
-/// The edits as such texts, which add_segment_edit makes the same edits of.
-[[nodiscard]] std::vector<std::string> segment_edit_texts(const SegmentEdits& edits);
 
 }  // namespace setae::loops

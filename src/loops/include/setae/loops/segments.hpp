@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "setae/loops/index_range.hpp"
 #include "setae/loops/loop.hpp"
 #include "setae/loops/segment_edits.hpp"
 

@@ -40,12 +40,8 @@ struct RandomKey {
 /// out_i = normal_number(key, first_counter + i), about 8 ns a number.
 void fill_normal(RandomKey key, std::uint64_t first_counter, Eigen::Ref<Array1D> out);
 
-/// out_i = uniform_number(key, first_counter + i).
-void fill_uniform(RandomKey key, std::uint64_t first_counter, Eigen::Ref<Array1D> out);
-
 /// `count` numbers from first_counter on. @throws InvalidArgument for count < 0.
 [[nodiscard]] Array1D normal_numbers(RandomKey key, std::uint64_t first_counter, Index count);
-[[nodiscard]] Array1D uniform_numbers(RandomKey key, std::uint64_t first_counter, Index count);
 
 /// An index 0 … n − 1, each equally likely to within n/2⁵²: floor(n u). @throws InvalidArgument for n < 1 or n > 2⁴⁰.
 [[nodiscard]] Index random_index(RandomKey key, std::uint64_t counter, Index n);

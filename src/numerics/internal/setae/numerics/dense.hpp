@@ -16,6 +16,16 @@ namespace setae::numerics {
 [[nodiscard]] Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 [[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 
+/// The x of least |design x − values|, by Householder's QR with pivots.
+[[nodiscard]] Eigen::VectorXd least_squares(const Eigen::MatrixXd& design, const Eigen::VectorXd& values);
+
+/// Eigenvalues of a symmetric matrix in rising order, their vectors in columns.
+struct SymmetricEigen {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors;
+};
+[[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
+
 /// Orthonormal basis of the space the columns span, as many as they are, by Householder's reflections.
 [[nodiscard]] Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 

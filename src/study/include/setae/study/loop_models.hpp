@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "setae/loops/branch_samples.hpp"
+#include "setae/loops/analysis.hpp"
 #include "setae/loops/crack_speed_fit.hpp"
 #include "setae/loops/global_fit.hpp"
 #include "setae/loops/profile_likelihood.hpp"

@@ -6,7 +6,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
-namespace setae::contact {
+namespace setae::numerics {
 
 /// Root of a continuous function between two points, in either order, where its signs differ (or it vanishes), to 52
 /// bits. Source: Alefeld, Potra, Shi, ACM TOMS 748 (1995).
@@ -23,4 +23,4 @@ template <class Function>
     return 0.5 * (root.first + root.second);
 }
 
-}  // namespace setae::contact
+}  // namespace setae::numerics

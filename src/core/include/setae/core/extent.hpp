@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "setae/core/arrays.hpp"
+
+namespace setae {
+
+/// A count or place >= 0 as the standard library's containers take it.
+[[nodiscard]] constexpr std::size_t extent(Index n) { return static_cast<std::size_t>(n); }
+
+}  // namespace setae
