@@ -8,9 +8,9 @@
 #include <string>
 
 #include "fuzz_heights.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
-#include "storage/hdf5_file.hpp"
 
 namespace {
 
@@ -33,7 +33,7 @@ const formats::Format* chosen_format() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const auto* format = chosen_format();
-    if (formats::find_hdf5(fuzz::text_of(data, size))) return 0;
+    if (bytes::find_hdf5(fuzz::text_of(data, size))) return 0;
     const auto source = bytes::memory_source("input", std::string(fuzz::text_of(data, size)));
     try {
         if (format && format->detect(source.head(bytes::detection_bytes), source) == formats::Match::no) return 0;

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "storage/hdf5_file.hpp"
+#include "setae/bytes/hdf5_handle.hpp"
 #include "tests/format_samples.hpp"
 #include "tests/micrograph_samples.hpp"
 #include "tests/recordings.hpp"
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
     const std::filesystem::path corpus = argv[1];
     for (const auto& [name, content] : samples) write(corpus / target_of(name), name, content);
     for (const auto& sample : setae::formats::tests::format_samples()) {
-        if (setae::formats::find_hdf5(sample.content)) continue;  // fuzz_hdf5 is told what such a file holds instead
+        if (setae::bytes::find_hdf5(sample.content)) continue;  // fuzz_hdf5 is told what such a file holds instead
         write(corpus / ("topography_" + sample.format), sample.name, sample.content);
         write(corpus / "topography_any", sample.format + " " + sample.name, sample.content);
     }
