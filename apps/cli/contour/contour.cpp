@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "contour/region_argument.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/number_text.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/imaging/calibration_file.hpp"
+#include "setae/output/contour_file.hpp"
+#include "setae/parallel/for_each.hpp"
+
+namespace setae::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* explanation =
+    "division        vacuum and sample by grey level and structure: minimum cuts, coarse to fine\n"
+    "edge            I(d) = level + step/2 erf(d/(sqrt(2) w)) + fringe (d/f) exp(1/2 - d^2/(2 f^2)), d along the contour's normal, positive in vacuum\n"
+    "trace           least squares of all pixels near it + l^4 |second difference|^2: a wave q is followed by K = 1/(1 + l^4 (2 - 2 cos q)^2)\n"
+    "standard error  (1/pi) int [(1 - K)^2 S + K^2 N] dq; N is measured beside the edge, S is what places show beyond N\n"
+    "profile         turned to its mean line; highest point over each x (envelope), or re-entrant stretches cut\n"
+    "spectrum        C1D = (P - K^2 N)/T^2, T = K exp(-q^2 w^2/2): setae psd does it, the file holds what it needs\n"
+    "Rq              sqrt(mean h^2 - mean squared standard error)\n"
+    "pixel size      given, else the file's, else the scale bar's: bar in pixels, label read or confirmed by --scale-bar\n";
+
+struct Arguments {
+    Common common;
+    std::vector<std::string> pictures;
+    std::string output, anchors, segment = "1", vacuum = "automatic", shape = "envelope", pixel, scale_bar, calibration,
+                                 save_calibration, foil_thickness;
+    std::vector<std::string> hidden;
+    std::optional<double> smoothing, least_length;
+    double denoise = 0;
+    std::size_t image = 1;
+    bool ignore_stated = false, no_overlay = false, whole_picture = false;
+};
+
+/// "0.05 nm" or "0.05 nm x 0.1 nm".
+imaging::PixelSize pixel_size_of(const std::string& text) {
+    const auto cross = text.find(" x ");
+    const double x = parse_quantity(text.substr(0, cross), dimension::length);
+    return {x, cross == std::string::npos ? x : parse_quantity(text.substr(cross + 3), dimension::length)};
+}
+
+study::ContourOptions options_of(const Arguments& a) {
+    study::ContourOptions options;
+    if (a.image == 0) throw InvalidArgument("--image 0; images of a file are counted from 1");
+    options.micrograph.image = a.image - 1;
+    options.trace.vacuum = output::vacuum_from_name(a.vacuum);
+    options.trace.smoothing_length = a.smoothing;
+    options.trace.denoise = a.denoise;
+    options.trace.least_length = a.least_length;
+    for (const auto& text : a.hidden) options.trace.hidden.push_back(parse_region("--hide", text));
+    options.hide_annotations = !a.whole_picture;
+    options.shape = output::shape_from_name(a.shape);
+    if (!a.foil_thickness.empty()) options.foil_thickness = parse_quantity(a.foil_thickness, dimension::length);
+    if (!a.pixel.empty()) options.calibration.pixel_size = pixel_size_of(a.pixel);
+    if (!a.scale_bar.empty()) options.calibration.scale_bar_length = parse_quantity(a.scale_bar, dimension::length);
+    options.calibration.ignore_stated_pixel_size = a.ignore_stated;
+    if (!a.calibration.empty()) {
+        if (!a.pixel.empty() || !a.scale_bar.empty())
+            throw InvalidArgument("--calibration with --pixel or --scale-bar; give one");
+        options.shared_calibration = imaging::read_calibration(a.calibration).calibration;
+    }
+    return options;
+}
+
+/// Where the files of one picture go.
+struct Outputs {
+    fs::path stem;          ///< without ending
+    std::string extension;  ///< of profiles
+};
+
+Outputs outputs_of(const Arguments& a, const std::string& picture, bool batch) {
+    if (batch) return {fs::path(a.output) / fs::path(picture).stem(), ".csv"};
+    const fs::path path(a.output);
+    return {path.parent_path() / path.stem(), path.extension().empty() ? ".csv" : path.extension().string()};
+}
+
+/// Results must not take the place of what they were made from.
+void require_not_the_same(const fs::path& output, const std::string& input) {
+    std::error_code error;
+    if (fs::equivalent(output, input, error))
+        throw InvalidArgument(
+            fmt::format("{} would be overwritten by a result; choose another name or folder for -o", input));
+}
+
+/// Options of a trace's file in place of the command line's; anchors alone beside them.
+study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions options,
+                                   std::optional<std::string>& digest) {
+    if (a.anchors.empty()) return options;
+    const auto stored = output::read_trace(a.anchors);
+    if (!stored.options) {
+        if (!a.output.empty())
+            require_not_the_same(outputs_of(a, a.pictures.front(), false).stem.string() + ".json", a.anchors);
+        options.trace.anchors = stored.anchors;
+        return options;
+    }
+    const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() &&
+                       !a.smoothing && !a.least_length && a.denoise == 0 && a.vacuum == "automatic" &&
+                       a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image == 1;
+    if (!plain)
+        throw InvalidArgument(
+            a.anchors +
+            " is a whole trace with options of its own; give none beside it, or a file of anchors alone: {\"anchors\": [[x, y], …]}");
+    digest = stored.digest;
+    return *stored.options;
+}
+
+std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) {
+    std::vector<std::size_t> chosen;
+    if (a.segment == "all") {
+        for (std::size_t i = 0; i < count; ++i) chosen.push_back(i);
+        return chosen;
+    }
+    const auto number = bytes::spelled<std::size_t>(a.segment).value_or(0);
+    if (number == 0 || number > count)
+        throw InvalidArgument(fmt::format(
+            "--segment {}: expected all or a number from 1 to {}, that of the segments found", a.segment, count));
+    return {number - 1};
+}
+
+void write_picture(const Arguments& a, const study::TracedPicture& picture, const study::ContourOptions& options,
+                   const Outputs& to) {
+    const auto chosen = chosen_segments(a, picture.profiles.size());
+    const auto& input = picture.micrograph.file;
+    require_not_the_same(to.stem.string() + to.extension, input);
+    require_not_the_same(to.stem.string() + ".json", input);
+    if (!a.no_overlay) require_not_the_same(to.stem.string() + ".png", input);
+    for (const auto i : chosen) {
+        const auto path = chosen.size() == 1 ? to.stem.string() + to.extension
+                                             : fmt::format("{}_{}{}", to.stem.string(), i + 1, to.extension);
+        bytes::write_whole_file(path, study::profile_text(picture, i, options.shape));
+    }
+    bytes::write_whole_file(to.stem.string() + ".json", output::to_json(picture, options).dump(2) + "\n");
+    if (!a.no_overlay) bytes::write_whole_file(to.stem.string() + ".png", study::overlay_of(picture, options));
+}
+
+std::vector<std::string> listed(const std::vector<std::string>& given) {
+    std::vector<std::string> pictures;
+    for (const auto& path : given) {
+        if (!fs::is_directory(path)) {
+            pictures.push_back(path);
+            continue;
+        }
+        const auto found = imaging::micrographs_in(path);
+        pictures.insert(pictures.end(), found.begin(), found.end());
+    }
+    return pictures;
+}
+
+void require_different_stems(const std::vector<std::string>& pictures) {
+    std::vector<std::string> stems;
+    for (const auto& path : pictures) stems.push_back(fs::path(path).stem().string());
+    std::sort(stems.begin(), stems.end());
+    if (const auto twin = std::adjacent_find(stems.begin(), stems.end()); twin != stems.end())
+        throw InvalidArgument(fmt::format(
+            "two pictures are called {}; their results would go to the same file, trace them one by one", *twin));
+}
+
+/// What one picture gave, or why nothing.
+struct Outcome {
+    std::optional<study::TracedPicture> picture;
+    std::string error;
+};
+
+Outcome traced(const Arguments& a, const std::string& path, const study::ContourOptions& options,
+               const std::optional<std::string>& digest, bool batch) {
+    Outcome outcome;
+    try {
+        outcome.picture = study::trace_picture(path, options);
+        if (digest && *digest != outcome.picture->digest)
+            throw InvalidArgument(fmt::format(
+                "{}: {} is the trace of another picture (SHA-256 {}…, this one has {}…); keep its anchors alone to use them here",
+                path, a.anchors, digest->substr(0, 8), outcome.picture->digest.substr(0, 8)));
+        if (!a.output.empty()) write_picture(a, *outcome.picture, options, outputs_of(a, path, batch));
+        if (batch) outcome.picture->micrograph.pixels.resize(0, 0);
+    } catch (const Error& error) {
+        outcome.picture.reset();
+        outcome.error = error.what();
+    }
+    return outcome;
+}
+
+ExitCode run(const Arguments& a) {
+    if (a.pictures.empty()) throw InvalidArgument("no picture given; name one, several, or a folder");
+    const auto pictures = listed(a.pictures);
+    const bool batch = pictures.size() > 1 || fs::is_directory(a.pictures.front());
+    if (batch && !a.anchors.empty()) throw InvalidArgument("--anchors belong to one picture; trace it by itself");
+    if (batch && !a.save_calibration.empty())
+        throw InvalidArgument("--save-calibration keeps that of one picture; trace it by itself first");
+    std::optional<std::string> digest;
+    const auto options = with_anchors(a, options_of(a), digest);
+    if (batch) {
+        require_different_stems(pictures);
+        if (!a.output.empty()) fs::create_directories(a.output);
+    }
+    std::vector<Outcome> outcomes(pictures.size());
+    parallel::for_each_index(pictures.size(), a.common.workers(),
+                             [&](std::size_t i) { outcomes[i] = traced(a, pictures[i], options, digest, batch); });
+
+    auto table = study::contour_table();
+    auto json = output::Json::array();
+    std::size_t failed = 0;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const auto& outcome = outcomes[i];
+        if (!outcome.picture) {
+            ++failed;
+            complain(outcome.error);
+            study::add_failure(table, pictures[i], outcome.error);
+            json.push_back({{"image", {{"file", pictures[i]}}}, {"error", outcome.error}});
+            continue;
+        }
+        show(outcome.picture->alerts);
+        study::add_rows(table, *outcome.picture);
+        if (a.common.json) json.push_back(output::to_json(*outcome.picture, options));
+    }
+    if (!a.save_calibration.empty() && failed == 0)
+        imaging::write_calibration(a.save_calibration,
+                                   imaging::kept_calibration(outcomes.front().picture->calibration, pictures.front()));
+    if (batch && !a.output.empty())
+        bytes::write_whole_file((fs::path(a.output) / "contours.csv").string(), tables::as_csv(table));
+    if (a.common.json) print_json(batch ? json : json.front());
+    else if (batch || !a.output.empty()) print(tables::as_text(table));
+    else if (failed == 0)
+        print(study::profile_text(*outcomes.front().picture,
+                                  chosen_segments(a, outcomes.front().picture->profiles.size()).front(),
+                                  options.shape));
+    if (failed == pictures.size()) return ExitCode::nothing_done;
+    return failed > 0 ? ExitCode::some_failed : ExitCode::done;
+}
+
+}  // namespace
+
+Action contour_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("pictures", arguments->pictures,
+                "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them");
+    options.add("-o,--output", arguments->output,
+                "OUT.csv, with OUT.json and OUT.png beside it; of several pictures a folder");
+    options.add("--anchors", arguments->anchors,
+                "points the trace must pass (JSON), or a whole trace to be made again");
+    options.add("--segment", arguments->segment, "number of the segment written, longest first, or all");
+    options.add("--vacuum", arguments->vacuum, "which side is vacuum").one_of({"automatic", "bright", "dark"});
+    options
+        .add("--shape", arguments->shape, "re-entrant stretches: highest point over each x, cut, or the curve itself")
+        .one_of({"envelope", "cut", "parametric"});
+    options.add("--pixel", arguments->pixel, "size of a pixel, such as \"0.055 nm\" or \"1 nm x 0.2 nm\"");
+    options.add("--scale-bar", arguments->scale_bar, "what the scale bar in the picture stands for, such as \"5 nm\"");
+    options.add("--calibration", arguments->calibration, "a calibration kept by --save-calibration");
+    options.add("--save-calibration", arguments->save_calibration,
+                "keep the pixel size for pictures of the same magnification");
+    options.flag("--ignore-stated-pixel-size", arguments->ignore_stated,
+                 "go by --pixel or --scale-bar even where the file contradicts it");
+    options.add("--foil-thickness", arguments->foil_thickness, "of the sample along the beam, such as \"20 nm\"");
+    options.add("--hide", arguments->hidden,
+                "x,y,width,height: a part of the picture that shows no sample, in pixels; may be repeated");
+    options.flag("--whole-picture", arguments->whole_picture, "do not hide scale bars and text that are found");
+    options.add("--smoothing", arguments->smoothing,
+                "length of the smoothing spline [px]; default: least expected error");
+    options.add("--denoise", arguments->denoise,
+                "smooth the picture first by a Gaussian of this standard deviation [px]");
+    options.add("--least-length", arguments->least_length,
+                "shorter segments are left out [px]; default 50, of masks 0");
+    options.add("--image", arguments->image, "number of the image in a file that holds several");
+    options.flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

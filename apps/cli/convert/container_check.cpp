@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "files/channel_lines.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/formats/container_draft.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "generation  A: meta.yml; B: index.json with the keys of meta.yml; C: index.json; skeleton: processed copies alone\n"
+    "heights     of the original where it is there; the index's height_scale only where that file carries none\n"
+    "alerts      SCALE_TWICE: the index repeats a scale the original carries; COPY_DIFFERS: original, scaled once and levelled, against its\n"
+    "            processed copy, 1e-3 of the rms; NOT_IN_SCHEMA: contact.engineering may refuse it; UNKNOWN_FIELD: kept when written again\n"
+    "difference  between the container and what setae writes of it, read again: index and members\n"
+    "exit code   0: all can be read and is the same after writing; 1: something cannot or is not; 2: no container\n";
+
+struct Arguments {
+    Common common;
+    std::vector<std::string> files;
+};
+
+bool is_fault(const Alert& alert) { return alert.code == "UNREADABLE_MEMBER" || alert.code == "COPY_DIFFERS"; }
+
+output::Json surface_json(const formats::ContainerSurface& surface, std::size_t& index,
+                          const std::vector<formats::ChannelInfo>& channels) {
+    auto measurements = output::Json::array();
+    for (const auto& topography : surface.topographies) {
+        const auto& info = channels[index];
+        measurements.push_back({{"channel", index++},
+                                {"name", topography.name},
+                                {"format", info.format},
+                                {"shape", info.shape},
+                                {"size", info.size},
+                                {"unit", info.unit},
+                                {"original", topography.datafile.original},
+                                {"processed_copy", topography.datafile.squeezed},
+                                {"detrend_mode", topography.detrend_mode},
+                                {"measurement_date", topography.measurement_date},
+                                {"readable", info.is_height}});
+    }
+    return {
+        {"name", surface.name}, {"category", surface.category}, {"tags", surface.tags}, {"measurements", measurements}};
+}
+
+output::Json report_json(const std::string& file, const formats::ContainerReport& report) {
+    auto surfaces = output::Json::array();
+    std::size_t index = 0;
+    for (const auto& surface : report.file.container.surfaces)
+        surfaces.push_back(surface_json(surface, index, report.channels));
+    return {{"file", file},
+            {"generation", formats::describe(report.file.generation)},
+            {"created_at", report.file.container.created_at},
+            {"surfaces", surfaces},
+            {"alerts", output::to_json(report.alerts)},
+            {"differences", report.differences}};
+}
+
+std::string report_text(const std::string& file, const formats::ContainerReport& report) {
+    const auto& container = report.file.container;
+    auto text =
+        fmt::format("{}: generation {}, surfaces {}, measurements {}{}\n", file,
+                    formats::describe(report.file.generation), container.surfaces.size(), report.channels.size(),
+                    container.created_at.empty() ? "" : ", made " + container.created_at);
+    std::size_t index = 0;
+    for (const auto& surface : container.surfaces) {
+        text += fmt::format("  {}{}{}\n", surface.name.empty() ? "(no name)" : surface.name,
+                            surface.category.empty() ? "" : " (" + surface.category + ")",
+                            surface.tags.empty() ? "" : fmt::format(", tags {}", fmt::join(surface.tags, ", ")));
+        for (std::size_t left = surface.topographies.size(); left > 0; --left, ++index)
+            text += fmt::format("    [{}] {}\n", index, channel_line(report.channels[index]));
+    }
+    for (const auto& alert : report.alerts)
+        text += fmt::format("  {}: {}: {}; {}\n", alert.code, alert.subject, alert.message, alert.action);
+    for (const auto& difference : report.differences)
+        text += fmt::format("  after writing and reading: {}\n", difference);
+    return text + fmt::format("  differences after writing and reading: {}\n",
+                              report.differences.empty() ? "none" : std::to_string(report.differences.size()));
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.files.empty()) throw InvalidArgument("no file; expected containers, such as measurements.zip");
+    auto containers = output::Json::array();
+    bool fault = false;
+    const auto code = for_each_item(arguments.files, [&](const std::string& file) {
+        const auto report = formats::check_container(bytes::file_source(file));
+        for (const auto& alert : report.alerts) fault = fault || is_fault(alert);
+        fault = fault || !report.differences.empty();
+        if (arguments.common.json) containers.push_back(report_json(file, report));
+        else print(report_text(file, report));
+    });
+    if (arguments.common.json && code != ExitCode::nothing_done) print_json({{"containers", containers}});
+    return code == ExitCode::done && fault ? ExitCode::some_failed : code;
+}
+
+}  // namespace
+
+Action container_check_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("files", arguments->files, "containers");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

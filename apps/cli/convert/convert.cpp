@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "convert/heights_output.hpp"
+#include "convert/output_jobs.hpp"
+#include "files/file_options.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    Common common;
+    FileOptions file;
+    std::vector<std::string> paths;
+    std::string folder, to;
+    bool all_channels = false;
+
+    [[nodiscard]] bool into_folder() const { return !folder.empty() || !to.empty(); }
+};
+
+/// One file to another, or each to its name with another ending in a folder.
+std::vector<Job> jobs_of(const Arguments& arguments) {
+    if (arguments.all_channels && arguments.file.channel)
+        throw InvalidArgument("--channel and --all-channels exclude each other");
+    if (!arguments.into_folder()) {
+        if (arguments.paths.size() != 2)
+            throw InvalidArgument(
+                fmt::format("expected an input file and OUT with an ending {}; several files need -o FOLDER --to x3p",
+                            endings_of_heights()));
+        require_heights_ending(arguments.paths[1]);
+        return {{arguments.paths[0], arguments.paths[1]}};
+    }
+    if (arguments.folder.empty() || arguments.to.empty() || arguments.paths.empty())
+        throw InvalidArgument("expected FILE… -o FOLDER --to x3p, all three");
+    return jobs_into_folder(arguments.paths, arguments.folder, arguments.to);
+}
+
+/// "a/out.x3p" is "a/out_3.x3p".
+std::string numbered(const std::string& path, std::size_t channel) {
+    const fs::path whole(path);
+    return (whole.parent_path() / fmt::format("{}_{}{}", whole.stem().string(), channel, whole.extension().string()))
+        .string();
+}
+
+/// What was written, and whether something was not.
+struct Outcome {
+    output::Json files = output::Json::array();
+    bool failed = false;
+};
+
+void convert_file(const Arguments& arguments, const Job& job, Outcome& outcome) {
+    const auto channels = formats::open(job.input, arguments.file.read_options());
+    std::vector<std::string> numbers;
+    for (const auto k : formats::chosen_channels(job.input, channels, arguments.file.channel, arguments.all_channels))
+        numbers.push_back(fmt::format("{}", k));
+    const auto code = for_each_item(numbers, [&](const std::string& number) {
+        const auto k = static_cast<std::size_t>(std::stoul(number));
+        const auto output = arguments.all_channels ? numbered(job.output, k) : job.output;
+        const auto& channel = channels[k];
+        write_heights(output, channel.read());
+        show(channel.info.alerts);
+        outcome.files.push_back(
+            {{"input", job.input}, {"output", output}, {"channel", channel.info.name}, {"unit", "m"}});
+    });
+    outcome.failed = outcome.failed || code != ExitCode::done;
+}
+
+ExitCode run(const Arguments& arguments) {
+    const auto jobs = jobs_of(arguments);
+    std::vector<std::string> inputs;
+    for (const auto& job : jobs) inputs.push_back(job.input);
+    Outcome outcome;
+    std::size_t index = 0;
+    const auto code = for_each_item(inputs, [&](const std::string&) {
+        const auto current = index++;
+        if (arguments.into_folder()) require_own_output(jobs, current);
+        convert_file(arguments, jobs[current], outcome);
+    });
+    if (outcome.files.empty()) return ExitCode::nothing_done;
+    const bool one = !arguments.into_folder() && !arguments.all_channels;
+    if (arguments.common.json) print_json(one ? outcome.files.front() : output::Json{{"files", outcome.files}});
+    return code != ExitCode::done || outcome.failed ? ExitCode::some_failed : ExitCode::done;
+}
+
+}  // namespace
+
+Action convert_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("files", arguments->paths, "FILE OUT.x3p, or FILE… with -o and --to");
+    options.add("-o,--output", arguments->folder, "folder that gets each file under its name with another ending");
+    options.add("--to", arguments->to, "ending of files in that folder, such as x3p");
+    options.flag("--all-channels", arguments->all_channels,
+                 "every channel of heights, its number before the ending of OUT");
+    arguments->file.add_to(options);
+    return action(options, arguments, heights_output_explanation, run);
+}
+
+}  // namespace setae::cli

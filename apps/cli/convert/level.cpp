@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "convert/heights_output.hpp"
+#include "convert/output_jobs.hpp"
+#include "convert/pipeline_option.hpp"
+#include "files/file_options.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/study/pipeline_file.hpp"
+
+namespace setae::cli {
+namespace {
+
+struct Arguments {
+    Common common;
+    FileOptions file;
+    PipelineOption processing;
+    std::vector<std::string> paths;
+    std::string output, folder, to = "x3p", written_pipeline, documentation;
+};
+
+/// Each file and what it is written to; without an output nothing is.
+std::vector<Job> jobs_of(const Arguments& arguments) {
+    if (!arguments.output.empty() && !arguments.folder.empty())
+        throw InvalidArgument("--output and --output-folder exclude each other");
+    if (!arguments.folder.empty()) return jobs_into_folder(arguments.paths, arguments.folder, arguments.to);
+    if (!arguments.output.empty()) {
+        if (arguments.paths.size() != 1)
+            throw InvalidArgument(
+                fmt::format("{} files for the one output {}; write several to a folder with --output-folder",
+                            arguments.paths.size(), arguments.output));
+        require_heights_ending(arguments.output);
+    }
+    std::vector<Job> jobs;
+    for (const auto& path : arguments.paths) jobs.push_back({path, arguments.output});
+    return jobs;
+}
+
+/// Processes and writes one file; what was done, and that it was printed for a reader.
+output::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
+    const auto options = arguments.file.read_options();
+    const auto channels = formats::open(job.input, options);
+    const auto& channel = channels[formats::chosen_channels(job.input, channels, arguments.file.channel).front()];
+    const auto result =
+        processing::apply(pipeline, channel.read(), study::measurement_loader(options), arguments.common.workers());
+    if (!job.output.empty()) write_heights(job.output, result.measurement);
+    show(channel.info.alerts);
+    std::string lines =
+        fmt::format("{} ({}){}\n", job.input, channel.info.name, job.output.empty() ? "" : " -> " + job.output);
+    for (const auto& record : result.records) {
+        lines += as_line(record);
+        show(record.alerts);
+    }
+    if (!arguments.common.json) print(lines);
+    return {{"input", job.input},
+            {"output", job.output.empty() ? output::Json(nullptr) : output::Json(job.output)},
+            {"channel", channel.info.name},
+            {"steps", output::to_json(result.records)}};
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) {
+        bytes::write_whole_file(arguments.documentation, step_page());
+        return ExitCode::done;
+    }
+    const auto pipeline = arguments.processing.pipeline();
+    if (pipeline.entries.empty()) throw InvalidArgument("no step; expected --pipeline p.yml or --step level_plane");
+    if (!arguments.written_pipeline.empty()) study::write_pipeline(arguments.written_pipeline, pipeline);
+    if (arguments.paths.empty()) {
+        if (!arguments.written_pipeline.empty()) return ExitCode::done;
+        throw InvalidArgument("no file; expected at least one measurement");
+    }
+    const auto jobs = jobs_of(arguments);
+    output::Json files = output::Json::array();
+    std::size_t index = 0;
+    const auto code = for_each_item(arguments.paths, [&](const std::string&) {
+        const auto current = index++;
+        if (!jobs[current].output.empty()) require_own_output(jobs, current);
+        files.push_back(level_file(arguments, pipeline, jobs[current]));
+    });
+    if (arguments.common.json) print_json({{"pipeline", study::step_lines(pipeline)}, {"files", files}});
+    return code;
+}
+
+}  // namespace
+
+Action level_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("files", arguments->paths, "measurements");
+    arguments->processing.add_to(options);
+    options.add("-o,--output", arguments->output, "what the one file is written to, by its ending");
+    options.add("--output-folder", arguments->folder, "folder that gets each file under its name");
+    options.add("--to", arguments->to, "ending of files in that folder, x3p without it");
+    options.add("--write-pipeline", arguments->written_pipeline, "write the steps as p.yml or p.toml");
+    options.add("--documentation", arguments->documentation, "write the page on all steps");
+    arguments->file.add_to(options);
+    return action(options, arguments, step_list, run);
+}
+
+}  // namespace setae::cli

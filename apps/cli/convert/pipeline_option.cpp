@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "convert/pipeline_option.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "program/messages.hpp"
+#include "setae/core/units.hpp"
+#include "setae/processing/step_text.hpp"
+#include "setae/study/pipeline_file.hpp"
+
+namespace setae::cli {
+namespace {
+
+std::string with_blanks(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+std::string cell(const std::string& text) {
+    std::string result;
+    for (const char character : text) result += character == '|' ? std::string("\\|") : std::string(1, character);
+    return result;
+}
+
+}  // namespace
+
+void PipelineOption::add_to(Options& options) {
+    options.add("--pipeline", file, "processing steps, a file p.yml or p.toml");
+    options
+        .add(
+            "--step", steps,
+            "a step behind them, such as \"despike threshold=5\"; may stand several times; `setae level --explain` lists them")
+        .one_at_a_time();
+}
+
+processing::Pipeline PipelineOption::pipeline() const {
+    auto pipeline = file.empty() ? processing::Pipeline{} : study::read_pipeline(file);
+    for (const auto& step : steps) pipeline.entries.push_back({processing::step_from_text(step)});
+    return pipeline;
+}
+
+std::string as_line(const processing::StepRecord& record) {
+    std::string numbers;
+    for (const auto& number : record.numbers) {
+        const auto value = number.unit == "1" ? fmt::format("{:.6g}", number.estimate.value)
+                                              : format_value(number.estimate.value, number.unit, 5);
+        numbers += fmt::format("{}{} {}", numbers.empty() ? "" : ", ", with_blanks(number.quantity), value);
+    }
+    return fmt::format("  {:<22} {}\n", record.step, numbers);
+}
+
+std::string step_list() {
+    std::string text;
+    for (const auto& step : processing::step_descriptions()) {
+        text += fmt::format("{}  {}\n", step.name, step.sentence);
+        for (const auto& parameter : step.parameters)
+            text += fmt::format("    {:<12} {}{}: {}\n", parameter.name, parameter.values,
+                                parameter.default_value.empty() ? "" : " [" + parameter.default_value + "]",
+                                parameter.meaning);
+    }
+    return text +
+           "\nlengths and angles have a unit: \"8 um\", \"30 deg\"; region: shapes separated by \";\", each\n"
+           "  include|exclude rectangle 1 um to 5 um, 0 um to 2 um | ellipse X, Y, A, B[, ANGLE] | polygon X, Y, X, Y, X, Y … |\n"
+           "  heights above 20 nm | heights 5 nm to 20 nm | percentiles 5 to 95, with \"grow N\" behind it to grow it by N pixels\n";
+}
+
+std::string step_page() {
+    std::string text =
+        "# Processing steps\n\n"
+        "*Reference · [all documents](../README.md)*\n\n"
+        "Made from the program's own table by `setae level --documentation docs/reference/processing-steps.md`: edit the table, not this page.\n"
+        "[processing.md](../guides/processing.md) says how steps are put together and what to mind.\n\n"
+        "| step | what it does |\n|---|---|\n";
+    for (const auto& step : processing::step_descriptions())
+        text += fmt::format("| [`{0}`](#{0}) | {1} |\n", step.name, cell(step.sentence));
+    for (const auto& step : processing::step_descriptions()) {
+        text += fmt::format("\n## {}\n\n{}\n", step.name, step.sentence);
+        if (step.parameters.empty()) continue;
+        text += "\n| parameter | values | default | meaning |\n|---|---|---|---|\n";
+        for (const auto& parameter : step.parameters)
+            text += fmt::format("| `{}` | {} | {} | {} |\n", parameter.name, cell(parameter.values),
+                                cell(parameter.default_value), cell(parameter.meaning));
+    }
+    return text;
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/format_pages.hpp"
+
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "setae/formats/format.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* untested =
+    "made from the published layout, not tested on a file of an instrument: please send one";
+
+/// A sentence of the table with its capital letter and full stop; names that begin in small letters keep them.
+std::string sentence(std::string text) {
+    if (text.empty()) return text;
+    const bool plain_word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]));
+    if (plain_word || text[1] == ' ') text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
+}
+
+/// Text in a cell of a table.
+std::string cell(const std::string& text) {
+    std::string result;
+    for (const char character : text) result += character == '|' ? std::string("\\|") : std::string(1, character);
+    return result;
+}
+
+std::string section(const char* title, const std::string& text) {
+    return text.empty() ? "" : fmt::format("\n## {}\n\n{}\n", title, sentence(text));
+}
+
+std::string page(const formats::Format& format) {
+    std::string text =
+        fmt::format("# {} (`{}`)\n\n{}\n\n", format.name, format.identifier, sentence(format.description));
+    text += fmt::format(
+        "| | |\n|---|---|\n| usual endings | {} |\n| read | yes, told by content, never by name |\n| written | {} |\n| tested on | {} |\n",
+        cell(format.extensions), format.writes() ? "yes" : "no", format.tested_on_real_files ? "real files" : untested);
+    text += section("Heights", format.heights) + section("Orientation", format.orientation) +
+            section("Not read", format.not_read);
+    return text + section("Layout", format.reference) + "\n[All formats](README.md)\n";
+}
+
+std::string index_page() {
+    std::string text =
+        "# Formats of topographies\n\n"
+        "*Reference · [all documents](../../README.md)*\n\n"
+        "Made from the program's own table by `setae formats --documentation docs/reference/formats`: edit the table, not these pages. `setae info FILE`\n"
+        "says what a file holds, `setae convert` writes it in another format. Heights are metres, scaled once, NaN where undefined, h(x, y) with y\n"
+        "downwards as Gwyddion shows the file.\n\n"
+        "| format | name | usual endings | written | real files |\n|---|---|---|---|---|\n";
+    for (const auto& format : formats::formats())
+        text += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} | {4} |\n", format.identifier, cell(format.name),
+                            cell(format.extensions), format.writes() ? "yes" : "",
+                            format.tested_on_real_files ? "yes" : "**no**");
+    text += fmt::format(
+        "\n**no**: {}.\n\nForce curves: [force-curves.md](../../guides/force-curves.md). Micrographs: [micrograph-formats.md](../micrograph-formats.md). Loops:\n"
+        "[loop-format.md](../loop-format.md).\n",
+        untested);
+    return text;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> format_pages() {
+    std::map<std::string, std::string> pages{{"README.md", index_page()}};
+    for (const auto& format : formats::formats()) pages[format.identifier + ".md"] = page(format);
+    return pages;
+}
+
+}  // namespace setae::cli

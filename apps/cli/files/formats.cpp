@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "files/format_pages.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/pages.hpp"
+#include "program/print_json.hpp"
+#include "setae/formats/format.hpp"
+#include "setae/imaging/micrograph.hpp"
+#include "setae/tables/force_curve.hpp"
+#include "setae/tables/tidy_table.hpp"
+
+namespace setae::cli {
+namespace {
+
+/// Formats that are read alone.
+template <class Formats>
+output::Json as_json(const Formats& formats) {
+    output::Json list = output::Json::array();
+    for (const auto& f : formats)
+        list.push_back({{"identifier", f.identifier},
+                        {"name", f.name},
+                        {"extensions", f.extensions},
+                        {"description", f.description},
+                        {"reference", f.reference},
+                        {"tested_on_real_files", f.tested_on_real_files}});
+    return list;
+}
+
+std::string yes(bool value) { return value ? "yes" : "no"; }
+
+template <class Formats>
+tables::TidyTable as_table(const std::string& title, const Formats& formats) {
+    tables::TidyTable table{title, {"format", "name", "extensions", "real files", "description"}, {}};
+    for (const auto& f : formats)
+        table.rows.push_back({f.identifier, f.name, f.extensions, yes(f.tested_on_real_files), f.description});
+    return table;
+}
+
+struct Arguments {
+    Common common;
+    std::string documentation;
+};
+
+std::string explanation() {
+    std::string text;
+    const auto add = [&text](const auto& formats) {
+        for (const auto& f : formats) text += f.identifier + ": " + f.description + " [" + f.reference + "]\n";
+    };
+    add(formats::formats());
+    add(tables::force_curve_formats());
+    add(imaging::micrograph_formats());
+    return text;
+}
+
+output::Json topographies_json() {
+    auto list = output::Json::array();
+    for (const auto& f : formats::formats())
+        list.push_back({{"identifier", f.identifier},
+                        {"name", f.name},
+                        {"extensions", f.extensions},
+                        {"description", f.description},
+                        {"heights", f.heights},
+                        {"orientation", f.orientation},
+                        {"not_read", f.not_read},
+                        {"reference", f.reference},
+                        {"reads", true},
+                        {"writes", f.writes()},
+                        {"tested_on_real_files", f.tested_on_real_files}});
+    return list;
+}
+
+/// Formats of topographies; those that no file of an instrument was read of stand out.
+tables::TidyTable topographies_table() {
+    tables::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
+    for (const auto& f : formats::formats())
+        table.rows.push_back({f.identifier, f.name, f.extensions, "yes", yes(f.writes()),
+                              f.tested_on_real_files ? "yes" : "NO", f.description});
+    return table;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) {
+        write_pages(arguments.documentation, format_pages());
+        return ExitCode::done;
+    }
+    if (arguments.common.json) {
+        print_json({{"formats", topographies_json()},
+                    {"force_curves", as_json(tables::force_curve_formats())},
+                    {"micrographs", as_json(imaging::micrograph_formats())}});
+        return ExitCode::done;
+    }
+    const auto curves = as_table("force curves, for setae jkr", tables::force_curve_formats());
+    const auto micrographs = as_table("micrographs, for setae contour", imaging::micrograph_formats());
+    print(
+        tables::as_text(topographies_table()) +
+        "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
+        tables::as_text(curves) + "\n" + tables::as_text(micrographs) +
+        "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/reference/loop-format.md\n");
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action formats_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("--documentation", arguments->documentation, "write a page a format, and their list, to this folder");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "files/file_options.hpp"
+#include "files/measurement_files.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/table.hpp"
+#include "setae/core/units.hpp"
+#include "setae/processing/line_profile.hpp"
+#include "setae/tables/table_file.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "heights along a straight line on a map, linear between its points; along a line of the grid those stored\n"
+    "x, y      from the first point of the map, y downwards as in its picture; point (i, j) lies at (i Dx, j Dy)\n"
+    "--width   mean over so many parallel lines, a pixel apart\n";
+
+struct Arguments {
+    Common common;
+    FileOptions file;
+    std::string path, from, to, unit, width, output;
+    std::optional<Index> points;
+};
+
+/// Metres a coordinate's unit is long along x and y; "px" is the pixel.
+std::array<double, 2> unit_lengths(const std::string& unit, const topography::HeightMap& map) {
+    if (unit == "px") return map.pixel_size();
+    if (unit.empty()) throw InvalidArgument("no unit of --from and --to; expected --unit-xy um, another length, or px");
+    const double length = parse_quantity("1 " + unit, dimension::length);
+    return {length, length};
+}
+
+/// "1,2".
+std::array<double, 2> parsed_point(const std::string& text, const char* option, const std::array<double, 2>& unit) {
+    const auto comma = text.find(',');
+    try {
+        if (comma == std::string::npos) throw std::invalid_argument("no comma");
+        std::size_t first = 0, second = 0;
+        const auto x = text.substr(0, comma), y = text.substr(comma + 1);
+        const std::array<double, 2> point{std::stod(x, &first) * unit[0], std::stod(y, &second) * unit[1]};
+        if (first != x.size() || second != y.size()) throw std::invalid_argument("more than numbers");
+        return point;
+    } catch (const std::logic_error&) {
+        throw InvalidArgument(fmt::format("{} '{}'; expected two numbers, such as 1.5,2", option, text));
+    }
+}
+
+/// "5px" or "300 nm"; the pixel is that across the line.
+double parsed_width(const std::string& text, const topography::HeightMap& map, const processing::ProfileLine& line) {
+    if (text.empty()) return 0.0;
+    if (!text.ends_with("px")) return parse_quantity(text, dimension::length);
+    const auto pixel = map.pixel_size();
+    const double x = line.to[0] - line.from[0], y = line.to[1] - line.from[1], length = std::hypot(x, y);
+    const double pixels = parse_quantity(text.substr(0, text.size() - 2), dimension::none);
+    return length > 0.0 ? pixels / std::hypot(y / length / pixel[0], x / length / pixel[1]) : 0.0;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.path.empty()) throw InvalidArgument("no file; expected a map");
+    const auto measurement = measurements_of(arguments.path, arguments.file).front();
+    const auto* map = std::get_if<topography::HeightMap>(&measurement);
+    if (!map) throw InvalidArgument(fmt::format("{}: a line is its own profile; expected a map", arguments.path));
+    const auto unit = unit_lengths(arguments.unit, *map);
+    processing::ProfileLine line{parsed_point(arguments.from, "--from", unit), parsed_point(arguments.to, "--to", unit),
+                                 0.0, arguments.points};
+    line.width = parsed_width(arguments.width, *map, line);
+    const auto profile = processing::line_profile(*map, line);
+    Table table;
+    const Index n = profile.x.size();
+    table.columns = {
+        {"distance", "m", profile.scan.pixel_size() * Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1))},
+        {"x", "m", profile.x},
+        {"y", "m", profile.y},
+        {"height", "m", profile.scan.heights}};
+    table.metadata["lines_averaged"] = std::to_string(profile.tracks);
+    if (!arguments.output.empty()) tables::write_csv(arguments.output, table);
+    if (arguments.common.json) {
+        output::Json json, units;
+        for (const auto& column : table.columns) {
+            json[column.name] = output::numbers(column.values);
+            units[column.name] = column.unit;
+        }
+        json["units"] = units;
+        json["lines_averaged"] = profile.tracks;
+        json["file"] = arguments.path;
+        print_json(json);
+    } else if (arguments.output.empty()) {
+        print(tables::as_csv(table));
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action profile_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("file", arguments->path, "a map, or a file or container that holds one");
+    arguments->file.add_to(options);
+    options.add("--from", arguments->from, "x,y of its first point");
+    options.add("--to", arguments->to, "x,y of its last point");
+    options.add("--unit-xy", arguments->unit, "unit of --from and --to: um, nm, mm …, or px for points of the map");
+    options.add("--width", arguments->width, "average across it, such as 5px or \"300 nm\"");
+    options.add("--points", arguments->points, "along it; default: about one a pixel");
+    options.add("-o,--output", arguments->output, "write OUT.csv");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

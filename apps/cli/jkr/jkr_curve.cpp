@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jkr/jkr_curve.hpp"
+
+#include <fmt/format.h>
+
+#include "program/messages.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/tables/tidy_table.hpp"
+
+namespace setae::cli {
+namespace {
+
+/// "0 nm:500 nm", "1 nN:20 nN" or "0:1".
+loops::CurveRange range_of(const std::string& text) {
+    using Measure = loops::CurveRange::Measure;
+    const auto colon = text.find(':');
+    if (colon == std::string::npos)
+        throw InvalidArgument(fmt::format(
+            "--fit-range {}: expected FROM:TO, such as \"0 nm:500 nm\", \"1 nN:20 nN\" or shares of the largest indentation, 0:1",
+            text));
+    const auto from = text.substr(0, colon), to = text.substr(colon + 1);
+    const auto as = [&](Measure measure, const Dimension& dimension) {
+        return loops::CurveRange{
+            .measure = measure, .from = parse_quantity(from, dimension), .to = parse_quantity(to, dimension)};
+    };
+    for (const auto& [measure, dimension] :
+         {std::pair{Measure::indentation, dimension::length}, std::pair{Measure::force, dimension::force}}) {
+        try {
+            return as(measure, dimension);
+        } catch (const InvalidArgument&) {
+            // another measure
+        }
+    }
+    return as(Measure::share_of_indentation, dimension::none);
+}
+
+}  // namespace
+
+void CurveArguments::add_to(Options& options) {
+    options.flag(
+        "--curve", curve,
+        "take tables for force curves: force and displacement alone, without adhesion to see; files of AFM force curves always are");
+    options.add("--tip", tip, "of a force curve").one_of({"paraboloid", "cone", "three_sided_pyramid"}).default_shown();
+    options.add("--half-angle", half_angle, "of a cone, or inclination of a pyramid's faces, degrees");
+    options.add("--curve-model", model, "of a force curve: hertz, dmt, jkr, maugis_dugdale, large_strain")
+        .default_shown();
+    options.add(
+        "--fit-range", range,
+        "of a force curve: \"0 nm:500 nm\", \"1 nN:20 nN\", or shares of the largest indentation; default -1:1");
+    options
+        .add("--curve-contact-point", contact_point,
+             "of a force curve: fit, found (where the force leaves the baseline), or a length")
+        .default_shown();
+    options.flag("--keep-baseline-slope", keep_baseline_slope,
+                 "of a force curve: take off the mean of free flight, not its line");
+}
+
+bool CurveArguments::concerns(const std::string& file) const {
+    try {
+        return curve || tables::force_curve_format(bytes::file_source(file)).has_value();
+    } catch (const FileError&) {
+        return false;  // whoever opens it says why
+    }
+}
+
+loops::ForceCurveFitOptions CurveArguments::options() const {
+    loops::ForceCurveFitOptions options{.shape = loops::tip_shape_named(tip),
+                                        .half_angle = half_angle * pi / 180.0,
+                                        .model = loops::model_named(model)};
+    if (!range.empty()) options.range = range_of(range);
+    options.fit_contact_point = contact_point == "fit";
+    if (contact_point != "fit" && contact_point != "found")
+        options.contact_point = parse_quantity(contact_point, dimension::length);
+    options.subtract_baseline_slope = !keep_baseline_slope;
+    return options;
+}
+
+std::vector<loops::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops,
+                                            const BodyArguments& bodies, const CurveArguments& curve) {
+    const auto opened = study::open_loop(loops.source(file));
+    const bool ball = curve.tip == "paraboloid";
+    return loops::fit_force_curve(
+        opened.table, ball ? bodies.bodies(opened.table) : bodies.without_radius(opened.table), curve.options());
+}
+
+void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit>& segments) {
+    tables::TidyTable table{file,
+                            {"segment", "tip", "model", "E* [kPa]", "E [kPa]", "W [mJ/m²]", "contact point [µm]",
+                             "indentation [µm]", "n", "rms residual"},
+                            {}};
+    std::string reasons;
+    for (const auto& segment : segments) {
+        if (!segment.fit) {
+            reasons += fmt::format("  {}: {}\n", segment.name, segment.fit.reason);
+            continue;
+        }
+        const auto& fit = *segment.fit;
+        const auto cell = [](const Estimate& v, double factor) {
+            return fmt::format("{:.5g} ± {:.2g}", factor * v.value, factor * v.standard_error);
+        };
+        table.rows.push_back({segment.name, to_string(fit.shape), to_string(fit.model), cell(fit.contact_modulus, 1e-3),
+                              cell(fit.youngs_modulus, 1e-3),
+                              fit.work_of_adhesion ? cell(*fit.work_of_adhesion, 1e3) : "–",
+                              cell(fit.contact_point, 1e6),
+                              fmt::format("{:.4g} … {:.4g}", 1e6 * fit.indentation_from, 1e6 * fit.indentation_to),
+                              fmt::format("{}", fit.n), format_value(fit.rms_residual, "N", 3)});
+    }
+    print(tables::as_text(table) + reasons);
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jkr/loop_arguments.hpp"
+#include "jkr/loop_figures.hpp"
+#include "program/command.hpp"
+#include "program/command_line.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/output/loop_tables.hpp"
+#include "setae/study_figures/loop_figures.hpp"
+#include "setae/tables/table_file.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "E_loss      closed integral of F d(delta), F counted from free flight, drift taken off\n"
+    "budget      noise of both channels; drift: the zeros at both ends; compliance; sampling: when within a step the contact jumped;\n"
+    "            discretisation: trapezoid rule against every second sample\n"
+    "parts       jump-in, approach, retraction (< 0: recovered), jump-out; with free flight they add up to E_loss\n"
+    "ideal       what a smooth sphere with W and E* of loading loses in its two jumps, under fixed grips 0.663 W pi a_0^2, and in this machine\n"
+    "course      work = elastic + surface + dissipated, U_E = E* (delta^2 a - 2/3 delta a^3/R + a^5/(5R^2)), surface -W pi a^2\n"
+    "per area    over pi a_max^2, and over r pi a_max^2, r = A_true/A_app from --area-ratio                              [D19] (10)\n";
+
+struct Arguments {
+    Common common;
+    LoopAnalysisRequest request;
+    std::string tidy, course, figures;
+};
+
+loops::EnergyCourse course_of(const AnalysedLoop& loop) {
+    const auto& analysis = loop.analysis;
+    if (!analysis.contact_points) throw UndefinedDataError(analysis.contact_points.reason);
+    const auto& fit = analysis.loading.primary();
+    return loops::energy_course(
+        analysis.corrected, analysis.segments.contacts.front(),
+        {.contact = {loop.bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
+         .contact_point = analysis.contact_points->contact_point.value});
+}
+
+Table table_of(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
+    const auto& record = loop.analysis.corrected;
+    const Index first = course.range.first, n = course.work.size();
+    Table table;
+    if (record.time.size() > 0) table.columns.push_back({"time", "s", record.time.segment(first, n)});
+    table.columns.push_back({"force", "N", record.force.segment(first, n)});
+    table.columns.push_back({"displacement", "m", record.displacement.segment(first, n)});
+    for (const auto& [name, values] :
+         {std::pair{"work", &course.work}, std::pair{"elastic", &course.elastic}, std::pair{"surface", &course.surface},
+          std::pair{"dissipated", &course.dissipated}, std::pair{"released", &course.released}})
+        table.columns.push_back({name, "J", *values});
+    table.columns.push_back({"contact_radius", "m", course.contact_radius});
+    return table;
+}
+
+void print_ledger(const AnalysedLoop& loop) {
+    tables::TidyTable table{loop.file, {"part", "energy [J]", "±", "noise", "drift", "sampling", "discretisation"}, {}};
+    const auto add = [&](const std::string& part, double energy, const loops::LoopErrorBudget& e) {
+        table.rows.push_back({part, energy, e.total, e.noise, e.drift, e.sampling, e.discretisation});
+    };
+    const auto& ledger = loop.analysis.ledger;
+    if (!ledger) {
+        print(fmt::format("{}: {}\n", loop.file, ledger.reason));
+        return;
+    }
+    add("closed loop", ledger->loop.energy, ledger->loop.standard_error);
+    add("free flight before", ledger->before_contact.energy, ledger->before_contact.standard_error);
+    if (ledger->jump_in) add("jump-in", ledger->jump_in->energy, ledger->jump_in->standard_error);
+    add("approach", ledger->approach.energy, ledger->approach.standard_error);
+    add("retraction", ledger->retraction.energy, ledger->retraction.standard_error);
+    if (ledger->jump_out) add("jump-out", ledger->jump_out->energy, ledger->jump_out->standard_error);
+    add("free flight after", ledger->after_contact.energy, ledger->after_contact.standard_error);
+    std::string text = tables::as_text(table);
+    const auto line = [&](const char* what, const std::string& value) {
+        text += fmt::format("  {:<34} {}\n", what, value);
+    };
+    line("smooth sphere, fixed grips", format_value(ledger->ideal_fixed_grips, "J"));
+    line("smooth sphere, in this machine", fmt::format("{} (k = {})", format_value(ledger->ideal_this_machine, "J"),
+                                                       format_value(ledger->machine_stiffness, "N/m")));
+    if (ledger->recovered_share > 0.0)
+        line("recovered of the work of approach", fmt::format("{:.1f} %", 100.0 * ledger->recovered_share));
+    line("loss per apparent area", format_value(ledger->loss_per_apparent_area, "J/m2"));
+    line("loss per true area",
+         fmt::format("{} (r = {:.4g})", format_value(ledger->loss_per_true_area, "J/m2"), ledger->true_area_ratio));
+    for (std::size_t i = 0; i < loop.analysis.cycles.size() && loop.analysis.cycles.size() > 1; ++i) {
+        const auto& energy = loop.analysis.cycles[i].energy;
+        line(fmt::format("cycle {}", i + 1).c_str(), energy ? format_value(*energy, "J") : energy.reason);
+    }
+    print(text);
+}
+
+/// Figures of every loop's course, and of all losses.
+class EnergyFigures {
+public:
+    explicit EnergyFigures(const Arguments& arguments) : arguments_(arguments) {}
+
+    void add(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
+        const auto name = figure_name(loop.file);
+        figures_.push_back(study_figures::course_figure(
+            {.name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options}, course,
+            command_line()));
+        if (const auto& ledger = loop.analysis.ledger)
+            losses_.push_back({name, ledger->loop.estimate(), ledger->largest_true_area(), ledger->ideal_this_machine});
+    }
+    void write() {
+        figures_.push_back(study_figures::loss_figure(losses_, command_line()));
+        write_loop_figures(figures_, arguments_.figures, arguments_.common.workers());
+    }
+
+private:
+    const Arguments& arguments_;
+    std::vector<study_figures::StudyFigure> figures_;
+    std::vector<study_figures::NamedLoss> losses_;
+};
+
+ExitCode run(const Arguments& arguments) {
+    output::Json list = output::Json::array();
+    auto energies = output::energies_table();
+    EnergyFigures figures(arguments);
+    const bool courses = !arguments.course.empty() || !arguments.figures.empty();
+    if (!arguments.course.empty()) std::filesystem::create_directories(arguments.course);
+    const auto code = for_each_loop(arguments.request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
+        output::add_energies(energies, output::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
+        if (arguments.common.json) {
+            auto json = output::energies_json(loop.analysis);
+            json["file"] = loop.file;
+            list.push_back(std::move(json));
+        } else {
+            print_ledger(loop);
+            show(loop.analysis.alerts);
+        }
+        if (!courses) return;
+        try {
+            const auto course = course_of(loop);
+            const auto name = figure_name(loop.file) + "_course.csv";
+            if (!arguments.course.empty())
+                tables::write_csv((std::filesystem::path(arguments.course) / name).string(), table_of(loop, course));
+            if (!arguments.figures.empty()) figures.add(loop, course);
+        } catch (const UndefinedDataError& error) {
+            complain(fmt::format("{}: no course of the energy: {}", loop.file, error.what()));
+        }
+    });
+    if (arguments.common.json && !list.empty()) print_json(list.size() == 1 ? list.front() : list);
+    if (code == ExitCode::nothing_done) return code;
+    if (!arguments.figures.empty()) figures.write();
+    if (!arguments.tidy.empty()) bytes::write_whole_file(arguments.tidy, tables::as_csv(energies));
+    return code;
+}
+
+}  // namespace
+
+Action jkr_energy_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    arguments->request.add_to(options);
+    options.add("--tidy", arguments->tidy, "energies of every contact and cycle of every loop as one CSV table");
+    options.add("--course", arguments->course,
+                "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
+    options.add("--figures", arguments->figures,
+                "folder of figures: the course of each loop, losses against true area");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jkr/jkr_curve.hpp"
+#include "jkr/jkr_models.hpp"
+#include "jkr/loop_arguments.hpp"
+#include "jkr/loop_figures.hpp"
+#include "program/command.hpp"
+#include "program/command_line.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/output/fit_json.hpp"
+#include "setae/output/loop_tables.hpp"
+#include "setae/study_figures/loop_figures.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "radius_force        a^3 = 3R/(4E*) (F + 3 pi R W + sqrt(6 pi R W F + (3 pi R W)^2))       [D19] (1)\n"
+    "linear_form         F/sqrt(6 pi a^3) = K a^(3/2)/(sqrt(6 pi) R) - sqrt(K W), K = 4E*/3\n"
+    "force_displacement  delta = a^2/R - sqrt(2 pi a W/E*) + delta_0, a(F) by (1)\n"
+    "pointwise           F = 2 a E* (delta - delta_0 - a^2/(3R)), free of W\n"
+    "pull_off            W = 2|F_po|/(3 pi R), fixed load                                      [D19] (S1)\n"
+    "retraction          (1) on the last points before pull-off, E* of loading                 [D19] (S2)\n"
+    "loop                E_loss = closed integral of F d(delta), baseline and drift removed\n";
+
+struct Arguments {
+    Common common;
+    LoopAnalysisRequest request;
+    ModelArguments models;
+    CurveArguments curve;
+    std::string tidy, figures;
+};
+
+void add_branch(tables::TidyTable& table, const char* branch, const loops::BranchAnalysis& analysis) {
+    const auto add = [&](const loops::Outcome<loops::JkrFit>& fit) {
+        if (!fit) return;
+        const auto cell = [](const Estimate& v, double factor) {
+            return fmt::format("{:.4g} ± {:.2g}", factor * v.value, factor * v.standard_error);
+        };
+        table.rows.push_back({branch, fit->method, cell(fit->contact_modulus, 1e-6), cell(fit->youngs_modulus, 1e-6),
+                              cell(fit->work_of_adhesion, 1e3), fmt::format("{:.3f}", fit->correlation),
+                              fmt::format("{:.3g}", fit->chi2_reduced), fmt::format("{}", fit->n),
+                              fmt::format("{:.3g} {}", fit->rms_residual, fit->residual_unit)});
+    };
+    add(analysis.radius_force);
+    add(analysis.radius_force_effective_variance);
+    add(analysis.linear_form);
+    add(analysis.force_displacement);
+    add(analysis.joint);
+}
+
+void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
+    tables::TidyTable table{
+        file, {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
+    add_branch(table, "loading", a.loading);
+    if (a.unloading) add_branch(table, "unloading", *a.unloading);
+    std::string text = tables::as_text(table);
+    text += fmt::format("  range: {}\n  samples dropped after jump-in → W:", a.loading.range.name);
+    for (const auto& s : a.loading.sensitivity)
+        text += s.fit ? fmt::format("  {} → {:.1f} mJ/m²", s.dropped, 1e3 * s.fit->work_of_adhesion.value) : "";
+    text += '\n';
+    const auto line = [&](const char* what, const std::string& value) {
+        text += fmt::format("  {:<28} {}\n", what, value);
+    };
+    const auto value = [](const Estimate& v, const char* unit) {
+        return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2);
+    };
+    if (a.contact_points) {
+        const auto& points = *a.contact_points;
+        tables::TidyTable beside{
+            "", {"  contact point by", "from the one used [nm]", "±", "E* there [MPa]", "W there [mJ/m²]"}, {}};
+        for (const auto& estimate : points.estimates) {
+            if (!estimate.contact_point) continue;
+            const auto& fit = estimate.fit;
+            beside.rows.push_back(
+                {"  " + loops::contact_point_name(estimate.method),
+                 fmt::format("{:.4g}", 1e9 * (estimate.contact_point->value - points.contact_point.value)),
+                 fmt::format("{:.2g}", 1e9 * estimate.contact_point->standard_error),
+                 fit ? fmt::format("{:.4g}", 1e-6 * fit->contact_modulus.value) : "–",
+                 fit ? fmt::format("{:.4g}", 1e3 * fit->work_of_adhesion.value) : "–"});
+        }
+        text += tables::as_text(beside);
+        line("spread of these", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm",
+                                            format_value(points.spread, "m"), 100.0 * points.spread_share,
+                                            1e-6 * points.work_by_contact_point));
+    }
+    line("pull-off force", a.pull_off ? value(a.pull_off->force, "N") : a.pull_off.reason);
+    if (a.pull_off) line("W of pull-off (S1)", value(a.pull_off->work_of_adhesion, "J/m2"));
+    line("W of retraction (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);
+    line("loop energy", a.loop ? value(a.loop->estimate(), "J") : a.loop.reason);
+    line("smooth sphere's own loss", format_value(a.context.ideal_smooth_sphere_loss, "J"));
+    line("largest contact radius",
+         format_value(a.context.largest_contact_radius, "m") + (a.context.radius_measured ? "" : " (implied)"));
+    if (!a.context.applicable_model.empty()) line("model", a.context.applicable_model);
+    line("cycles", fmt::format("{}", a.cycles.size()));
+    print(text);
+}
+
+/// The figures of every loop, made as the loops come, and the one of all of them.
+class FigureFolder {
+public:
+    FigureFolder(const Arguments& arguments) : arguments_(arguments) {}
+
+    void add(const AnalysedLoop& loop) {
+        const auto name = figure_name(loop.file);
+        const study_figures::DrawnLoop drawn{
+            .name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
+        for (auto& figure : study_figures::loop_figures(drawn, command_line())) figures_.push_back(std::move(figure));
+        try {
+            scans_.push_back({name, loops::scan_ranges(loop.analysis, loop.bodies, loop.options)});
+        } catch (const UndefinedDataError& error) {
+            complain(fmt::format("{}: no figure of ranges: {}", loop.file, error.what()));
+        }
+    }
+
+    void write() {
+        figures_.push_back(study_figures::range_figure(scans_, command_line()));
+        write_loop_figures(figures_, arguments_.figures, arguments_.common.workers());
+    }
+
+private:
+    const Arguments& arguments_;
+    std::vector<study_figures::StudyFigure> figures_;
+    std::vector<study_figures::NamedScan> scans_;
+};
+
+/// Force curves among the files.
+ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& files, output::Json& list) {
+    return for_each_item(files, [&](const std::string& file) {
+        const auto segments = fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
+        if (arguments.common.json) list.push_back({{"file", file}, {"segments", output::to_json(segments)}});
+        else print_curve(file, segments);
+    });
+}
+
+study::LoopModels models_of(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
+    return study::loop_models(loop.analysis, loop.bodies, loop.options, models);
+}
+
+/// Adds a loop to those of a shared fit, where it has the branch.
+void share(const AnalysedLoop& loop, const study::LoopModelOptions& models, std::vector<loops::GlobalBranch>& shared) {
+    try {
+        shared.push_back(study::branch_to_share(loop.file, loop.analysis, loop.bodies, loop.options, models));
+    } catch (const UndefinedDataError& error) {
+        complain(fmt::format("{}: not in the shared fit: {}", loop.file, error.what()));
+    }
+}
+
+/// Loops among them, with the fit they share where one is wanted.
+ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, output::Json& list,
+                   std::optional<loops::GlobalFit>& global) {
+    auto fits = output::fits_table();
+    FigureFolder figures(arguments);
+    const auto models = arguments.models.options();
+    std::vector<loops::GlobalBranch> shared;
+    const auto code = for_each_loop(request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
+        output::add_fits(fits, output::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
+        if (!arguments.figures.empty()) figures.add(loop);
+        if (models.shared()) share(loop, models, shared);
+        if (arguments.common.json) {
+            auto json = output::to_json(loop.analysis);
+            json["file"] = loop.file;
+            if (models.any()) json["models"] = output::to_json(models_of(loop, models));
+            list.push_back(std::move(json));
+        } else {
+            print_loop(loop.file, loop.analysis);
+            if (models.any()) print_models(models_of(loop, models));
+            show(loop.analysis.alerts);
+        }
+    });
+    if (code == ExitCode::nothing_done) return code;
+    if (models.shared()) global = study::shared_fit(shared, models);
+    if (!arguments.figures.empty()) figures.write();
+    if (!arguments.tidy.empty()) bytes::write_whole_file(arguments.tidy, tables::as_csv(fits));
+    return code;
+}
+
+ExitCode run(const Arguments& arguments) {
+    output::Json list = output::Json::array();
+    auto loops = arguments.request;
+    std::vector<std::string> curves;
+    loops.loops.files.clear();
+    for (const auto& file : arguments.request.loops.expanded())
+        (arguments.curve.concerns(file) ? curves : loops.loops.files).push_back(file);
+    std::optional<loops::GlobalFit> global;
+    std::vector<ExitCode> codes;
+    if (!curves.empty()) codes.push_back(fit_curves(arguments, curves, list));
+    if (!loops.loops.files.empty()) codes.push_back(fit_loops(arguments, loops, list, global));
+    if (arguments.common.json && !list.empty()) {
+        const auto results = list.size() == 1 ? list.front() : list;
+        print_json(global ? output::Json{{"loops", results}, {"shared", output::to_json(*global)}} : results);
+    } else if (global) {
+        print_shared(*global);
+    }
+    return std::all_of(codes.begin(), codes.end(), [&](ExitCode code) { return code == codes.front(); })
+               ? codes.front()
+               : ExitCode::some_failed;
+}
+
+}  // namespace
+
+Action jkr_fit_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    arguments->request.add_to(options);
+    arguments->models.add_to(options);
+    arguments->curve.add_to(options);
+    options.add("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
+    options.add("--figures", arguments->figures,
+                "folder of figures: each loop with its fits and residuals, E* and W against the range of the fit");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

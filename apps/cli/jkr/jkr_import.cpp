@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jkr/loop_arguments.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/core/units.hpp"
+#include "setae/tables/clocks.hpp"
+#include "setae/tables/column_guess.hpp"
+#include "setae/tables/loop_file.hpp"
+#include "setae/tables/tidy_table.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "without --map, columns are guessed from names and units; the guess is shown, --column overrules it, --save-map keeps it\n"
+    "force > 0 presses, displacement grows into the contact, contact_radius is 0 out of contact; SI after import\n"
+    "clocks      F = 2 E* a (delta - a^2/(3R)) holds at any state: the camera's offset is where its frames satisfy it best\n"
+    "the result is a loop file, docs/reference/loop-format.md; sphere_radius and the like in it need not be given again\n";
+
+struct Arguments {
+    Common common;
+    LoopArguments loops;
+    std::vector<std::string> columns, entries;
+    std::string encoding, separator, decimal, header_end, sheet, save_map, output;
+};
+
+/// "name=value". @throws InvalidArgument.
+std::pair<std::string, std::string> assignment(const std::string& text, const char* option) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw InvalidArgument(fmt::format("{} {}: expected NAME=VALUE", option, text));
+    return {std::string(trimmed(text.substr(0, equals))), std::string(trimmed(text.substr(equals + 1)))};
+}
+
+std::map<std::string, std::string> assignments(const std::vector<std::string>& texts, const char* option) {
+    std::map<std::string, std::string> all;
+    for (const auto& text : texts) all.insert(assignment(text, option));
+    return all;
+}
+
+tables::TableOptions table_options(const Arguments& arguments) {
+    static const std::map<std::string, char> separators{
+        {"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"blank", ' '}},
+        decimals{{"point", '.'}, {"comma", ','}};
+    static const std::map<std::string, bytes::Encoding> encodings{
+        {"utf-8", bytes::Encoding::utf8}, {"utf-16", bytes::Encoding::utf16}, {"latin-1", bytes::Encoding::latin1}};
+    tables::TableOptions options;
+    if (!arguments.encoding.empty()) options.encoding = encodings.at(arguments.encoding);
+    if (!arguments.separator.empty()) options.separator = separators.at(arguments.separator);
+    if (!arguments.decimal.empty()) options.decimal_point = decimals.at(arguments.decimal);
+    if (!arguments.header_end.empty()) options.header_end = arguments.header_end;
+    if (!arguments.sheet.empty()) options.sheet = arguments.sheet;
+    return options;
+}
+
+bool is_foreign_table(const std::string& file) {
+    const auto source = bytes::file_source(file);
+    return !tables::is_loop_file(source) && !tables::force_curve_format(source);
+}
+
+output::Json json_of(const tables::ColumnGuess& guess) {
+    output::Json json{{"columns", output::Json::array()}, {"roles", output::Json::array()}};
+    for (const auto& column : guess.columns)
+        json["columns"].push_back({{"name", column.name},
+                                   {"unit", column.unit},
+                                   {"first_values", column.first_values},
+                                   {"note", column.note}});
+    for (const auto& role : guess.roles) {
+        output::Json candidates = output::Json::array();
+        for (const auto& candidate : role.candidates)
+            candidates.push_back({{"column", candidate.column + 1},
+                                  {"confidence", candidate.confidence},
+                                  {"reason", candidate.reason},
+                                  {"from_area", candidate.from_area}});
+        json["roles"].push_back({{"role", role.role}, {"candidates", candidates}});
+    }
+    return json;
+}
+
+/// Extent of each column, in the unit a reader expects.
+std::string summary(const Table& table) {
+    std::string text = fmt::format("{} samples\n", table.rows());
+    for (const auto& column : table.columns) {
+        double least = undefined, most = undefined;
+        Index defined = 0;
+        for (const double value : column.values) {
+            if (std::isnan(value)) continue;
+            least = defined == 0 ? value : std::min(least, value);
+            most = defined == 0 ? value : std::max(most, value);
+            ++defined;
+        }
+        text += fmt::format("  {:<16} {} … {}{}\n", column.name, format_value(least, column.unit),
+                            format_value(most, column.unit),
+                            defined == table.rows() ? "" : fmt::format(", {} of them defined", defined));
+    }
+    return text;
+}
+
+/// The first rows of a loop, as they were understood.
+std::string first_rows(const Table& table) {
+    constexpr Index shown = 5;
+    tables::TidyTable rows;
+    for (const auto& column : table.columns) rows.columns.push_back(fmt::format("{} [{}]", column.name, column.unit));
+    for (Index i = 0; i < std::min(shown, table.rows()); ++i) {
+        rows.rows.emplace_back();
+        for (const auto& column : table.columns) rows.rows.back().emplace_back(column.values[i]);
+    }
+    return tables::as_text(rows, 6);
+}
+
+std::string output_of(const Arguments& arguments, const std::string& file) {
+    namespace fs = std::filesystem;
+    if (arguments.output.empty()) return {};
+    const bool folder =
+        arguments.output.ends_with('/') || fs::is_directory(arguments.output) || arguments.loops.expanded().size() > 1;
+    return folder ? (fs::path(arguments.output) / (fs::path(file).stem().string() + ".csv")).string()
+                  : arguments.output;
+}
+
+/// The mapping a file is read through: the one named, else what its columns seem to be.
+struct Understood {
+    std::optional<tables::ColumnGuess> guess;
+    std::optional<tables::Mapping> mapping;
+};
+
+Understood understood(const Arguments& arguments, const std::string& file) {
+    if (!arguments.loops.map.empty()) return {.mapping = tables::read_mapping(arguments.loops.map)};
+    if (!is_foreign_table(file)) return {};
+    Understood result{.guess = tables::guess_columns(file, table_options(arguments))};
+    if (!arguments.common.json) print(tables::describe(*result.guess));
+    result.mapping = tables::mapping_from(
+        *result.guess, assignments(arguments.columns, "--column"),
+        arguments.loops.camera.empty() ? tables::LoopColumns::complete : tables::LoopColumns::force_record);
+    return result;
+}
+
+void import(const Arguments& arguments, const std::string& file, output::Json& list) {
+    const auto how = understood(arguments, file);
+    if (how.mapping && !arguments.save_map.empty()) tables::write_mapping(arguments.save_map, *how.mapping);
+    const auto opened = how.mapping ? study::open_loop(arguments.loops.source(file), *how.mapping)
+                                    : study::open_loop(arguments.loops.source(file));
+    auto metadata = tables::loop_metadata(opened.table);
+    metadata.emplace("source", std::filesystem::path(file).filename().string());
+    for (const auto& [key, value] : assignments(arguments.entries, "--set")) metadata[key] = value;
+    const auto output = output_of(arguments, file);
+    if (!output.empty()) {
+        if (const auto folder = std::filesystem::path(output).parent_path(); !folder.empty())
+            std::filesystem::create_directories(folder);
+        tables::write_loop(output, opened.table, metadata);
+    }
+    if (arguments.common.json) {
+        output::Json json{{"file", file},
+                          {"samples", opened.table.rows()},
+                          {"metadata", metadata},
+                          {"alerts", output::to_json(opened.alerts)}};
+        for (const auto& column : opened.table.columns)
+            json["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
+        if (how.guess) json["guess"] = json_of(*how.guess);
+        if (how.mapping) json["mapping"] = tables::as_toml(*how.mapping);
+        if (opened.clock)
+            json["clock"] = {
+                {"offset", output::to_json(output::quantity("clock_offset", "t0", opened.clock->offset, "s"))},
+                {"doubt", opened.clock->doubt}};
+        if (!output.empty()) json["output"] = output;
+        list.push_back(json);
+        return;
+    }
+    print(fmt::format("{}: {}{}", file, summary(opened.table), first_rows(opened.table)));
+    if (opened.clock)
+        print(fmt::format("  camera's clock   + {:.4g} ± {:.2g} s, by {}\n", opened.clock->offset.value,
+                          opened.clock->offset.standard_error, opened.clock->method));
+    print(output.empty() ? "nothing written: say where, -o LOOP.csv\n" : fmt::format("{} written\n", output));
+    show(opened.alerts);
+}
+
+ExitCode run(const Arguments& arguments) {
+    output::Json list = output::Json::array();
+    const auto files = arguments.loops.expanded();
+    const auto code = for_each_item(files, [&](const std::string& file) { import(arguments, file, list); });
+    if (arguments.common.json && !list.empty()) print_json(files.size() == 1 ? list.front() : list);
+    return code;
+}
+
+}  // namespace
+
+Action jkr_import_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    arguments->loops.add_to(options);
+    options.add(
+        "--column", arguments->columns,
+        "ROLE=COLUMN overrules the guess, such as force=Load or displacement=3 (from 1); also contact_radius, time");
+    options.add("--encoding", arguments->encoding, "utf-8, utf-16 or latin-1; default: found")
+        .one_of({"utf-8", "utf-16", "latin-1"});
+    options.add("--separator", arguments->separator, "tab, comma, semicolon or blank; default: found")
+        .one_of({"tab", "comma", "semicolon", "blank"});
+    options.add("--decimal", arguments->decimal, "point or comma; default: found").one_of({"point", "comma"});
+    options.add("--header-end", arguments->header_end, "the line behind which numbers begin");
+    options.add("--sheet", arguments->sheet, "of a workbook; default: the first that holds a table");
+    options.add("--set", arguments->entries,
+                "KEY=VALUE written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
+    options.add("--save-map", arguments->save_map, "write the mapping as a template for --map");
+    options.add("-o,--output", arguments->output, "loop file, or folder of loop files; without it nothing is written");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jkr/jkr_models.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "program/messages.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/units.hpp"
+#include "setae/tables/tidy_table.hpp"
+
+namespace setae::cli {
+namespace {
+
+std::string cell(const Estimate& estimate, double factor) {
+    return fmt::format("{:.4g} ± {:.2g}", factor * estimate.value, factor * estimate.standard_error);
+}
+std::string cell(const loops::Outcome<Estimate>& estimate, double factor) {
+    return estimate ? cell(*estimate, factor) : "–";
+}
+
+void add_row(tables::TidyTable& table, const loops::ModelFit& fit, double akaike_difference) {
+    table.rows.push_back({to_string(fit.model), cell(fit.contact_modulus, 1e-6), cell(fit.work_of_adhesion, 1e3),
+                          cell(fit.transition_parameter, 1.0), fmt::format("{:.3g}", fit.chi2_reduced),
+                          fmt::format("{}", fit.n), akaike_difference});
+}
+
+}  // namespace
+
+void ModelArguments::add_to(Options& options) {
+    options.add("--model", models,
+                "also fit hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all compares them");
+    options.add("--branch", branch, "of --model, --profile and --share")
+        .one_of({"loading", "unloading"})
+        .default_shown();
+    options.add("--errors", errors, "of --model and --share: orthogonal_distance, effective_variance, force_only")
+        .one_of({"effective_variance", "orthogonal_distance", "force_only"})
+        .default_shown();
+    options.add("--model-contact-point", contact_point, "held in --model, such as \"1.2 um\"; default: fitted");
+    options.add("--cohesive-stress", cohesive_stress, "held in maugis_dugdale, such as \"5 MPa\"; default: fitted");
+    options.flag("--profile", profile, "intervals of E* and W by profile likelihood");
+    options.flag("--crack-speed", crack_speed, "fit G(v) = G0 (1 + (v/v0)^n) to the receding edge");
+    options.add("--exponent", exponent, "n held in --crack-speed");
+    options.add("--share", shared, "one fit of all loops that share modulus, work, or both")
+        .one_of({"modulus", "work"});
+}
+
+study::LoopModelOptions ModelArguments::options() const {
+    const auto shares = [&](const char* what) { return std::find(shared.begin(), shared.end(), what) != shared.end(); };
+    study::LoopModelOptions options{.models = models,
+                                    .profile = profile,
+                                    .crack_speed = crack_speed,
+                                    .exponent = exponent,
+                                    .share_contact_modulus = shares("modulus"),
+                                    .share_work_of_adhesion = shares("work")};
+    options.branch = branch == "loading" ? loops::LoopBranch::loading : loops::LoopBranch::unloading;
+    options.errors = study::fit_errors_named(errors);
+    if (!contact_point.empty()) options.contact_point = parse_quantity(contact_point, dimension::length);
+    if (!cohesive_stress.empty()) options.cohesive_stress = parse_quantity(cohesive_stress, dimension::pressure);
+    return options;
+}
+
+void print_models(const study::LoopModels& models) {
+    std::string text, reasons;
+    tables::TidyTable table{"", {"model", "E* [MPa]", "W [mJ/m²]", "λ", "χ²_red", "n", "ΔAICc"}, {}};
+    for (const auto& fit : models.fits) add_row(table, fit, undefined);
+    if (models.comparison) {
+        for (const auto& model : models.comparison->models)
+            if (model.fit) add_row(table, *model.fit, model.akaike_difference);
+            else reasons += fmt::format("  {}: {}\n", to_string(model.model), model.fit.reason);
+    }
+    if (!table.rows.empty()) text += tables::as_text(table);
+    text += reasons;
+    for (const auto& fit : models.fits) {
+        for (const auto& sentence : fit.undetermined) text += "  " + sentence + '\n';
+        if (fit.verdict) text += "  " + fit.verdict->sentence + '\n';
+    }
+    if (models.comparison) text += "  " + models.comparison->sentence + '\n';
+    const auto interval = [](const Estimate& e, double factor, const char* unit) {
+        return e.interval
+                   ? fmt::format("{:.4g} … {:.4g} {}", factor * e.interval->lower, factor * e.interval->upper, unit)
+                   : std::string("open");
+    };
+    if (models.profile)
+        text +=
+            fmt::format("  profile likelihood, 95 %     E* {}, W {} ({})\n",
+                        interval(models.profile->contact_modulus.estimate, 1e-6, "MPa"),
+                        interval(models.profile->work_of_adhesion.estimate, 1e3, "mJ/m²"), models.profile->fit.method);
+    if (models.crack_speed)
+        text += fmt::format(
+            "  G(v) = G0 (1 + (v/v0)^n)     G0 {} mJ/m², v0 {} µm/s, n {}; {} points, speeds over a factor {:.3g}\n",
+            cell(models.crack_speed->threshold, 1e3), cell(models.crack_speed->reference_speed, 1e6),
+            cell(models.crack_speed->exponent, 1.0), models.crack_speed->n, models.crack_speed->speed_ratio);
+    for (const auto& failure : models.failures) text += "  " + failure + '\n';
+    print(text);
+}
+
+void print_shared(const loops::GlobalFit& fit) {
+    tables::TidyTable table{
+        fmt::format("{} loops in one fit, {}", fit.branches.size(), to_string(fit.options.fit.model)),
+        {"loop", "E* [MPa]", "W [mJ/m²]", "E* alone [MPa]", "W alone [mJ/m²]", "n"},
+        {}};
+    for (const auto& branch : fit.branches)
+        table.rows.push_back({branch.name, cell(branch.contact_modulus, 1e-6), cell(branch.work_of_adhesion, 1e3),
+                              cell(branch.separate.contact_modulus, 1e-6), cell(branch.separate.work_of_adhesion, 1e3),
+                              fmt::format("{}", branch.n)});
+    print(tables::as_text(table) + fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n",
+                                               fit.sharing.f_ratio, fit.sharing.p_value));
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/figures/figure.hpp"
+#include "setae/output/replicate_report.hpp"
+#include "setae/study/replicate_reader.hpp"
+#include "setae/study_figures/forest_plot.hpp"
+
+namespace setae::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* explanation =
+    "y = mean of the surface + b(lens) + b(spot) + b(repeat) + error of the fit, each normal, the fit's variance known from its standard error\n"
+    "variances   at the largest restricted likelihood, >= 0, pooled over surfaces; those of levels that cannot be told are named\n"
+    "mean        1'V^-1 y/1'V^-1 1, variance 1/1'V^-1 1, Student's t with Satterthwaite's degrees of freedom\n"
+    "another one prediction interval: one more measurement with another lens, spot and repeat\n"
+    "I2, Q       Q = sum (y - mean)^2/SE^2, I2 = 1 - (n - 1)/Q: share of the scatter that the fits' errors do not explain\n"
+    "excluded    rows are left out with a reason alone, and stay in every table and figure; the mean with them stands beside\n"
+    "docs/guides/replicates.md; Patterson, Thompson, Biometrika 58 (1971) 545\n";
+
+struct Arguments {
+    Common common;
+    std::vector<std::string> files, exclude;
+    std::string group_by, exclusions, output, figure;
+    study::ReplicateColumns columns;
+    bool each_surface = false;
+};
+
+std::vector<std::string> words_of(const std::string& list) {
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < list.size();) {
+        const auto end = std::min(list.find(',', at), list.size());
+        if (end > at) words.push_back(list.substr(at, end - at));
+        at = end + 1;
+    }
+    return words;
+}
+
+void write_figure(const std::string& path, const study::ReplicateTables& tables, const figures::Figure& figure) {
+    auto ending = fs::path(path).extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    if (ending == "csv") return bytes::write_whole_file(path, tables::as_csv(output::replicate_table(tables.data)));
+    constexpr std::array endings{"svg", "pdf", "png"};
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+        throw InvalidArgument(
+            fmt::format("{}: a figure cannot be written as '{}'; expected .svg, .pdf, .png or .csv", path, ending));
+    bytes::write_whole_file(path, figures::drawn(figure, ending));
+}
+
+void write_folder(const fs::path& folder, const study::ReplicateTables& tables, const statistics::MixedModel& model,
+                  const output::Json& json, const figures::Figure& figure) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) throw FileError(fmt::format("{}: cannot make the folder ({})", folder.string(), failure.message()));
+    bytes::write_whole_file((folder / "summary.json").string(), json.dump(2) + "\n");
+    bytes::write_whole_file((folder / "replicates.csv").string(), tables::as_csv(output::replicate_table(tables.data)));
+    bytes::write_whole_file((folder / "means.csv").string(),
+                            tables::as_csv(output::replicate_mean_table(tables.data, model)));
+    for (const char* ending : {"svg", "pdf", "png"})
+        write_figure((folder / (std::string("forest.") + ending)).string(), tables, figure);
+}
+
+ExitCode run(const Arguments& arguments) {
+    auto columns = arguments.columns;
+    columns.group_by = words_of(arguments.group_by);
+    std::vector<study::ExclusionRule> rules;
+    if (!arguments.exclusions.empty()) rules = study::read_exclusions(arguments.exclusions);
+    for (const auto& text : arguments.exclude) rules.push_back(study::parse_exclusion(text));
+    const auto tables = study::read_replicates(arguments.files, columns, rules);
+    const auto model = statistics::mixed_model(
+        tables.data, {.pooling = arguments.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
+    const auto figure = study_figures::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
+    auto json = output::to_json(tables.data, model);
+    json["bad_rows"] = output::Json::array();
+    for (const auto& bad : tables.bad_rows) {
+        json["bad_rows"].push_back({{"place", bad.place}, {"reason", bad.reason}});
+        complain(fmt::format("{}: {}; left out, the rest is analysed", bad.place, bad.reason));
+    }
+    if (!arguments.figure.empty()) write_figure(arguments.figure, tables, figure);
+    if (!arguments.output.empty()) write_folder(arguments.output, tables, model, json, figure);
+    if (arguments.common.json) print_json(json);
+    else print(output::summary(tables.data, model));
+    return tables.bad_rows.empty() ? ExitCode::done : ExitCode::some_failed;
+}
+
+}  // namespace
+
+Action jkr_summary_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    auto& columns = arguments->columns;
+    options.add("files", arguments->files,
+                "tables with a row for each fit: those of `setae jkr fit --tidy`, or any CSV with units in the header");
+    options.add("--quantity", columns.quantity, "what is summarised: W, E*, E_loss, F_po, or a column's name")
+        .default_shown();
+    options.add("--group-by", arguments->group_by,
+                "columns of the groups, outermost first; default: those of surface,lens,spot that there are");
+    options.add("--value", columns.value_column, "column of the values, where --quantity does not find it");
+    options.add("--error", columns.error_column, "column of their standard errors, likewise");
+    options.add("--unit", columns.unit, "unit of values whose column has none, such as mJ/m2");
+    options.add("--method", columns.method,
+                "fit wanted, where the tables have several; default: the primary one, where they name it");
+    options.add("--branch", columns.branch, "branch wanted, where the tables have several, such as loading");
+    options.add("--elastomer", columns.elastomer, "elastomer wanted, where the tables have several; or group by it");
+    options
+        .add("--exclude", arguments->exclude,
+             "rows to leave out and why, such as \"file=a.csv;reason=dust on the lens\"; may be repeated")
+        .one_at_a_time();
+    options.add("--exclusions", arguments->exclusions,
+                "file of exclusions: TOML with [[exclude]], or CSV with a column reason");
+    options.flag("--each-surface", arguments->each_surface, "variances of each surface by itself, not pooled");
+    options.add("--figure", arguments->figure, "forest plot, by its ending .svg, .pdf, .png or .csv");
+    options.add("-o,--output", arguments->output, "folder for summary.json, tables and the forest plot");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

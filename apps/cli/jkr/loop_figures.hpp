@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/parallel/for_each.hpp"
+#include "setae/study_figures/study_figures.hpp"
+
+namespace setae::cli {
+
+/// What a loop is called in figures: its file without folder and ending.
+[[nodiscard]] std::string figure_name(const std::string& file);
+
+/// Writes figures into a folder; what cannot be drawn is said on standard error.
+void write_loop_figures(const std::vector<study_figures::StudyFigure>& figures, const std::string& folder,
+                        parallel::Threads threads);
+
+}  // namespace setae::cli

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/closure_output.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/output/json.hpp"
+#include "setae/validation/report.hpp"
+
+namespace setae::cli {
+namespace {
+
+output::Json json_of(const validation::SummaryRow& row) {
+    return {{"quantity", row.quantity},
+            {"method", row.method},
+            {"unit", row.measure == validation::Deviation::relative ? "1" : row.unit},
+            {"count", row.count},
+            {"bias", row.bias},
+            {"bias_standard_error", row.bias_error},
+            {"scatter", row.scatter},
+            {"stated", row.stated},
+            {"worst", row.worst},
+            {"coverage", row.coverage},
+            {"coverage_interval", {row.coverage_interval.lower, row.coverage_interval.upper}}};
+}
+
+}  // namespace
+
+void add_options(Options& options, RepeatedRecipe& repeated) {
+    options.add("recipe", repeated.recipe, "TOML file of the recipe");
+    options.add("-o,--output", repeated.output, "folder of tables and figure; default: " + repeated.output);
+    options.add("--runs", repeated.runs, fmt::format("data sets; default: {}", repeated.runs));
+    options.add("--seed", repeated.seed, fmt::format("of the first run; default: {}", repeated.seed));
+}
+
+void require_recipe(const RepeatedRecipe& repeated) {
+    if (repeated.recipe.empty())
+        throw InvalidArgument("no recipe; expected a TOML file, such as examples/closure/standard.toml");
+}
+
+std::function<void(int)> progress_of(int runs) {
+    if (isatty(STDERR_FILENO) == 0) return {};
+    return [runs](int done) { fmt::print(stderr, "\r{} of {} runs{}", done, runs, done == runs ? "\n" : ""); };
+}
+
+output::Json json_of(const std::vector<validation::SummaryRow>& rows) {
+    output::Json list = output::Json::array();
+    for (const auto& row : rows) list.push_back(json_of(row));
+    return list;
+}
+
+void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name,
+                   const std::string& folder) {
+    std::error_code ignored;  // what cannot be made cannot be written to
+    std::filesystem::create_directories(folder, ignored);
+    const auto path = [&](const char* ending) { return (std::filesystem::path(folder) / (name + ending)).string(); };
+    bytes::write_whole_file(path(".txt"), validation::summary_table(rows));
+    const auto figure = validation::validation_figure(rows);
+    figures::write_data(figure, path(".csv"));
+    for (const char* ending : {".svg", ".png", ".pdf"}) figures::draw(figure, path(ending));
+}
+
+}  // namespace setae::cli

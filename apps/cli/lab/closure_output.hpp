@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "program/command.hpp"
+#include "setae/output/json.hpp"
+#include "setae/validation/summary.hpp"
+
+namespace setae::cli {
+
+/// What every verb that makes a recipe many times is told.
+struct RepeatedRecipe {
+    Common common;
+    std::string recipe;
+    std::string output;  ///< folder of tables and figure
+    int runs = 1;
+    std::uint64_t seed = 1;
+};
+
+/// Registers recipe, --output, --runs and --seed; their present values are the defaults.
+void add_options(Options& options, RepeatedRecipe& repeated);
+
+/// @throws InvalidArgument where no recipe was named.
+void require_recipe(const RepeatedRecipe& repeated);
+
+/// "n of N runs" on standard error where that is a terminal, else nothing.
+[[nodiscard]] std::function<void(int)> progress_of(int runs);
+
+[[nodiscard]] output::Json json_of(const std::vector<validation::SummaryRow>& rows);
+
+/// NAME.txt, NAME.csv and the figure as NAME.svg, .png and .pdf in a folder.
+/// @throws FileError.
+void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name, const std::string& folder);
+
+}  // namespace setae::cli

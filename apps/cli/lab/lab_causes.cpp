@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "lab/closure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/validation/causes.hpp"
+#include "setae/validation/report.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "What the arithmetic mean of spectra [D19] reads of the recipe's surfaces if every periodogram were its own expectation\n"
+    "under one cause alone, so that nothing scatters:\n"
+    "none               C1D at the wavevectors of the measurements, inside their reliable bands\n"
+    "segments           straight lines between the points of contours\n"
+    "trend and window   parabola (stylus) or tilt (lines of maps) removed, Hann window\n"
+    "aliasing           waves shorter than two pixels\n"
+    "tip                a ball in place of a point, inside the band of its criterion\n"
+    "eq. (11)           C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)) in place of the exact moments\n"
+    "all                all of them\n"
+    "work_of_adhesion at E* = 1 MPa and gamma_1 = 25 mJ/m2, from the planted W_app; ..._from_loss: W_int r/r_found\n";
+
+ExitCode run(const RepeatedRecipe& arguments) {
+    require_recipe(arguments);
+    const auto rows =
+        validation::summary(validation::readings_by_cause(arguments.recipe, {.runs = arguments.runs,
+                                                                             .first_seed = arguments.seed,
+                                                                             .folder = arguments.output,
+                                                                             .threads = arguments.common.workers(),
+                                                                             .progress = progress_of(arguments.runs)}));
+    write_closure(rows, "causes", arguments.output);
+    if (arguments.common.json)
+        print_json({{"recipe", arguments.recipe},
+                    {"runs", arguments.runs},
+                    {"first_seed", arguments.seed},
+                    {"rows", json_of(rows)}});
+    else print(validation::bias_table(rows) + fmt::format("\n{} runs from seed {}\n", arguments.runs, arguments.seed));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action lab_causes_command(Options& options) {
+    auto arguments = std::make_shared<RepeatedRecipe>(RepeatedRecipe{.output = "causes", .runs = 5});
+    add_options(options, *arguments);
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

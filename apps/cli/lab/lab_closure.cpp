@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "lab/closure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/validation/report.hpp"
+#include "setae/validation/validation.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "Each run makes the recipe's data set with a seed of its own, studies it from its files, compares with what is planted.\n"
+    "bias       mean of found/planted - 1, or of found - planted; its standard error from the scatter between runs\n"
+    "scatter    standard deviation of these;  stated: mean half width of the 95 % intervals over 1.96\n"
+    "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
+    "methods    likelihood, average: the study's spectra;  loops: JKR analysis;  paper: eq. (11), straight segments\n"
+    "           between contour points, percentile bootstrap                                                     [D19]\n"
+    "--without  tip-factor: tips not simulated;  tip-band: data beyond the reliable band used (both of the likelihood)\n";
+
+struct ClosureArguments : RepeatedRecipe {
+    bool keep = false;
+    std::string spectrum = "likelihood";
+    std::vector<std::string> without;
+};
+
+validation::ValidationOptions options_of(const ClosureArguments& arguments) {
+    const auto left_out = [&](const char* name) {
+        return std::find(arguments.without.begin(), arguments.without.end(), name) != arguments.without.end();
+    };
+    return {.runs = arguments.runs,
+            .first_seed = arguments.seed,
+            .folder = arguments.output,
+            .keep = arguments.keep,
+            .spectrum =
+                arguments.spectrum == "average" ? study::SpectrumMethod::average : study::SpectrumMethod::likelihood,
+            .tip_factor = !left_out("tip-factor"),
+            .tip_band = !left_out("tip-band"),
+            .threads = arguments.common.workers(),
+            .progress = progress_of(arguments.runs)};
+}
+
+ExitCode run(const ClosureArguments& arguments) {
+    require_recipe(arguments);
+    const auto found = validation::run_validation(arguments.recipe, options_of(arguments));
+    for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
+    if (found.comparisons.empty()) return ExitCode::nothing_done;
+    const auto rows = validation::summary(found.comparisons);
+    write_closure(rows, "closure", arguments.output);
+    bytes::write_whole_file((std::filesystem::path(arguments.output) / "comparisons.csv").string(),
+                            validation::comparisons_csv(found.comparisons));
+    if (arguments.common.json)
+        print_json({{"recipe", arguments.recipe},
+                    {"runs", arguments.runs},
+                    {"first_seed", arguments.seed},
+                    {"rows", json_of(rows)}});
+    else
+        print(validation::summary_table(rows) +
+              fmt::format("\n{} runs from seed {}; every comparison in {}/comparisons.csv\n", arguments.runs,
+                          arguments.seed, arguments.output));
+    return found.failed.empty() ? ExitCode::done : ExitCode::some_failed;
+}
+
+}  // namespace
+
+Action lab_closure_command(Options& options) {
+    auto arguments = std::make_shared<ClosureArguments>();
+    arguments->output = "closure";
+    arguments->runs = 25;
+    add_options(options, *arguments);
+    options.flag("--keep", arguments->keep, "leave the data sets in the folder");
+    options.add("--spectrum", arguments->spectrum, "what fits and predictions rest on")
+        .one_of({"average", "likelihood"});
+    options.add("--without", arguments->without, "leave an ingredient of the likelihood out")
+        .one_of({"tip-factor", "tip-band"});
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

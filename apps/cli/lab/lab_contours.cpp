@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "lab/closure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/validation/contour_summary.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "pictures   curves of known shape: exact coverage of pixels, blur 0.8 px, noise, fringe, drift, lattice, texture\n"
+    "SNR        grey step between vacuum and sample over the noise of a pixel\n"
+    "traced     share of the curve that has a trace within 3 px\n"
+    "rms        distance along the normal [px], the larger of trace to curve and curve to trace; mean of the runs, and the worst\n"
+    "offset     mean distance, positive where the trace lies in vacuum [px]\n"
+    "in 2 sigma share of points closer to the curve than two of their standard errors; 0.954 where these are right\n"
+    "Rq         of the levelled trace over that of the curve, less 1; mean, and the worst run\n"
+    "floor      density of its errors over the noise density that the trace states\n"
+    "C1D        of the trace, freed of its response and noise, over the curve's, less 1, where it stands ten times above the floor\n";
+
+struct Arguments {
+    Common common;
+    validation::ContourTrialOptions options;
+    std::string output;
+};
+
+output::Json json_of(const validation::OverRuns& number) {
+    return {{"count", number.count},
+            {"mean", output::number(number.mean)},
+            {"standard_error", output::number(number.standard_error)},
+            {"worst", output::number(number.worst)},
+            {"worst_run", number.worst_run}};
+}
+
+output::Json json_of(const validation::ContourRow& row) {
+    output::Json json{{"kind", row.kind},
+                      {"judged", row.judged},
+                      {"runs", row.runs},
+                      {"refused", row.refused},
+                      {"vacuum_mistaken", row.vacuum_mistaken},
+                      {"completeness", json_of(row.completeness)},
+                      {"rms_error_px", json_of(row.rms_error)},
+                      {"largest_error_px", json_of(row.largest_error)},
+                      {"offset_px", json_of(row.offset)},
+                      {"within_two_errors", json_of(row.within_two_errors)},
+                      {"rms_height_ratio", json_of(row.rms_height_ratio)},
+                      {"floor_ratio", json_of(row.floor_ratio)},
+                      {"overhangs", row.overhangs},
+                      {"overhangs_found", row.overhangs_found},
+                      {"overhangs_false", row.overhangs_false},
+                      {"overhang_depth_ratio", json_of(row.overhang_depth_ratio)},
+                      {"spectrum_ratio", output::Json::array()}};
+    for (std::size_t band = 0; band < row.spectrum_ratio.size(); ++band) {
+        auto ratio = json_of(row.spectrum_ratio[band]);
+        ratio["longest_wave_px"] = validation::spectrum_band_ends[band];
+        json["spectrum_ratio"].push_back(ratio);
+    }
+    return json;
+}
+
+ExitCode run(const Arguments& arguments) {
+    auto options = arguments.options;
+    options.threads = arguments.common.workers();
+    options.progress = progress_of(options.runs * static_cast<int>(options.kinds.empty()
+                                                                       ? validation::contour_kinds(options.size).size()
+                                                                       : options.kinds.size()));
+    const auto trials = validation::contour_trials(options);
+    const auto rows = validation::contour_summary(trials);
+    if (!arguments.output.empty()) bytes::write_whole_file(arguments.output, validation::contour_trials_csv(trials));
+    if (arguments.common.json) {
+        output::Json json{{"runs", options.runs}, {"first_seed", options.first_seed}, {"size", options.size}};
+        for (const auto& row : rows) json["rows"].push_back(json_of(row));
+        json["verdicts"] = output::Json::array();
+        for (const auto& v : validation::contour_verdicts(rows))
+            json["verdicts"].push_back(
+                {{"kind", v.kind}, {"criterion", v.criterion}, {"passed", v.passed}, {"found", v.found}});
+        print_json(json);
+    } else {
+        print(validation::contour_table(rows) + fmt::format("{} runs from seed {}, pictures of {}² pixels\n",
+                                                            options.runs, options.first_seed, options.size));
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action lab_contours_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("-o,--output", arguments->output, "CSV of every trial");
+    options.add("--runs", arguments->options.runs, "pictures of each kind").between(1, 100000).default_shown();
+    options.add("--seed", arguments->options.first_seed, "of the first run").default_shown();
+    options.add("--size", arguments->options.size, "pixels of a picture's side").between(200, 8000).default_shown();
+    options.add("--kind", arguments->options.kinds, "kinds of pictures, by name; default: all");
+    options.add("--pictures", arguments->options.pictures,
+                "folder for every picture with curve and trace drawn in, and the curve's points");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

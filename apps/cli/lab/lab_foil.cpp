@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/simulation/projection_bias.hpp"
+#include "synthesize/synthesis_options.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "silhouette  s(x) = max over 0 <= y <= t of h(x, y): what a contour in a micrograph of a foil is\n"
+    "factor      <C1D of silhouettes>/<C1D of lines> of the same random surfaces with the given C_iso\n"
+    "divide C1D of a contour by the factor of each wavevector: what lines of the surface would show on average\n";
+
+struct FoilArguments {
+    Common common;
+    SynthesisOptions surface;
+    std::string thickness;
+    int surfaces = 16, bins_per_decade = 4;
+};
+
+std::string with_error(const simulation::BiasFactor& factor) {
+    return fmt::format("{:.3f} ± {:.3f}", factor.value, factor.standard_error);
+}
+
+ExitCode run(const FoilArguments& arguments) {
+    if (arguments.thickness.empty()) throw InvalidArgument("expected --foil-thickness, such as \"20 nm\"");
+    const auto plan = arguments.surface.plan(arguments.common.workers());
+    if (plan.line || plan.window)
+        throw InvalidArgument("a foil is seen through a whole surface: no --line, no --window-of");
+    const auto bias =
+        simulation::projection_bias(plan.density, {.thickness = parse_quantity(arguments.thickness, dimension::length),
+                                                   .grid = plan.grid,
+                                                   .surfaces = arguments.surfaces,
+                                                   .bins_per_decade = arguments.bins_per_decade,
+                                                   .key = plan.options.key,
+                                                   .threads = arguments.common.workers()});
+    const auto alerts = simulation::projection_alerts(bias, "silhouette");
+    if (arguments.common.json) {
+        const auto factor = [](double value, double standard_error) -> output::Json {
+            return {{"value", value}, {"standard_error", standard_error}};
+        };
+        output::Json json{{"foil_thickness", bias.thickness},
+                          {"correlation_length", bias.correlation_length},
+                          {"surfaces", arguments.surfaces},
+                          {"seed", plan.options.key.seed},
+                          {"rms_height", factor(bias.rms_height.value, bias.rms_height.standard_error)},
+                          {"rms_slope", factor(bias.rms_slope.value, bias.rms_slope.standard_error)},
+                          {"alerts", output::to_json(alerts)}};
+        for (Index b = 0; b < bias.wavevector.size(); ++b) {
+            auto bin = factor(bias.C1D[b], bias.C1D_standard_error[b]);
+            bin["wavevector"] = bias.wavevector[b];
+            json["C1D"].push_back(std::move(bin));
+        }
+        print_json(json);
+        return ExitCode::done;
+    }
+    std::string text = fmt::format("rms height  {}\nrms slope   {}\nq [1/m]     C1D\n", with_error(bias.rms_height),
+                                   with_error(bias.rms_slope));
+    for (Index b = 0; b < bias.wavevector.size(); ++b)
+        text +=
+            fmt::format("{:<11.3g} {}\n", bias.wavevector[b], with_error({bias.C1D[b], bias.C1D_standard_error[b]}));
+    print(text);
+    show(alerts);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action lab_foil_command(Options& options) {
+    auto arguments = std::make_shared<FoilArguments>();
+    arguments->surface.add_to(options);
+    options.add("--foil-thickness", arguments->thickness, "along the beam, such as \"20 nm\"");
+    options.add("--surfaces", arguments->surfaces, "simulated").between(2, 10000).default_shown();
+    options.add("--bins-per-decade", arguments->bins_per_decade, "of wavevectors").between(1, 100).default_shown();
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

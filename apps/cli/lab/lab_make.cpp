@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/simulation/data_set.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation_of_make =
+    "surfaces    random with a given C_iso; heights Gaussian, or g(z) of such with a given skewness\n"
+    "stylus, AFM dilated by the tip in two dimensions, read pointwise, noise\n"
+    "TEM         line through the surface, traced in random steps\n"
+    "W_app       W_int r - gamma_1 (r - 1) - U_el/A_app, r = A_true/A_app                       [D19] (7)\n"
+    "W_ret       such that E_loss = f W_int r pi a_max^2, or W_app + 2 k U_el/A_app              [D19] (10); pinning\n"
+    "loops       JKR with W_app, edge pinned at a_max until G = W_ret, JKR with W_ret\n"
+    "truth.json holds every planted value, study.toml analyses the data: setae study FOLDER/study.toml\n";
+
+struct MakeArguments {
+    Common common;
+    std::string file;
+    std::string output = "laboratory";
+    std::optional<std::uint64_t> seed;
+};
+
+ExitCode run_make(const MakeArguments& arguments) {
+    if (arguments.file.empty())
+        throw InvalidArgument("no recipe; expected a TOML file, such as examples/laboratory/recipe.toml");
+    const auto recipe = simulation::read_recipe(arguments.file, arguments.seed);
+    const auto files = simulation::make(recipe, arguments.output, arguments.common.workers());
+    if (arguments.common.json)
+        print_json({{"recipe", arguments.file}, {"seed", recipe.seed}, {"folder", arguments.output}, {"files", files}});
+    else
+        print(fmt::format("{}: {} files, seed {}; analyse them with: setae study {}/study.toml\n", arguments.output,
+                          files.size(), recipe.seed, arguments.output));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action lab_make_command(Options& options) {
+    auto arguments = std::make_shared<MakeArguments>();
+    options.add("recipe", arguments->file, "TOML file of the recipe");
+    options.add("-o,--output", arguments->output, "folder of the data set; default: laboratory");
+    options.add("--seed", arguments->seed, "in place of the recipe's");
+    return action(options, arguments, explanation_of_make, run_make);
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "params/parameter_text.hpp"
+#include "params/texture_options.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "psd/surface_options.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "Rq, Sq      root mean square of heights about their mean, unfiltered\n"
+    "Rdq, Sdq    root mean square of forward differences; maps: of |grad h|\n"
+    "Rddq        root mean square of second differences; maps: of half the Laplacian\n"
+    "A_true/A_app triangulated: area of the triangles through the heights                     [D19] (S3)\n"
+    "h_rms^2     = (1/pi) int C1D dq                                                            [J17]\n"
+    "h'_rms^2    = (2/pi) int q^2 C1D dq, isotropic surfaces                                    exact\n"
+    "h''_rms^2   = (2/(3 pi)) int q^4 C1D dq, of half the Laplacian                             exact\n"
+    "A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                                    [D19] (9)\n"
+    "U_el/(A E*) = (1/8) int q C1D dq                                                          [D19] (8)\n"
+    "--standard   parameters of ISO 25178-2 or ISO 21920-2: formulas in docs/reference/parameters.md\n";
+
+struct Arguments {
+    Common common;
+    SurfaceOptions surface;
+    TextureOptions texture;
+    std::string documentation;
+};
+
+/// Spectral parameters by the conversion asked for, and by the other one.
+std::vector<Quantity> spectral_quantities(const study::SurfaceResult& surface, roughness::Conversion conversion) {
+    const auto named = [](std::vector<Quantity> quantities, const char* suffix) {
+        for (auto& q : quantities) q.quantity += suffix;
+        return quantities;
+    };
+    const auto& spectrum = surface.used();
+    auto list = named(output::surface_quantities(surface, spectrum, conversion), "_from_spectrum");
+    if (!spectrum.other_conversion) return list;
+    auto other = spectrum;
+    other.parameters = *spectrum.other_conversion;
+    other.spread = {};
+    const bool exact = conversion == roughness::Conversion::exact;
+    const auto others = named(
+        output::surface_quantities(surface, other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
+        exact ? "_from_spectrum_eq11" : "_from_spectrum_exact");
+    list.insert(list.end(), others.begin(), others.end());
+    return list;
+}
+
+/// Parameters of a standard, measurement by measurement.
+ExitCode run_standard(const Arguments& arguments) {
+    std::vector<MeasuredTexture> list;
+    std::vector<Alert> alerts;
+    std::size_t failed = 0;
+    for (const auto& input : arguments.surface.surface().measurements) {
+        try {
+            for (const auto& source : study::measurement_sources(input)) {
+                const auto prepared = source.prepare();
+                list.push_back({input.file, topography::metadata(prepared.measurement).name,
+                                arguments.texture.parameters_of(prepared.measurement, arguments.common.workers())});
+                alerts.insert(alerts.end(), prepared.alerts.begin(), prepared.alerts.end());
+            }
+        } catch (const Error& error) {
+            complain(error.what());
+            ++failed;
+        }
+    }
+    if (list.empty()) return ExitCode::nothing_done;
+    if (arguments.common.json || arguments.texture.format == "json") print_json(parameter_json(list));
+    else print(parameter_text(list, arguments.texture.format));
+    for (const auto& measured : list)
+        for (const auto& row : measured.parameters)
+            for (const auto& alert : row.quantity.alerts)
+                if (std::find(alerts.begin(), alerts.end(), alert) == alerts.end()) alerts.push_back(alert);
+    show(alerts);
+    return failed > 0 ? ExitCode::some_failed : ExitCode::done;
+}
+
+ExitCode write_page(const std::string& path) {
+    const auto existing = std::filesystem::exists(path) ? bytes::read_file(path) : std::string();
+    bytes::write_whole_file(path, parameter_page(existing));
+    print(path + "\n");
+    return ExitCode::done;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) return write_page(arguments.documentation);
+    if (arguments.texture.asked()) return run_standard(arguments);
+    const auto options = arguments.surface.analysis();
+    const auto [surface, map] =
+        study::analyse_surface(arguments.surface.surface(), options, {.previews = false}, arguments.common.workers());
+    const auto code = report_failures(surface);
+    if (code == ExitCode::nothing_done) return code;
+    output::Json json = output::Json::array();
+    const auto emit = [&](const std::string& file, const std::string& name, const std::vector<Quantity>& list) {
+        if (!arguments.common.json) print(file + (name.empty() || name == file ? "" : " (" + name + ")") + "\n");
+        for (const auto& q : list) {
+            if (!arguments.common.json) {
+                print("  " + as_line(q));
+                continue;
+            }
+            auto entry = output::to_json(q);
+            entry["file"] = file;
+            entry["measurement"] = name;
+            json.push_back(std::move(entry));
+        }
+    };
+    for (const auto& m : surface.measurements)
+        if (!m.failed()) emit(m.file, m.name, output::measurement_quantities(m));
+    emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "",
+         spectral_quantities(surface, options.conversion));
+    if (arguments.common.json) print_json(json);
+    show(alerts_of(surface));
+    return code;
+}
+
+}  // namespace
+
+Action params_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    arguments->surface.add_to(options);
+    arguments->texture.add_to(options);
+    options.add("--documentation", arguments->documentation,
+                "write the page on the standards' parameters to this file");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

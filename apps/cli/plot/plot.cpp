@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/study/study_result.hpp"
+#include "setae/study_figures/write_figures.hpp"
+#include "study/run_arguments.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "1, 2, 4, S1, S2, S3, S5, S6, S7, S8  the figures of [D19], with error bars; docs/reference/figures.md says what each shows\n"
+    "spectra:NAME  every measurement of a surface, by instrument, with what was cut\n"
+    "scales        which wavevectors cost the energy: shares of U_el, excess area and W_app - W_int below q\n"
+    "prediction    W_app against E* for each surface: curve of (7) with its band, measured values, residuals, chi2\n"
+    "replicates    every loop's work of adhesion with its error, means by lens and surface\n"
+    "agreement     measured over expected periodograms, by instrument and decade\n"
+    "+- and bars are one standard error, shaded bands 95 %\n"
+    "[D19] Dalvi et al., PNAS 116 (2019) 25484\n";
+
+constexpr std::array endings{"svg", "pdf", "png", "csv"};
+
+struct PlotArguments {
+    Common common;
+    RunArguments run;
+    std::string study;
+    std::string figure;
+    std::string output;
+    std::string width = "double";
+    bool list = false;
+
+    [[nodiscard]] study_figures::FigureWidth figure_width() const {
+        return width == "single" ? study_figures::FigureWidth::single_column
+                                 : study_figures::FigureWidth::double_column;
+    }
+};
+
+std::string ending_of(const std::string& path) {
+    auto ending = std::filesystem::path(path).extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+        throw InvalidArgument(
+            fmt::format("{}: a figure cannot be written as '{}'; expected .svg, .pdf, .png or .csv", path, ending));
+    return ending;
+}
+
+output::Json as_json(const study_figures::StudyFigure& figure) {
+    output::Json json{{"identifier", figure.identifier},
+                      {"name", figure.name},
+                      {"title", figure.title},
+                      {"drawable", figure.drawable()}};
+    if (figure.drawable()) {
+        json["caption"] = figure.caption;
+        json["width"] = {{"value", 1e-3 * figure.figure.width_mm}, {"unit", "m"}};
+        json["height"] = {{"value", 1e-3 * figure.figure.height_mm}, {"unit", "m"}};
+    } else {
+        json["reason"] = figure.reason;
+    }
+    return json;
+}
+
+ExitCode list(const PlotArguments& arguments, const std::vector<study_figures::StudyFigure>& figures) {
+    if (arguments.common.json) {
+        output::Json json{{"figures", output::Json::array()}};
+        for (const auto& figure : figures) json["figures"].push_back(as_json(figure));
+        print_json(json);
+        return ExitCode::done;
+    }
+    std::size_t width = 0;
+    for (const auto& figure : figures) width = std::max(width, figure.identifier.size());
+    for (const auto& figure : figures)
+        print(fmt::format("{:<{}}  {}{}\n", figure.identifier, width, figure.title,
+                          figure.drawable() ? "" : "; cannot be drawn: " + figure.reason));
+    return ExitCode::done;
+}
+
+ExitCode plot(const PlotArguments& arguments, const cache::Store& store, ProgressDisplay& display) {
+    const auto result =
+        study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    display.finish();
+    const study_figures::GalleryOptions options{
+        .width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};
+    if (arguments.list) return list(arguments, study_figures::study_figures(result, options));
+    const auto figure = study_figures::study_figure(result, arguments.figure, options);
+    if (!figure.drawable())
+        throw UndefinedDataError(fmt::format("figure {} cannot be drawn: {}", figure.identifier, figure.reason));
+    const auto output = arguments.output.empty() ? figure.name + ".svg" : arguments.output;
+    const auto ending = ending_of(output);
+    bytes::write_whole_file(output, ending == "csv"
+                                        ? study_figures::data_of(figure, arguments.study, arguments.figure_width())
+                                        : study_figures::bytes_of(figure, ending, &store));
+    if (arguments.common.json) {
+        auto json = as_json(figure);
+        json["file"] = output;
+        print_json(json);
+    } else {
+        print(fmt::format("{}: {}\n{}\n", output, figure.title, figure.caption));
+    }
+    return ExitCode::done;
+}
+
+ExitCode run(const PlotArguments& arguments) {
+    if (arguments.study.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
+    if (!arguments.list && arguments.figure.empty())
+        throw InvalidArgument("no figure; expected --figure ID, `setae plot STUDY.toml --list` shows them");
+    if (!arguments.output.empty()) (void)ending_of(arguments.output);
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress_mode());
+    return until_interrupted(store, display, [&] { return plot(arguments, store, display); });
+}
+
+}  // namespace
+
+Action plot_command(Options& options) {
+    auto arguments = std::make_shared<PlotArguments>();
+    options.add("study", arguments->study, "TOML file of the study");
+    options.add("--figure", arguments->figure,
+                "which: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8, spectra:NAME, scales, prediction, replicates, agreement");
+    options.add("-o,--output", arguments->output,
+                "file, by its ending .svg, .pdf, .png or .csv; default: the figure's name as .svg, here");
+    options.add("--width", arguments->width, "of a journal's column: single, 85 mm, or double, 178 mm")
+        .one_of({"single", "double"})
+        .default_shown();
+    options.flag("--list", arguments->list, "list the figures of the study, and why one cannot be drawn, then stop");
+    arguments->run.add_to(options);
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

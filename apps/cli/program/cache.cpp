@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/study/provenance.hpp"
+#include "study/run_arguments.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "key        SHA-256 over the content of the files a result rests on and every setting it depends on\n"
+    "entry      the version that wrote it, SHA-256 of the result, the result; given back only where both are right\n"
+    "show       how many results are kept, where, how large\n"
+    "prune      remove results of other versions and what interrupted runs left\n"
+    "clear      remove all of it\n";
+
+struct Arguments {
+    Common common;
+    std::string what = "show";
+    std::string folder;
+};
+
+std::string megabytes(std::uintmax_t bytes) { return fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(bytes)); }
+
+ExitCode run(const Arguments& arguments) {
+    const cache::Store store(arguments.folder.empty() ? cache::default_folder() : arguments.folder, study::version());
+    if (!store.enabled())
+        throw InvalidArgument(
+            "no folder for kept results: none of SETAE_CACHE, XDG_CACHE_HOME and HOME is set; name one by --cache");
+    const bool show = arguments.what == "show";
+    const auto content = show ? store.content() : store.remove(arguments.what == "prune");
+    if (arguments.common.json)
+        print_json({{"folder", store.folder()},
+                    {show ? "entries" : "removed_entries", content.entries},
+                    {"of_other_versions", content.of_other_versions},
+                    {show ? "bytes" : "removed_bytes", content.bytes},
+                    {"version", study::version()}});
+    else if (show)
+        print(fmt::format("{}: {} results, {}; {} of other versions than {}\n", store.folder(), content.entries,
+                          megabytes(content.bytes), content.of_other_versions, study::version()));
+    else print(fmt::format("{}: {} results removed, {}\n", store.folder(), content.entries, megabytes(content.bytes)));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action cache_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("what", arguments->what, "show, prune or clear; default: show")
+        .one_of_unlisted({"show", "prune", "clear"});
+    options.add("--cache", arguments->folder, "folder; default: $SETAE_CACHE, else ~/.cache/setae");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/command.hpp"
+
+#include "program/messages.hpp"
+
+namespace setae::cli {
+
+void Common::add_to(Options& options) {
+    options.flag("--json", json, "print JSON, SI units");
+    options.flag("--explain", explain, "print formulas and sources, then stop");
+    options.add("--threads", threads, "number of threads; the result is the same for any")
+        .between(1, 1024)
+        .value_named("N");
+}
+
+ExitCode explained(const Explanation& explanation) {
+    const auto* text = std::get_if<const char*>(&explanation);
+    print(text ? *text : std::get<std::string (*)()>(explanation)());
+    return ExitCode::done;
+}
+
+}  // namespace setae::cli

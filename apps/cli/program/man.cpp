@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/program_tree.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "setae man | man -l -            the manual page, from the program's own verbs and options\n";
+
+/// Text as roff takes it: backslashes and leading dots escaped, hyphens that copy as such.
+std::string roff(const std::string& text) {
+    std::string result;
+    for (const char c : text) result += c == '\\' ? "\\e" : c == '-' ? "\\-" : c == '\n' ? " " : std::string(1, c);
+    return result.starts_with('.') || result.starts_with('\'') ? "\\&" + result : result;
+}
+
+std::string options_part(const std::vector<ProgramOption>& options) {
+    std::string text;
+    for (const auto& option : options) {
+        std::string flags;
+        for (const auto& flag : option.flags)
+            flags += fmt::format("{}\\fB{}\\fR", flags.empty() ? "" : ", ", roff(flag));
+        if (option.takes_value) flags += fmt::format(" \\fI{}\\fR", roff(option.value));
+        text += fmt::format(".TP\n{}\n{}\n", flags, roff(option.description));
+    }
+    return text;
+}
+
+std::string verb_part(const ProgramVerb& verb) {
+    std::string text = fmt::format(".SS setae {}", roff(verb.path));
+    for (const auto& positional : verb.positionals) text += fmt::format(" \\fI{}\\fR", roff(positional));
+    text += fmt::format("\n{}.\n", roff(verb.description));
+    for (std::size_t i = 0; i < verb.positionals.size(); ++i)
+        text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", roff(verb.positionals[i]), roff(verb.positional_descriptions[i]));
+    return text + options_part(verb.options);
+}
+
+struct Arguments {
+    Common common;
+};
+
+ExitCode run(const Arguments& /*arguments*/) {
+    std::string text =
+        ".TH SETAE 1 \"\" \"setae " SETAE_VERSION
+        "\" \"User Commands\"\n.SH NAME\nsetae \\- from measured roughness to soft adhesion\n"
+        ".SH SYNOPSIS\n\\fBsetae\\fR \\fIverb\\fR [\\fIfiles and options\\fR]\n.SH DESCRIPTION\n"
+        "setae reads what stylus, AFM and TEM measured on a rough surface, combines it into one power spectral density, and predicts from it true "
+        "area, stored elastic energy and the apparent work of adhesion of a soft solid; it analyses JKR loops and compares both. Arguments carry "
+        "their units: 0.7MPa, 37mJ/m2, \"8 nm\".\n.SH VERBS\n";
+    for (const auto& verb : program_verbs())
+        if (!verb.path.empty()) text += verb_part(verb);
+    text +=
+        ".SH ENVIRONMENT\n.TP\nSETAE_CACHE\nFolder of results kept between runs; default $XDG_CACHE_HOME/setae, else ~/.cache/setae.\n"
+        ".TP\nSOURCE_DATE_EPOCH\nSeconds since 1970 that stand for now in reports, so that two runs give the same bytes.\n"
+        ".SH EXIT STATUS\n0: all done, alerts included. 1: some items failed, the rest is done. 2: nothing done, or a usage error.\n"
+        ".SH SEE ALSO\nThe tutorial, the guide to studies and the glossary in the folder docs of the sources.\n";
+    print(text);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action man_command(Options& options) { return action(options, std::make_shared<Arguments>(), explanation, run); }
+
+}  // namespace setae::cli

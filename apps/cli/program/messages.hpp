@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "program/exit_code.hpp"
+#include "setae/core/quantity.hpp"
+
+namespace setae::cli {
+
+/// Prints data on standard output.
+void print(const std::string& text);
+
+/// Prints a message, "setae: …", on standard error.
+void complain(const std::string& message);
+/// Prints alerts on standard error, one a line.
+void show(const std::vector<Alert>& alerts);
+
+/// Runs body for every item; a setae::Error of one item is printed and the others go on.
+[[nodiscard]] ExitCode for_each_item(const std::vector<std::string>& items,
+                                     const std::function<void(const std::string&)>& body);
+
+/// A quantity on one line for a reader: name, value with its unit and error, band.
+[[nodiscard]] std::string as_line(const Quantity& quantity);
+
+}  // namespace setae::cli

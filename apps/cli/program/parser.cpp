@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All of the program that knows CLI11.
+#include "program/parser.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "program/messages.hpp"
+#include "program/program_tree.hpp"
+#include "setae/core/text.hpp"
+#include "setae/study/provenance.hpp"
+
+namespace setae::cli {
+
+Option& Option::one_of(const std::vector<std::string>& words) {
+    option_->check(CLI::IsMember(words));
+    return *this;
+}
+Option& Option::one_of_unlisted(const std::vector<std::string>& words) {
+    option_->check(CLI::IsMember(words).description(""));
+    return *this;
+}
+Option& Option::between(int least, int greatest) {
+    option_->check(CLI::Range(least, greatest));
+    return *this;
+}
+Option& Option::between(double least, double greatest) {
+    option_->check(CLI::Range(least, greatest));
+    return *this;
+}
+Option& Option::positive() {
+    option_->check(CLI::PositiveNumber);
+    return *this;
+}
+Option& Option::required() {
+    option_->required();
+    return *this;
+}
+Option& Option::excludes(const Option& other) {
+    option_->excludes(other.option_);
+    return *this;
+}
+Option& Option::separated_by(char separator) {
+    option_->delimiter(separator);
+    return *this;
+}
+Option& Option::one_at_a_time() {
+    option_->allow_extra_args(false);
+    return *this;
+}
+Option& Option::value_named(const std::string& name) {
+    option_->option_text(name);
+    return *this;
+}
+Option& Option::default_shown() {
+    option_->capture_default_str();
+    return *this;
+}
+
+Option Options::flag(const std::string& names, bool& value, const std::string& description) {
+    return Option(*verb_.add_flag(names, value, description));
+}
+
+template <class Value>
+Option Options::add(const std::string& names, Value& value, const std::string& description) {
+    return Option(*verb_.add_option(names, value, description));
+}
+
+template Option Options::add(const std::string&, std::string&, const std::string&);
+template Option Options::add(const std::string&, int&, const std::string&);
+template Option Options::add(const std::string&, long&, const std::string&);
+template Option Options::add(const std::string&, std::uint64_t&, const std::string&);
+template Option Options::add(const std::string&, double&, const std::string&);
+template Option Options::add(const std::string&, std::optional<long>&, const std::string&);
+template Option Options::add(const std::string&, std::optional<std::uint64_t>&, const std::string&);
+template Option Options::add(const std::string&, std::optional<double>&, const std::string&);
+template Option Options::add(const std::string&, std::vector<std::string>&, const std::string&);
+template Option Options::add(const std::string&, std::vector<long>&, const std::string&);
+template Option Options::add(const std::string&, std::vector<double>&, const std::string&);
+
+namespace {
+
+bool any(const CLI::App* /*verb*/) { return true; }
+
+CLI::App& group_of(CLI::App& program, const Command& command) {
+    if (*command.group == '\0') return program;
+    const auto added_before =
+        program.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == command.group; });
+    if (!added_before.empty()) return *added_before.front();
+    const auto groups = command_groups();
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const CommandGroup& g) { return std::string_view(g.name) == command.group; });
+    auto* added = program.add_subcommand(group->name, group->description);
+    added->require_subcommand(1);
+    return *added;
+}
+
+/// The program with all its verbs; the one named when it parses leaves what runs it in `chosen`.
+std::unique_ptr<CLI::App> program_with_verbs(Action& chosen) {
+    auto program = std::make_unique<CLI::App>("setae: from measured roughness to soft adhesion", "setae");
+    program->set_version_flag("--version", "setae " + study::version());
+    program->require_subcommand(1);
+    program->footer(
+        "Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
+    for (const auto& command : commands()) {
+        auto* verb = group_of(*program, command).add_subcommand(command.name, command.description);
+        Options options(*verb);
+        verb->callback([&chosen, action = command.declare(options)] { chosen = action; });
+    }
+    return program;
+}
+
+/// A first word that is no verb, with the nearest one; CLI11 itself would only say that a verb is missing.
+std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return {};
+    std::vector<std::string> verbs;
+    for (const auto* verb : program.get_subcommands(any)) verbs.push_back(verb->get_name());
+    if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return {};
+    const auto nearest = nearest_match(argv[1], verbs);
+    return std::string("unknown verb '") + argv[1] + "'" +
+           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " `setae --help` lists them";
+}
+
+ProgramOption described(const CLI::Option& option) {
+    ProgramOption result;
+    for (const auto& name : option.get_snames()) result.flags.push_back("-" + name);
+    for (const auto& name : option.get_lnames()) result.flags.push_back("--" + name);
+    result.takes_value = option.get_items_expected_max() > 0;
+    if (result.takes_value)
+        result.value = option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
+    result.description = option.get_description();
+    return result;
+}
+
+void add_verbs(const CLI::App& app, const std::string& path, std::vector<ProgramVerb>& verbs) {
+    ProgramVerb verb;
+    verb.path = path;
+    verb.description = app.get_description();
+    for (const auto* option : app.get_options()) {
+        if (!option->get_positional()) {
+            verb.options.push_back(described(*option));
+            continue;
+        }
+        verb.positionals.push_back(option->get_name(true));
+        verb.positional_descriptions.push_back(option->get_description());
+    }
+    const auto children = app.get_subcommands(any);
+    for (const auto* child : children) {
+        verb.verbs.push_back(child->get_name());
+        verb.verb_descriptions.push_back(child->get_description());
+    }
+    verbs.push_back(std::move(verb));
+    for (const auto* child : children)
+        add_verbs(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), verbs);
+}
+
+}  // namespace
+
+Parsed parsed(int argc, char** argv) {
+    Parsed result;
+    const auto program = program_with_verbs(result.action);
+    constexpr int nothing_done = static_cast<int>(ExitCode::nothing_done);
+    if (const auto message = unknown_verb(*program, argc, argv); !message.empty()) {
+        complain(message);
+        result.exit_code = nothing_done;
+        return result;
+    }
+    try {
+        program->parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        result.action = nullptr;
+        result.exit_code = program->exit(error) == 0 ? 0 : nothing_done;
+    }
+    return result;
+}
+
+std::vector<ProgramVerb> program_verbs() {
+    Action none;
+    std::vector<ProgramVerb> verbs;
+    add_verbs(*program_with_verbs(none), "", verbs);
+    return verbs;
+}
+
+}  // namespace setae::cli

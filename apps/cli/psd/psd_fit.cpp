@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "psd/psd_fit.hpp"
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/output/json.hpp"
+#include "setae/spectra/combination.hpp"
+
+namespace setae::cli {
+namespace {
+
+/// "1e5:1e8".
+Band parsed_range(const std::string& text) {
+    const auto colon = text.find(':');
+    Band band;
+    try {
+        if (colon == std::string::npos) throw std::invalid_argument("no colon");
+        std::size_t lower_end = 0, upper_end = 0;
+        const auto lower = text.substr(0, colon), upper = text.substr(colon + 1);
+        band = {std::stod(lower, &lower_end), std::stod(upper, &upper_end)};
+        if (lower_end != lower.size() || upper_end != upper.size()) throw std::invalid_argument("more than numbers");
+    } catch (const std::logic_error&) {
+        throw InvalidArgument(fmt::format("--fit-range '{}'; expected two wavevectors in 1/m, such as 1e5:1e8", text));
+    }
+    return band;
+}
+
+const char* text(spectra::ScaleStatus status) {
+    switch (status) {
+        case spectra::ScaleStatus::found: return "found";
+        case spectra::ScaleStatus::bounded: return "bounded";
+        case spectra::ScaleStatus::not_asked: return "not_asked";
+    }
+    throw InternalError("a status of a scale without a name");
+}
+
+output::Json rows(const Eigen::MatrixXd& matrix) {
+    output::Json json = output::Json::array();
+    for (Index i = 0; i < matrix.rows(); ++i) json.push_back(output::numbers(matrix.row(i).transpose().array()));
+    return json;
+}
+
+}  // namespace
+
+void FitOptions::add_to(Options& options) {
+    options.flag("--fit", wanted, "fit a self-affine surface: H, C_0, roll-off");
+    options.add("--fit-range", range, "wavevectors fitted [1/m], such as 1e5:1e8");
+    options.flag("--no-rolloff", no_rolloff, "fit a power law without roll-off");
+    options.flag("--short-cutoff", short_cutoff, "also fit where the spectrum ends");
+}
+
+spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const FitOptions& options) {
+    spectra::SelfAffineFitOptions fit;
+    if (!options.range.empty()) fit.range = parsed_range(options.range);
+    fit.rolloff = !options.no_rolloff;
+    fit.short_cutoff = options.short_cutoff;
+    std::vector<spectra::PowerSpectrum1D> spectra;
+    for (const auto& m : surface.measurements)
+        if (!m.failed()) spectra.push_back(m.spectrum);
+    if (spectra.empty()) throw InvalidArgument("a spectrum given as a table is not fitted: give the measurements");
+    if (spectra.size() == 1) return spectra::fit_self_affine(spectra.front(), fit);
+    for (auto& spectrum : spectra) spectrum = spectra::undistorted(std::move(spectrum));
+    return spectra::fit_self_affine(spectra::combine(spectra), fit);
+}
+
+std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit) {
+    std::vector<Quantity> list{fit.hurst_exponent, fit.amplitude};
+    if (fit.rolloff != spectra::ScaleStatus::not_asked) {
+        list.push_back(fit.plateau);
+        list.push_back(fit.rolloff_wavelength);
+    }
+    if (fit.short_cutoff != spectra::ScaleStatus::not_asked) list.push_back(fit.shortest_wavelength);
+    return list;
+}
+
+void add_model(Table& table, const spectra::SelfAffineFit& fit) {
+    const auto curve = spectra::model_curve(fit, table.at("wavevector"));
+    const Array1D extrapolated = Array1D::NullaryExpr(
+        curve.wavevector.size(), [&](Index k) { return curve.extrapolated[static_cast<std::size_t>(k)] ? 1.0 : 0.0; });
+    table.columns.push_back({"C1D_model", "m3", curve.C1D});
+    table.columns.push_back({"C1D_model_standard_error", "m3", curve.standard_error});
+    table.columns.push_back({"extrapolated", "1", extrapolated});
+    for (const auto& q : parameters_of(fit))
+        table.metadata["fit_" + q.quantity] =
+            fmt::format("{:.6g} {} (standard error {:.2g})", q.estimate.value, q.unit, q.estimate.standard_error);
+    table.metadata["fit_range"] = fmt::format("{:.6g} … {:.6g} 1/m", fit.range.lower, fit.range.upper);
+    if (fit.parameters.size() > 1) {
+        std::string correlations;
+        for (Index i = 0; i < fit.correlation.rows(); ++i)
+            for (Index j = 0; j < i; ++j)
+                correlations += fmt::format("{}{}, {}: {:.2f}", correlations.empty() ? "" : "; ",
+                                            fit.parameters[static_cast<std::size_t>(j)],
+                                            fit.parameters[static_cast<std::size_t>(i)], fit.correlation(i, j));
+        table.metadata["fit_correlation"] = correlations;
+    }
+}
+
+output::Json fit_json(const spectra::SelfAffineFit& fit) {
+    output::Json json;
+    json["parameters"] = output::Json::array();
+    for (const auto& q : parameters_of(fit)) json["parameters"].push_back(output::to_json(q));
+    json["rolloff"] = text(fit.rolloff);
+    json["short_cutoff"] = text(fit.short_cutoff);
+    json["reference_wavevector"] = {{"value", fit.reference_wavevector}, {"unit", "1/m"}};
+    json["range"] = {{"lower", fit.range.lower}, {"upper", fit.range.upper}, {"unit", "1/m"}};
+    json["covariance"] = {{"of", fit.parameters}, {"rows", rows(fit.covariance)}};
+    json["correlation"] = rows(fit.correlation);
+    json["chi_squared"] = fit.chi_squared;
+    json["degrees_of_freedom"] = fit.degrees_of_freedom;
+    json["probability"] = fit.probability;
+    json["status"] = fit.status == spectra::FitStatus::converged ? "converged" : "not_converged";
+    json["residuals"] = {{"wavevector", output::numbers(fit.wavevector)}, {"residual", output::numbers(fit.residual)}};
+    json["alerts"] = output::to_json(fit.alerts);
+    return json;
+}
+
+}  // namespace setae::cli

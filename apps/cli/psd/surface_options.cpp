@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "psd/surface_options.hpp"
+
+#include <algorithm>
+
+#include "program/messages.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/study/pipeline_file.hpp"
+
+namespace setae::cli {
+
+void SurfaceOptions::add_measurements_to(Options& options) {
+    options.add("files", files, "measurements of one surface: files or containers");
+    file.add_to(options);
+    processing.add_to(options);
+    options.add("--instrument", instrument, "stylus, afm, tem or optical").one_of({"stylus", "afm", "tem", "optical"});
+    options.add("--tip-radius", tip_radius, "such as \"10 ± 2 nm\"; what the tip cannot show is cut");
+    options.add("--resolution", resolution, "shortest wavelength the instrument shows");
+    options.add(
+        "--trend", trend,
+        "removed before analysis: none, mean, tilt, parabola; default: none behind a pipeline that levels, else by instrument");
+    options
+        .add("--memory", memory, "GiB of heights held at once, default 2: larger maps are read by bands of scan lines")
+        .positive();
+}
+
+void SurfaceOptions::add_to(Options& options) {
+    add_measurements_to(options);
+    options.add("--longest-wavelength", longest, "upper limit of wavelengths in all integrals");
+    options.add("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals");
+    options.add("--window", window, "automatic, none, hann, blackman_harris");
+    options.add("--contours", contours, "sinc_corrected or segments").one_of({"sinc_corrected", "segments"});
+    options.add("--conversion", conversion, "exact or eq11").one_of({"exact", "eq11"});
+    options.add("--bootstrap-resamples", resamples, "replicas behind the standard errors, 0 for none")
+        .between(0, 1000000);
+}
+
+study::SurfaceInput SurfaceOptions::surface() const {
+    if (files.empty()) throw InvalidArgument("no file; expected at least one measurement");
+    const auto read = file.read_options();
+    const auto steps = study::step_lines(processing.pipeline());
+    study::SurfaceInput surface;
+    surface.name = "surface";
+    for (const auto& path : files) {
+        study::MeasurementInput input;
+        input.file = path;
+        input.channel = file.channel;
+        input.instrument = instrument;
+        if (!tip_radius.empty()) input.tip_radius = parse_uncertain_quantity(tip_radius, dimension::length);
+        if (!resolution.empty()) input.resolution = parse_quantity(resolution, dimension::length);
+        if (!trend.empty()) input.trend = topography::trend_from_name(trend);
+        input.unit = read.unit;
+        input.size = read.size;
+        if (!processing.file.empty()) input.pipeline = processing.file;
+        input.steps = steps;
+        surface.measurements.push_back(std::move(input));
+    }
+    return surface;
+}
+
+study::SurfaceAnalysisOptions SurfaceOptions::analysis() const {
+    study::SurfaceAnalysisOptions options;
+    options.spectrum = study::SpectrumMethod::average;  // what these verbs show is the combined spectrum
+    if (!longest.empty()) options.limits.longest = parse_quantity(longest, dimension::length);
+    if (!shortest.empty()) options.limits.shortest = parse_quantity(shortest, dimension::length);
+    if (!window.empty()) options.window = spectra::window_from_name(window);
+    if (contours == "segments") options.contours = spectra::ContourTreatment::segments;
+    if (conversion == "eq11") options.conversion = roughness::Conversion::eq11;
+    options.largest_map = static_cast<std::uint64_t>(memory * static_cast<double>(std::uint64_t{1} << 30));
+    options.bootstrap_resamples = resamples;
+    return options;
+}
+
+ExitCode report_failures(const study::SurfaceResult& surface) {
+    const auto failed = std::count_if(surface.measurements.begin(), surface.measurements.end(),
+                                      [](const auto& m) { return m.failed(); });
+    for (const auto& m : surface.measurements)
+        if (m.failed()) complain(m.error);
+    if (surface.failed()) {
+        complain(surface.error);
+        return ExitCode::nothing_done;
+    }
+    return failed > 0 ? ExitCode::some_failed : ExitCode::done;
+}
+
+std::vector<Alert> alerts_of(const study::SurfaceResult& surface) {
+    std::vector<Alert> alerts;
+    for (const auto& m : surface.measurements) alerts.insert(alerts.end(), m.alerts.begin(), m.alerts.end());
+    alerts.insert(alerts.end(), surface.alerts.begin(), surface.alerts.end());
+    return alerts;
+}
+
+}  // namespace setae::cli

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/pages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/output/study_tables.hpp"
+#include "setae/report/report.hpp"
+#include "setae/study_figures/write_figures.hpp"
+#include "study/interruption.hpp"
+#include "study/run_arguments.hpp"
+#include "study/run_time.hpp"
+#include "study/study_pages.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* explanation =
+    "likelihood  C_iso with the largest -sum nu (ln E + P/E), E the periodogram it expects of each measurement\n"
+    "average     C1D(q) = |h(q)|^2/L, averaged over measurements in decade-aligned bins        [D19], [J17]\n"
+    "parameters  h_rms^2 = (1/pi) int C1D dq, h'^2 = (2/pi) int q^2 C1D dq                      exact, isotropic surfaces\n"
+    "            U_el/(A_app E*) = (1/8) int q C1D dq                                          [D19] (8)\n"
+    "true area   A_true/A_app = 1 + sqrt(pi)/2 h' exp(1/h'^2) erfc(1/h')                        [D19] (9)\n"
+    "balance     W_app = W_int r - gamma_1 (r - 1) - U_el/A_app, r = A_true/A_app               [D19] (7)\n"
+    "comparison  W_app = W_int (1 + h'^2/2) - U_el/A_app                                        [D19] (S13)\n"
+    "loading     a^3 = 3R/(4E*) (F + 3 pi R W + sqrt(6 pi R W F + (3 pi R W)^2))                [D19] (1)\n"
+    "loss        E_loss = W_int A_true, A_true = r pi a_max^2                                   [D19] (10)\n"
+    "[D19] Dalvi et al., PNAS 116 (2019) 25484; [J17] Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001\n";
+
+struct Arguments {
+    Common common;
+    RunArguments run;
+    std::string file;
+    std::string output;
+    bool dry_run = false;
+    bool no_figures = false;
+    std::string documentation;
+};
+
+void show_failures(const study::StudyResult& result) {
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));
+        for (const auto& m : surface.measurements)
+            if (m.failed()) complain(fmt::format("surface {}: {}", surface.name, m.error));
+    }
+    for (const auto& e : result.experiments)
+        if (e.failed()) complain(e.error);
+}
+
+/// One line a kind of alert, with its first; all of them stand in alerts.csv.
+void show_alerts(const study::StudyResult& result) {
+    const auto alerts = output::alert_table(result);
+    std::vector<std::pair<std::string, std::size_t>> kinds;
+    const auto code_of = [](const auto& row) { return std::get<std::string>(row[0]); };
+    for (const auto& row : alerts.rows) {
+        const auto known =
+            std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first == code_of(row); });
+        if (known == kinds.end()) kinds.emplace_back(code_of(row), 1);
+        else ++known->second;
+    }
+    for (const auto& [code, count] : kinds) {
+        const auto& first = *std::find_if(alerts.rows.begin(), alerts.rows.end(),
+                                          [&, &name = code](const auto& row) { return code_of(row) == name; });
+        complain(fmt::format("{}: {}: {}{}", code, std::get<std::string>(first[1]), std::get<std::string>(first[2]),
+                             count > 1 ? fmt::format(" (and {} more in alerts.csv)", count - 1) : std::string()));
+    }
+}
+
+/// Removes what says that results are complete, until they are again, and what writers that were killed left.
+void remove_marks(const std::string& folder) {
+    std::error_code ignored;
+    for (const char* name : {"report.html", "study.json"})
+        std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
+    bytes::remove_leftovers(folder);
+    bytes::remove_leftovers((std::filesystem::path(folder) / "figures").string());
+}
+
+study::Study study_of(const Arguments& arguments) {
+    if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
+    auto study = study::read_study(arguments.file);
+    if (!arguments.output.empty()) study.output = arguments.output;
+    return study;
+}
+
+/// What a run would do, and what it would take from the store.
+ExitCode show_plan(const Arguments& arguments) {
+    const auto study = study_of(arguments);
+    const auto store = arguments.run.store();
+    study::RunOptions options;
+    options.threads = arguments.common.workers();
+    options.store = &store;
+    const auto steps = study::planned_steps(study, options);
+    const auto state = [](const study::PlannedStep& step) {
+        return !step.error.empty() ? "fails" : step.cached ? "kept" : "to do";
+    };
+    const auto count = [&](const std::string& what) {
+        return std::count_if(steps.begin(), steps.end(), [&](const auto& step) { return state(step) == what; });
+    };
+    if (arguments.common.json) {
+        output::Json json{{"study", study.path},
+                          {"output", study.output},
+                          {"cache", store.folder()},
+                          {"steps", output::Json::array()}};
+        for (const auto& step : steps) {
+            json["steps"].push_back({{"stage", step.stage}, {"item", step.item}, {"state", state(step)}});
+            if (!step.error.empty()) json["steps"].back()["error"] = step.error;
+        }
+        print_json(json);
+    } else {
+        for (const auto& step : steps)
+            print(
+                fmt::format("{:<6} {:<12} {}\n", state(step), step.stage, step.error.empty() ? step.item : step.error));
+        print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; results would go to {}\n",
+                          steps.size(), count("to do"), count("kept"), count("fails"), study.output));
+    }
+    return count("fails") == 0 ? ExitCode::done : ExitCode::some_failed;
+}
+
+/// Draws every figure of a study; returns how many failed.
+int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const study::Study& study,
+                 const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
+    constexpr double share_of_figures = 0.2;
+    const auto before = display.last();
+    const auto drawable =
+        std::count_if(figures.begin(), figures.end(), [](const auto& figure) { return figure.drawable(); });
+    auto step = before;
+    step.total += static_cast<std::size_t>(drawable);
+    step.stage = "figure";
+    study_figures::WriteOptions options;
+    options.folder = (std::filesystem::path(study.output) / "figures").string();
+    options.study = study.path;
+    options.threads = arguments.common.workers();
+    options.store = &store;
+    options.cancelled = &interruption();
+    options.progress = [&](const std::string& name) {
+        step.item = name;
+        ++step.done;
+        const double drawn = static_cast<double>(step.done - before.done) / static_cast<double>(drawable);
+        step.share = 1.0 - share_of_figures * (1.0 - drawn);
+        step.computed_share = (1.0 - share_of_figures) * before.computed_share + share_of_figures * drawn;
+        display.show(step);
+    };
+    int failed = 0;
+    for (const auto& figure : study_figures::write_figures(figures, options)) {
+        if (figure.error.empty()) continue;
+        display.finish();
+        // one missing program fails them all alike
+        if (failed++ == 0) complain(fmt::format("figure {}: {}", figure.name, figure.error));
+    }
+    if (failed > 1)
+        complain(fmt::format(
+            "{} more figures are missing files likewise; their numbers are in the CSV files and in report.html",
+            failed - 1));
+    return failed;
+}
+
+/// What makes the same results again: nothing in it that changes none of them.
+std::string command_of(const Arguments& arguments) {
+    return "setae study " + shell_word(arguments.file) +
+           (arguments.output.empty() ? "" : " --output " + shell_word(arguments.output));
+}
+
+ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
+    const auto time = time_of_run();
+    const auto result = study::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
+    const auto figures = study_figures::study_figures(result, {.threads = arguments.common.workers(), .store = &store});
+    const auto report = (std::filesystem::path(result.study.output) / "report.html").string();
+    // a folder that holds them holds all the rest, too
+    remove_marks(result.study.output);
+    const int failed_figures =
+        arguments.no_figures ? 0 : draw_figures(figures, result.study, arguments, store, display);
+    display.finish();
+    show_failures(result);
+    output::write_results(result);
+    bytes::write_whole_file(report, report::as_html(result, figures, {command_of(arguments), time}));
+    if (arguments.common.json) {
+        print_json(output::to_json(result));
+    } else {
+        print(output::summary(result));
+        show_alerts(result);
+        print(fmt::format("Results: {}\nReport:  {}\n", result.study.output, report));
+    }
+    report_traffic(store);
+    const bool empty = result.study.surfaces.empty() && result.study.experiments.empty();
+    if (result.successes() == 0 && (result.failures() > 0 || empty)) return ExitCode::nothing_done;
+    return result.failures() + failed_figures == 0 ? ExitCode::done : ExitCode::some_failed;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) {
+        write_pages(arguments.documentation, study_pages());
+        return ExitCode::done;
+    }
+    if (arguments.dry_run) return show_plan(arguments);
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress_mode());
+    return until_interrupted(store, display, [&] { return run_and_write(arguments, store, display); });
+}
+
+}  // namespace
+
+Action study_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("file", arguments->file, "TOML file of the study");
+    options.add("--output", arguments->output, "folder of the results; default: beside the study");
+    options.flag("--no-figures", arguments->no_figures, "write no files of figures; the report draws its own");
+    arguments->run.add_to(options);
+    options.flag("--dry-run", arguments->dry_run,
+                 "list the steps and what of them is kept from earlier runs, then stop");
+    options.add("--documentation", arguments->documentation,
+                "write the pages on keys, alerts and figures of studies to this folder");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli

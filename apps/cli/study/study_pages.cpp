@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/study_pages.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "setae/output/alert_kinds.hpp"
+#include "setae/study/study_keys.hpp"
+#include "setae/study_figures/figure_kinds.hpp"
+
+namespace setae::cli {
+namespace {
+
+constexpr const char* origin =
+    "*Reference · [all documents](../README.md)*\n\n"
+    "Made from the program's own tables by `setae study --documentation docs/reference`: edit the tables, not\nthis page.";
+
+std::string keys_page() {
+    std::string text = fmt::format(
+        "# Keys of a study\n\n{} How a study is written and run: [writing a study](../guides/study.md). Every number with a\n"
+        "dimension stands in quotes with its unit, any of the dimension shown; `\"37.0 ± 3.7 mJ/m2\"` (or `+-`) gives a standard "
+        "error.\nPaths are relative to the study's file.\n",
+        origin);
+    for (const auto& table : study::study_keys()) {
+        text += fmt::format("\n## {}\n\n", table.name.empty() ? "top of the file" : "`" + table.name + "`");
+        if (!table.meaning.empty()) text += table.meaning + "\n\n";
+        text += "| key | type | unit | default | meaning |\n|---|---|---|---|---|\n";
+        for (const auto& key : table.keys)
+            text +=
+                fmt::format("| `{}` | {} | {} | {} | {} |\n", key.key, key.type, key.unit, key.standard, key.meaning);
+    }
+    return text;
+}
+
+std::string alerts_page() {
+    const auto kinds = output::alert_kinds();
+    std::string text = fmt::format(
+        "# Alerts\n\n{} {} kinds. Each alert says what it is about, how large it is, and what to do; a study's stand in "
+        "alerts.csv\nand its report.\n",
+        origin, kinds.size());
+    std::string about;
+    for (const auto& kind : kinds) {
+        if (kind.about != about) {
+            about = kind.about;
+            text += fmt::format("\n## {}\n\n| code | said when |\n|---|---|\n", about);
+        }
+        text += fmt::format("| {} | {} |\n", kind.code, kind.said);
+    }
+    return text;
+}
+
+std::string figures_page() {
+    const auto kinds = study_figures::figure_kinds();
+    const auto repeated = [](const auto& kind) { return kind.identifier.ends_with(":NAME"); };
+    const auto several = std::count_if(kinds.begin(), kinds.end(), repeated);
+    std::string text = fmt::format(
+        "# Figures of a study\n\n{} {} kinds: {} figures one a study, {} repeated, one a surface with measurements "
+        "(`spectra:NAME`) and one a loop\n(`loop:NAME`). The numbers, S1 … S8 are those of Dalvi et al., PNAS 116 (2019) "
+        "25484; equation numbers are that paper's. [How they are\nmade](../guides/figures.md).\n\n"
+        "| identifier | title | drawn | from |\n|---|---|---|---|\n",
+        origin, kinds.size(), static_cast<std::ptrdiff_t>(kinds.size()) - several, several);
+    for (const auto& kind : kinds)
+        text += fmt::format("| {} | {} | {} | {} |\n", kind.identifier, kind.title, kind.shows, kind.from);
+    return text;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> study_pages() {
+    return {{"study-keys.md", keys_page()}, {"alerts.md", alerts_page()}, {"figures.md", figures_page()}};
+}
+
+}  // namespace setae::cli
