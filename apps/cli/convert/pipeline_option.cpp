@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "program/markdown.hpp"
 #include "program/messages.hpp"
 #include "setae/core/units.hpp"
 #include "setae/processing/step_text.hpp"
@@ -16,12 +17,6 @@ namespace {
 std::string with_blanks(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;
-}
-
-std::string cell(const std::string& text) {
-    std::string result;
-    for (const char character : text) result += character == '|' ? std::string("\\|") : std::string(1, character);
-    return result;
 }
 
 }  // namespace
@@ -74,14 +69,14 @@ std::string step_page() {
         "[processing.md](../guides/processing.md) says how steps are put together and what to mind.\n\n"
         "| step | what it does |\n|---|---|\n";
     for (const auto& step : processing::step_descriptions())
-        text += fmt::format("| [`{0}`](#{0}) | {1} |\n", step.name, cell(step.sentence));
+        text += fmt::format("| [`{0}`](#{0}) | {1} |\n", step.name, markdown_cell(step.sentence));
     for (const auto& step : processing::step_descriptions()) {
         text += fmt::format("\n## {}\n\n{}\n", step.name, step.sentence);
         if (step.parameters.empty()) continue;
         text += "\n| parameter | values | default | meaning |\n|---|---|---|---|\n";
         for (const auto& parameter : step.parameters)
-            text += fmt::format("| `{}` | {} | {} | {} |\n", parameter.name, cell(parameter.values),
-                                cell(parameter.default_value), cell(parameter.meaning));
+            text += fmt::format("| `{}` | {} | {} | {} |\n", parameter.name, markdown_cell(parameter.values),
+                                markdown_cell(parameter.default_value), markdown_cell(parameter.meaning));
     }
     return text;
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "program/markdown.hpp"
 #include "setae/formats/format.hpp"
 
 namespace setae::cli {
@@ -21,13 +22,6 @@ std::string sentence(std::string text) {
     return text + ".";
 }
 
-/// Text in a cell of a table.
-std::string cell(const std::string& text) {
-    std::string result;
-    for (const char character : text) result += character == '|' ? std::string("\\|") : std::string(1, character);
-    return result;
-}
-
 std::string section(const char* title, const std::string& text) {
     return text.empty() ? "" : fmt::format("\n## {}\n\n{}\n", title, sentence(text));
 }
@@ -37,7 +31,8 @@ std::string page(const formats::Format& format) {
         fmt::format("# {} (`{}`)\n\n{}\n\n", format.name, format.identifier, sentence(format.description));
     text += fmt::format(
         "| | |\n|---|---|\n| usual endings | {} |\n| read | yes, told by content, never by name |\n| written | {} |\n| tested on | {} |\n",
-        cell(format.extensions), format.writes() ? "yes" : "no", format.tested_on_real_files ? "real files" : untested);
+        markdown_cell(format.extensions), format.writes() ? "yes" : "no",
+        format.tested_on_real_files ? "real files" : untested);
     text += section("Heights", format.heights) + section("Orientation", format.orientation) +
             section("Not read", format.not_read);
     return text + section("Layout", format.reference) + "\n[All formats](README.md)\n";
@@ -52,8 +47,8 @@ std::string index_page() {
         "downwards as Gwyddion shows the file.\n\n"
         "| format | name | usual endings | written | real files |\n|---|---|---|---|---|\n";
     for (const auto& format : formats::formats())
-        text += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} | {4} |\n", format.identifier, cell(format.name),
-                            cell(format.extensions), format.writes() ? "yes" : "",
+        text += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} | {4} |\n", format.identifier,
+                            markdown_cell(format.name), markdown_cell(format.extensions), format.writes() ? "yes" : "",
                             format.tested_on_real_files ? "yes" : "**no**");
     text += fmt::format(
         "\n**no**: {}.\n\nForce curves: [force-curves.md](../../guides/force-curves.md). Micrographs: [micrograph-formats.md](../micrograph-formats.md). Loops:\n"

@@ -6,6 +6,8 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/program_tree.hpp"
+#include "program/verb_page.hpp"
+#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -43,9 +45,14 @@ std::string verb_part(const ProgramVerb& verb) {
 
 struct Arguments {
     Common common;
+    std::string documentation;
 };
 
-ExitCode run(const Arguments& /*arguments*/) {
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) {
+        bytes::write_whole_file(arguments.documentation, verb_page());
+        return ExitCode::done;
+    }
     std::string text =
         ".TH SETAE 1 \"\" \"setae " SETAE_VERSION
         "\" \"User Commands\"\n.SH NAME\nsetae \\- from measured roughness to soft adhesion\n"
@@ -66,6 +73,10 @@ ExitCode run(const Arguments& /*arguments*/) {
 
 }  // namespace
 
-Action man_command(Options& options) { return action(options, std::make_shared<Arguments>(), explanation, run); }
+Action man_command(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("--documentation", arguments->documentation, "write the page on all verbs to this file");
+    return action(options, arguments, explanation, run);
+}
 
 }  // namespace setae::cli

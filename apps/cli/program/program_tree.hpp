@@ -23,7 +23,8 @@ struct ProgramVerb {
     std::vector<std::string> verbs, verb_descriptions;
 };
 
-/// The program and all its verbs, parents before children: what the manual page and the completions are made from.
+/// The program and all its verbs, parents before children: what the manual page, the page of verbs and the completions
+/// are made from.
 [[nodiscard]] std::vector<ProgramVerb> program_verbs();
 
 }  // namespace setae::cli

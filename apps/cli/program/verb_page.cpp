@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/verb_page.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "program/markdown.hpp"
+#include "program/program_tree.hpp"
+
+namespace setae::cli {
+namespace {
+
+/// The anchor of the heading "setae jkr fit".
+std::string anchor(const ProgramVerb& verb) {
+    std::string text = "setae-" + verb.path;
+    std::replace(text.begin(), text.end(), ' ', '-');
+    return text;
+}
+
+std::string flags_of(const ProgramOption& option) {
+    std::string text;
+    for (const auto& flag : option.flags) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", flag);
+    return option.takes_value ? text + " " + markdown_cell(option.value) : text;
+}
+
+/// What every verb has is said once.
+bool of_all(const ProgramOption& option) {
+    const auto& flag = option.flags.back();
+    return flag == "--help" || flag == "--json" || flag == "--explain" || flag == "--threads";
+}
+
+std::string row(const std::string& left, const std::string& meaning) {
+    return fmt::format("| {} | {} |\n", left, markdown_cell(meaning));
+}
+
+std::string section(const ProgramVerb& verb) {
+    std::string usage = "setae " + verb.path, rows;
+    for (std::size_t i = 0; i < verb.positionals.size(); ++i) {
+        usage += fmt::format(" {}", verb.positionals[i]);
+        rows += row("`" + verb.positionals[i] + "`", verb.positional_descriptions[i]);
+    }
+    for (const auto& option : verb.options)
+        if (!of_all(option)) rows += row(flags_of(option), option.description);
+    return fmt::format("\n## setae {}\n\n{}.\n\n    {} [options]\n", verb.path, verb.description, usage) +
+           (rows.empty() ? "" : "\n| argument or option | meaning |\n|---|---|\n" + rows);
+}
+
+}  // namespace
+
+std::string verb_page() {
+    std::string text =
+        "# Verbs\n\n*Reference · [all documents](../README.md)*\n\n"
+        "Made from the program's own table of commands by `setae man --documentation docs/reference/verbs.md`: edit the table, not this page.\n"
+        "Arguments carry their units: `0.7MPa`, `37mJ/m2`, `\"8 nm\"`. Standard output carries data, standard error messages. Exit code 0: done,\n"
+        "1: some items failed, 2: nothing done.\n\n| verb | what it does |\n|---|---|\n";
+    std::string sections;
+    ProgramVerb any;
+    for (const auto& verb : program_verbs()) {
+        if (!verb.verbs.empty()) continue;  // the program, or a group of verbs
+        text += row(fmt::format("[{}](#{})", verb.path, anchor(verb)), verb.description);
+        sections += section(verb);
+        any = verb;
+    }
+    text += "\nEvery verb has these:\n\n| option | meaning |\n|---|---|\n";
+    for (const auto& option : any.options)
+        if (of_all(option)) text += row(flags_of(option), option.description);
+    return text + sections;
+}
+
+}  // namespace setae::cli
