@@ -15,8 +15,8 @@ namespace setae::formats {
 enum class Match { no, maybe, yes };
 
 /// A file format of topographies: what it is, what setae can do with it, and the functions that do it. Detection,
-/// `setae formats`, docs/formats and the tests are made from the one table of these. Texts are sentences without final
-/// full stop.
+/// `setae formats`, docs/reference/formats and the tests are made from the one table of these. Texts are sentences
+/// without final full stop.
 struct Format {
     std::string identifier;             ///< short and stable, such as "di"
     std::string name;                   ///< such as "Nanoscope"

@@ -19,7 +19,7 @@ struct ProfileKey {
     std::optional<Dimension> dimension;  ///< nothing: text
 };
 
-/// The keys setae knows; others are kept as attributes. docs/profile-format.md lists them.
+/// The keys setae knows; others are kept as attributes. docs/reference/profile-format.md lists them.
 [[nodiscard]] const std::vector<ProfileKey>& profile_keys();
 
 /// A profile in setae's open format as text: '# key: value unit' lines, then CSV in SI.

@@ -115,7 +115,7 @@ struct Recipe {
     std::optional<LoopRecipe> loops;
 };
 
-/// Reads a recipe from TOML; docs/laboratory.md describes every key.
+/// Reads a recipe from TOML; docs/guides/laboratory.md describes every key.
 ///
 /// Where a number of a spectrum, a skewness, a modulus of an elastomer or the work of adhesion is a pair [from, to], it
 /// is

@@ -20,7 +20,7 @@ struct LoopKey {
     std::optional<Dimension> dimension;  ///< nothing: text
 };
 
-/// The keys setae knows; others are kept as text. docs/loop-format.md lists them.
+/// The keys setae knows; others are kept as text. docs/reference/loop-format.md lists them.
 [[nodiscard]] const std::vector<LoopKey>& loop_keys();
 
 /// A loop in setae's open format as text: '# key: value' lines, then CSV with "name [unit]" cells in SI.

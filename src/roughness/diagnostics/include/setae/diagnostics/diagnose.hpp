@@ -22,12 +22,12 @@ struct DiagnosisOptions {
     parallel::Threads threads;
 };
 
-/// Everything the tests of docs/diagnostics.md find in one measurement, in the order of that table.
+/// Everything the tests of docs/reference/diagnostics.md find in one measurement, in the order of that table.
 ///
 /// Heights are looked at as they are; tests that need a level surface remove tilt or parabola from a copy of their own.
 /// Undefined heights are left out where a test can, and filled with a line's neighbours where it needs a transform. The
-/// tests for spikes, noise and directions compare heights with what Gaussian random surfaces show (docs/diagnostics.md
-/// says how often they err).
+/// tests for spikes, noise and directions compare heights with what Gaussian random surfaces show
+/// (docs/reference/diagnostics.md says how often they err).
 /// @throws as topography::validate; InvalidArgument for a false_alarm outside (0, 0.5).
 /// Cost: a few passes and one transform of the heights.
 [[nodiscard]] std::vector<Finding> diagnose(const topography::Measurement& measurement,
