@@ -50,7 +50,8 @@ const Keys<MeasurementInput>& measurement_keys() {
             .file("references", &Input::references, "scans of a smooth standard; their average is subtracted")
             .add("unit", &Input::unit, "of lengths and heights, where the file leaves it open")
             .add("size", &Input::size, dimension::length, "where the file leaves it open")
-            .add({"pipeline", "file", "", "", "[processing steps](../guides/processing.md) done before"}, read_pipeline_of);
+            .add({"pipeline", "file", "", "", "[processing steps](../guides/processing.md) done before"},
+                 read_pipeline_of);
     return keys;
 }
 

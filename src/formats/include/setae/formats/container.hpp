@@ -119,10 +119,10 @@ struct Container {
 
 /// Which index a container has.
 enum class ContainerGeneration {
-    yaml,  ///< A: meta.yml alone, up to TopoBank 1.63; keys creator, creation_time
-    both,  ///< B: index.json with the keys of A, beside meta.yml
-    json,  ///< C: index.json with created_by, created_at; what setae writes. Also the layout of TopoBank's newest
-           ///< development, with "measurements" of a "kind" and their "metadata"
+    yaml,      ///< A: meta.yml alone, up to TopoBank 1.63; keys creator, creation_time
+    both,      ///< B: index.json with the keys of A, beside meta.yml
+    json,      ///< C: index.json with created_by, created_at; what setae writes. Also the layout of TopoBank's newest
+               ///< development, with "measurements" of a "kind" and their "metadata"
     skeleton,  ///< as SurfaceTopography writes: processed copies alone, hardly a field
 };
 [[nodiscard]] std::string describe(ContainerGeneration generation);
