@@ -11,7 +11,8 @@ run(${CMAKE_COMMAND} --build ${WORK}/build)
 
 # the recipe plants E = 0.7 MPa, so E* = 0.933 MPa
 run(${WORK}/prefix/bin/setae lab make ${EXAMPLES}/tutorial/recipe.toml -o ${WORK}/data)
-execute_process(COMMAND ${WORK}/build/works_of_adhesion ${WORK}/data/smoother/afm_1.txt ${WORK}/data/loops/smoother_soft.csv
+run(${WORK}/prefix/bin/setae jkr import ${WORK}/data/loops/smoother_soft.csv -o ${WORK}/loop.csv)
+execute_process(COMMAND ${WORK}/build/works_of_adhesion ${WORK}/data/smoother/afm_1.txt ${WORK}/loop.csv
                 OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 message("${output}")
 if(NOT output MATCHES "E\\* 9\\.[0-9]+e\\+05 Pa" OR NOT output MATCHES "W 0\\.0[0-9]+ J/m2 predicted")
