@@ -21,6 +21,7 @@ Action params_command(Options&);
 Action adhesion_command(Options&);
 Action jkr_import_command(Options&);
 Action jkr_radius_command(Options&);
+Action jkr_lens_command(Options&);
 Action jkr_fit_command(Options&);
 Action jkr_energy_command(Options&);
 Action jkr_summary_command(Options&);
@@ -72,6 +73,7 @@ constexpr Command table[] = {
     {"jkr", "import", "turn tables, workbooks and force curves into loop files, columns guessed and shown",
      jkr_import_command},
     {"jkr", "radius", "contact radius in every frame of a recording", jkr_radius_command},
+    {"jkr", "lens", "radius of curvature of a lens from a profile or an outline of it", jkr_lens_command},
     {"jkr", "fit", "fit JKR to loops of force, displacement and contact radius", jkr_fit_command},
     {"jkr", "energy", "where the energy of loops goes: ledger, error budget, course along the loop",
      jkr_energy_command},
