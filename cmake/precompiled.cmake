@@ -21,12 +21,13 @@ setae_compile_quickly(setae_precompiled_quick)
 target_link_libraries(setae_precompiled_quick PRIVATE Eigen3::Eigen fmt::fmt)
 target_precompile_headers(setae_precompiled_quick PRIVATE ${common})
 
-# the program's own files, which all print JSON
-add_library(setae_precompiled_program OBJECT cmake/precompiled.cpp)
-setae_compile_options(setae_precompiled_program)
-setae_compile_quickly(setae_precompiled_program)
-target_link_libraries(setae_precompiled_program PRIVATE Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json)
-target_precompile_headers(setae_precompiled_program PRIVATE ${common} <nlohmann/json.hpp>)
+# for modules and the program that print JSON
+add_library(setae_precompiled_json OBJECT cmake/precompiled.cpp)
+set_target_properties(setae_precompiled_json PROPERTIES POSITION_INDEPENDENT_CODE ON)
+setae_compile_options(setae_precompiled_json)
+setae_compile_quickly(setae_precompiled_json)
+target_link_libraries(setae_precompiled_json PRIVATE Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json)
+target_precompile_headers(setae_precompiled_json PRIVATE ${common} <nlohmann/json.hpp>)
 
 if(SETAE_TESTS)
   add_library(setae_precompiled_tests OBJECT cmake/precompiled.cpp)

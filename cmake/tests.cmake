@@ -22,6 +22,7 @@ function(setae_tests program label)
   add_library(${objects} OBJECT ${ARG_SOURCES})
   setae_compile_options(${objects})
   setae_compile_quickly(${objects})
+  setae_compile_together(${objects})
   target_include_directories(${objects} PRIVATE ${ARG_INCLUDES} ${PROJECT_SOURCE_DIR}/tests/support)
   target_compile_definitions(${objects} PRIVATE ${ARG_DEFINES})
   target_link_libraries(${objects} PRIVATE ${ARG_LINKS} GTest::gtest Eigen3::Eigen fmt::fmt) # those of the headers compiled once

@@ -11,13 +11,13 @@
 namespace setae::bytes {
 namespace {
 
-constexpr std::string_view signature("GCOL\x01\x00\x00\x00", 8);
+constexpr std::string_view heap_signature("GCOL\x01\x00\x00\x00", 8);
 constexpr std::uint64_t header_bytes = 16, object_header_bytes = 16, alignment = 8;
 
 /// What is wrong with the heap at the start of these bytes; empty where nothing is.
 std::string fault(std::string_view bytes) {
     if (bytes.size() < header_bytes) return "ends early";
-    const auto size = bytes::load<std::uint64_t>(bytes.data() + signature.size(), std::endian::little);
+    const auto size = bytes::load<std::uint64_t>(bytes.data() + heap_signature.size(), std::endian::little);
     if (size < header_bytes || size > bytes.size()) return fmt::format("of {} bytes, {} are there", size, bytes.size());
     for (auto at = header_bytes; at + object_header_bytes <= size;) {
         const auto index = bytes::load<std::uint16_t>(bytes.data() + at, std::endian::little);
@@ -36,7 +36,8 @@ void require_sound_heaps(const Source& source) {
     if (source.size > most_searched_for_heaps) return;
     const auto content = source.all();
     const std::string_view bytes(content);
-    for (auto at = bytes.find(signature); at != std::string_view::npos; at = bytes.find(signature, at + alignment))
+    for (auto at = bytes.find(heap_signature); at != std::string_view::npos;
+         at = bytes.find(heap_signature, at + alignment))
         if (const auto what = fault(bytes.substr(at)); !what.empty())
             throw FormatError(source.name, {.offset = at}, fmt::format("HDF5: a heap {}; the file is damaged", what));
 }

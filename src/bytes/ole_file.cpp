@@ -16,7 +16,7 @@
 namespace setae::bytes {
 namespace {
 
-constexpr std::string_view signature = "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
+constexpr std::string_view ole_signature = "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 constexpr std::uint32_t last_sector = 0xfffffffa, end_of_chain = 0xfffffffe;
 constexpr std::size_t sectors_in_header = 109;
 constexpr std::uint64_t entry_bytes = 128, name_bytes = 64;
@@ -26,7 +26,7 @@ std::uint64_t parts(std::uint64_t size, std::uint64_t part) { return size / part
 
 }  // namespace
 
-bool is_ole(std::string_view head) { return head.starts_with(signature); }
+bool is_ole(std::string_view head) { return head.starts_with(ole_signature); }
 
 void OleFile::fail(std::uint64_t offset, const std::string& what) const {
     throw FormatError(source_.name, {.offset = std::min(offset, source_.size)},
@@ -35,7 +35,7 @@ void OleFile::fail(std::uint64_t offset, const std::string& what) const {
 
 OleFile::OleFile(const Source& source, std::string format) : source_(source), format_(std::move(format)) {
     Cursor header(source, format_);
-    if (header.bytes(signature.size()) != signature) fail(0, "it does not begin as one");
+    if (header.bytes(ole_signature.size()) != ole_signature) fail(0, "it does not begin as one");
     const auto shift = header.number_at<std::uint16_t>(30), small_shift = header.number_at<std::uint16_t>(32);
     if ((shift != 9 && shift != 12) || small_shift != 6)
         fail(30, fmt::format("sectors of 2^{} and 2^{} bytes, expected 2^9 or 2^12, and 2^6", shift, small_shift));

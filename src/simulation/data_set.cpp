@@ -22,7 +22,7 @@ using numerics::RandomKey;
 using numerics::substream;
 
 /// Streams below the seed: one a surface and instrument, one a loop.
-enum Stream : std::uint64_t { of_stylus, of_afm, of_tem };
+enum InstrumentStream : std::uint64_t { of_stylus, of_afm, of_tem };
 constexpr std::uint64_t loop_streams = 1ull << 32;
 
 /// The writing of one or more files, independent of all others.

@@ -26,13 +26,13 @@ constexpr const char* names[] = {"ln amplitude", "H", "ln rolloff_wavelength", "
 
 using Parameters = Eigen::Vector4d;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Values in use of all data, side by side, and the model that meets them.
 class Problem {
 public:
     Problem(std::span<const FittedValues> data, const SelfAffineFitOptions& options) : data_(data) {
-        double lower = infinite, upper = 0.0;
+        double lower = unbounded, upper = 0.0;
         for (std::size_t d = 0; d < data.size(); ++d) {
             const auto& set = data[d];
             const Index n = set.wavevector.size();
@@ -90,7 +90,7 @@ public:
     }
 
     [[nodiscard]] double loss(const Array1D& expected) const {
-        if (!(expected > 0.0).all() || !expected.allFinite()) return infinite;
+        if (!(expected > 0.0).all() || !expected.allFinite()) return unbounded;
         const Array1D r = values_ / expected;
         return (freedom_ * (r - 1.0 - r.log())).sum();
     }
@@ -145,14 +145,14 @@ MatrixXd jacobian(const Problem& problem, const Parameters& at, const std::vecto
 
 struct Optimum {
     Parameters at = Parameters::Zero();
-    double loss = infinite;
+    double loss = unbounded;
     int iterations = 0;
     bool converged = false;
 };
 
 /// Levenberg–Marquardt on the gamma likelihood: Fisher's information for its curvature.
 Optimum minimised(const Problem& problem, Parameters start, const std::vector<Index>& free) {
-    Optimum best{problem.clamped(start), infinite, 0, false};
+    Optimum best{problem.clamped(start), unbounded, 0, false};
     Array1D expected = problem.expected(best.at);
     best.loss = problem.loss(expected);
     double damping = 1e-3;
@@ -229,7 +229,7 @@ Optimum best_of_starts(const Problem& problem) {
     return best;
 }
 
-/// Where the loss with one parameter held has risen by `rise`, from the optimum towards `end`; infinite with its sign
+/// Where the loss with one parameter held has risen by `rise`, from the optimum towards `end`; unbounded with its sign
 /// where it never has.
 double profile_end(const Problem& problem, const Optimum& best, Index place, double end, double rise) {
     std::vector<Index> free;
@@ -247,7 +247,7 @@ double profile_end(const Problem& problem, const Optimum& best, Index place, dou
     double inside = best.at[place], step = 0.1;
     for (;;) {
         const double outside = inside + sign * step;
-        if ((outside - end) * sign >= 0.0) return sign * infinite;
+        if ((outside - end) * sign >= 0.0) return sign * unbounded;
         if (excess(outside) > 0.0) {
             double outer = outside;
             for (int k = 0; k < 12; ++k) {

@@ -82,13 +82,13 @@ std::complex<double> phase(numerics::RandomKey key, Index k, Index m) {
     return std::complex<double>(real, imaginary) / std::sqrt(real * real + imaginary * imaginary);
 }
 
-struct Moments {
+struct ScaleMoments {
     double height = 0.0, slope = 0.0;
 };
 
 struct MadeOctave {
     std::optional<Octave> octave;  ///< nothing where the band holds no power
-    Moments moments;
+    ScaleMoments moments;
 };
 
 /// The octave that ends at q = 2^exponent rad/m. Its numbers belong to that exponent, so that other limits of
@@ -132,7 +132,7 @@ constexpr Index points_at_once = 512;
 
 struct MultiscaleSurface::Octaves {
     std::vector<Octave> octaves;
-    Moments moments;
+    ScaleMoments moments;
 
     /// heights[i] = h(x[i], y[i]); the octaves are added in one order.
     void heights_at(const double* x, const double* y, double* heights, Index count) const {

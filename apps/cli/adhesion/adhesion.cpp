@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -13,7 +14,7 @@
 #include "setae/core/units.hpp"
 #include "setae/study/study_result.hpp"
 
-namespace setae::cli {
+namespace setae::cli::adhesion_command {
 namespace {
 
 constexpr const char* explanation =
@@ -138,7 +139,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action adhesion_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     options.add("--E,--youngs-modulus", arguments->youngs_modulus,
@@ -151,4 +152,4 @@ Action adhesion_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::adhesion_command

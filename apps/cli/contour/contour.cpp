@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "contour/region_argument.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -18,7 +19,7 @@
 #include "setae/output/contour_file.hpp"
 #include "setae/parallel/for_each.hpp"
 
-namespace setae::cli {
+namespace setae::cli::contour_command {
 namespace {
 
 namespace fs = std::filesystem;
@@ -242,7 +243,7 @@ ExitCode run(const Arguments& a) {
 
 }  // namespace
 
-Action contour_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("pictures", arguments->pictures,
                 "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them");
@@ -277,4 +278,4 @@ Action contour_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::contour_command

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nlohmann/json.hpp>
 #include "files/channel_lines.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -12,7 +13,7 @@
 #include "setae/formats/channel.hpp"
 #include "setae/formats/container_draft.hpp"
 
-namespace setae::cli {
+namespace setae::cli::container_check_command {
 namespace {
 
 constexpr const char* explanation =
@@ -103,10 +104,10 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action container_check_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->files, "containers");
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::container_check_command

@@ -15,7 +15,7 @@
 #include "setae/study/provenance.hpp"
 #include "setae/study/study.hpp"
 
-namespace setae::cli {
+namespace setae::cli::container_write_command {
 namespace {
 
 constexpr const char* explanation =
@@ -203,7 +203,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action container_write_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->files,
                 "measured files, which become one surface, and containers, which keep theirs");
@@ -222,4 +222,4 @@ Action container_write_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::container_write_command

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "convert/heights_output.hpp"
 #include "convert/output_jobs.hpp"
 #include "files/file_options.hpp"
@@ -13,7 +14,7 @@
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::cli {
+namespace setae::cli::convert_command {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,7 +95,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action convert_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->paths, "FILE OUT.x3p, or FILE… with -o and --to");
     options.add("-o,--output", arguments->folder, "folder that gets each file under its name with another ending");
@@ -105,4 +106,4 @@ Action convert_command(Options& options) {
     return action(options, arguments, heights_output_explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::convert_command

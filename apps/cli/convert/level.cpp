@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "convert/heights_output.hpp"
 #include "convert/output_jobs.hpp"
 #include "convert/pipeline_option.hpp"
@@ -16,7 +17,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/study/pipeline_file.hpp"
 
-namespace setae::cli {
+namespace setae::cli::level_command {
 namespace {
 
 struct Arguments {
@@ -92,7 +93,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action level_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->paths, "measurements");
     arguments->processing.add_to(options);
@@ -105,4 +106,4 @@ Action level_command(Options& options) {
     return action(options, arguments, step_list, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::level_command

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "files/file_options.hpp"
 #include "files/measurement_files.hpp"
 #include "program/command.hpp"
@@ -12,7 +13,7 @@
 #include "setae/core/units.hpp"
 #include "setae/diagnostics/diagnose.hpp"
 
-namespace setae::cli {
+namespace setae::cli::check_command {
 namespace {
 
 constexpr const char* explanation =
@@ -81,7 +82,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action check_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->files,
                 "measurements: files or containers; several are also compared with each other");
@@ -91,4 +92,4 @@ Action check_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::check_command

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "files/format_pages.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -13,7 +14,7 @@
 #include "setae/tables/force_curve.hpp"
 #include "setae/tables/tidy_table.hpp"
 
-namespace setae::cli {
+namespace setae::cli::formats_command {
 namespace {
 
 /// Formats that are read alone.
@@ -105,10 +106,10 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action formats_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("--documentation", arguments->documentation, "write a page a format, and their list, to this folder");
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::formats_command

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "files/channel_lines.hpp"
 #include "files/file_options.hpp"
 #include "program/command.hpp"
@@ -14,7 +15,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 
-namespace setae::cli {
+namespace setae::cli::info_command {
 namespace {
 
 constexpr const char* explanation =
@@ -181,7 +182,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action info_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->files, "files or containers");
     options.flag("--heights", arguments->heights, "read heights of files above 64 MB too");
@@ -190,4 +191,4 @@ Action info_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::info_command

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "files/file_options.hpp"
 #include "files/measurement_files.hpp"
 #include "program/command.hpp"
@@ -16,7 +17,7 @@
 #include "setae/processing/line_profile.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::cli {
+namespace setae::cli::profile_command {
 namespace {
 
 constexpr const char* explanation =
@@ -101,7 +102,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action profile_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->path, "a map, or a file or container that holds one");
     arguments->file.add_to(options);
@@ -114,4 +115,4 @@ Action profile_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::profile_command

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "convert/heights_output.hpp"
 #include "convert/pipeline_option.hpp"
 #include "files/file_options.hpp"
@@ -18,7 +19,7 @@
 #include "setae/topography/blind_tip.hpp"
 #include "setae/topography/certainty.hpp"
 
-namespace setae::cli {
+namespace setae::cli::tip_command {
 namespace {
 
 constexpr const char* explanation =
@@ -112,7 +113,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action tip_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->path, "a map, or a file or container that holds one");
     arguments->file.add_to(options);
@@ -127,4 +128,4 @@ Action tip_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::tip_command

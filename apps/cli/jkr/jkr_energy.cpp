@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "jkr/loop_arguments.hpp"
 #include "jkr/loop_figures.hpp"
 #include "program/command.hpp"
@@ -18,7 +19,7 @@
 #include "setae/study_figures/loop_figures.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::cli {
+namespace setae::cli::jkr_energy_command {
 namespace {
 
 constexpr const char* explanation =
@@ -157,7 +158,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action jkr_energy_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->request.add_to(options);
     options.add("--tidy", arguments->tidy, "energies of every contact and cycle of every loop as one CSV table");
@@ -168,4 +169,4 @@ Action jkr_energy_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::jkr_energy_command

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "jkr/jkr_curve.hpp"
 #include "jkr/jkr_models.hpp"
 #include "jkr/loop_arguments.hpp"
@@ -20,7 +21,7 @@
 #include "setae/output/loop_tables.hpp"
 #include "setae/study_figures/loop_figures.hpp"
 
-namespace setae::cli {
+namespace setae::cli::jkr_fit_command {
 namespace {
 
 constexpr const char* explanation =
@@ -208,7 +209,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action jkr_fit_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->request.add_to(options);
     arguments->models.add_to(options);
@@ -219,4 +220,4 @@ Action jkr_fit_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::jkr_fit_command

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "jkr/loop_arguments.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -21,7 +22,7 @@
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/tidy_table.hpp"
 
-namespace setae::cli {
+namespace setae::cli::jkr_import_command {
 namespace {
 
 constexpr const char* explanation =
@@ -196,7 +197,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action jkr_import_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->loops.add_to(options);
     options.add(
@@ -216,4 +217,4 @@ Action jkr_import_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::jkr_import_command

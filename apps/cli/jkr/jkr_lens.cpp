@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -16,7 +17,7 @@
 #include "setae/output/json.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::cli {
+namespace setae::cli::jkr_lens_command {
 namespace {
 
 constexpr const char* explanation =
@@ -110,7 +111,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action jkr_lens_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->files,
                 "tables of two lengths with their units: a profilometer's trace, points of a picture's outline");
@@ -121,4 +122,4 @@ Action jkr_lens_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::jkr_lens_command

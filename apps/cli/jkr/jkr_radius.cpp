@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "contour/region_argument.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -15,7 +16,7 @@
 #include "setae/core/units.hpp"
 #include "setae/imaging/contact_radius.hpp"
 
-namespace setae::cli {
+namespace setae::cli::jkr_radius_command {
 namespace {
 
 constexpr const char* explanation =
@@ -173,7 +174,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action jkr_radius_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("frames", arguments->frames,
                 "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP)");
@@ -199,4 +200,4 @@ Action jkr_radius_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::jkr_radius_command

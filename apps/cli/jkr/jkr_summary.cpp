@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -16,7 +17,7 @@
 #include "setae/study/replicate_reader.hpp"
 #include "setae/study_figures/forest_plot.hpp"
 
-namespace setae::cli {
+namespace setae::cli::jkr_summary_command {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,7 +98,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action jkr_summary_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     auto& columns = arguments->columns;
     options.add("files", arguments->files,
@@ -125,4 +126,4 @@ Action jkr_summary_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::jkr_summary_command

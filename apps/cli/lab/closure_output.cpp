@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/json.hpp"

@@ -11,7 +11,7 @@
 #include "setae/validation/causes.hpp"
 #include "setae/validation/report.hpp"
 
-namespace setae::cli {
+namespace setae::cli::lab_causes_command {
 namespace {
 
 constexpr const char* explanation =
@@ -46,10 +46,10 @@ ExitCode run(const RepeatedRecipe& arguments) {
 
 }  // namespace
 
-Action lab_causes_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<RepeatedRecipe>(RepeatedRecipe{.output = "causes", .runs = 5});
     add_options(options, *arguments);
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::lab_causes_command

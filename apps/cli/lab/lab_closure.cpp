@@ -14,7 +14,7 @@
 #include "setae/validation/report.hpp"
 #include "setae/validation/validation.hpp"
 
-namespace setae::cli {
+namespace setae::cli::lab_closure_command {
 namespace {
 
 constexpr const char* explanation =
@@ -71,7 +71,7 @@ ExitCode run(const ClosureArguments& arguments) {
 
 }  // namespace
 
-Action lab_closure_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<ClosureArguments>();
     arguments->output = "closure";
     arguments->runs = 25;
@@ -84,4 +84,4 @@ Action lab_closure_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::lab_closure_command

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "lab/closure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -11,7 +12,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/validation/contour_summary.hpp"
 
-namespace setae::cli {
+namespace setae::cli::lab_contours_command {
 namespace {
 
 constexpr const char* explanation =
@@ -91,7 +92,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action lab_contours_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("-o,--output", arguments->output, "CSV of every trial");
     options.add("--runs", arguments->options.runs, "pictures of each kind").between(1, 100000).default_shown();
@@ -103,4 +104,4 @@ Action lab_contours_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::lab_contours_command

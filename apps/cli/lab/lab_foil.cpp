@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -12,7 +13,7 @@
 #include "setae/simulation/projection_bias.hpp"
 #include "synthesize/synthesis_options.hpp"
 
-namespace setae::cli {
+namespace setae::cli::lab_foil_command {
 namespace {
 
 constexpr const char* explanation =
@@ -75,7 +76,7 @@ ExitCode run(const FoilArguments& arguments) {
 
 }  // namespace
 
-Action lab_foil_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<FoilArguments>();
     arguments->surface.add_to(options);
     options.add("--foil-thickness", arguments->thickness, "along the beam, such as \"20 nm\"");
@@ -84,4 +85,4 @@ Action lab_foil_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::lab_foil_command

@@ -13,7 +13,7 @@
 #include "setae/validation/loop_coverage.hpp"
 #include "setae/validation/report.hpp"
 
-namespace setae::cli {
+namespace setae::cli::lab_loops_command {
 namespace {
 
 constexpr const char* explanation =
@@ -55,7 +55,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action lab_loops_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("-o,--output", arguments->output, "folder of tables and figure").default_shown();
     options.add("--runs", arguments->options.runs, "loops at each signal-to-noise ratio")
@@ -67,4 +67,4 @@ Action lab_loops_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::lab_loops_command

@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/simulation/data_set.hpp"
 
-namespace setae::cli {
+namespace setae::cli::lab_make_command {
 namespace {
 
 constexpr const char* explanation_of_make =
@@ -45,7 +45,7 @@ ExitCode run_make(const MakeArguments& arguments) {
 
 }  // namespace
 
-Action lab_make_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<MakeArguments>();
     options.add("recipe", arguments->file, "TOML file of the recipe");
     options.add("-o,--output", arguments->output, "folder of the data set; default: laboratory");
@@ -53,4 +53,4 @@ Action lab_make_command(Options& options) {
     return action(options, arguments, explanation_of_make, run_make);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::lab_make_command

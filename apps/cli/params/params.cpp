@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include <nlohmann/json.hpp>
 #include "params/parameter_text.hpp"
 #include "params/texture_options.hpp"
 #include "program/command.hpp"
@@ -12,7 +13,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::cli {
+namespace setae::cli::params_command {
 namespace {
 
 constexpr const char* explanation =
@@ -123,7 +124,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action params_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     arguments->texture.add_to(options);
@@ -132,4 +133,4 @@ Action params_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::params_command

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -15,7 +16,7 @@
 #include "setae/study_figures/write_figures.hpp"
 #include "study/run_arguments.hpp"
 
-namespace setae::cli {
+namespace setae::cli::plot_command {
 namespace {
 
 constexpr const char* explanation =
@@ -121,7 +122,7 @@ ExitCode run(const PlotArguments& arguments) {
 
 }  // namespace
 
-Action plot_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<PlotArguments>();
     options.add("study", arguments->study, "TOML file of the study");
     options.add("--figure", arguments->figure,
@@ -136,4 +137,4 @@ Action plot_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::plot_command

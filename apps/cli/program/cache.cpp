@@ -10,7 +10,7 @@
 #include "setae/study/provenance.hpp"
 #include "study/run_arguments.hpp"
 
-namespace setae::cli {
+namespace setae::cli::cache_command {
 namespace {
 
 constexpr const char* explanation =
@@ -50,7 +50,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action cache_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("what", arguments->what, "show, prune or clear; default: show")
         .one_of_unlisted({"show", "prune", "clear"});
@@ -58,4 +58,4 @@ Action cache_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::cache_command

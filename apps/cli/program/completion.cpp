@@ -10,7 +10,7 @@
 #include "program/program_tree.hpp"
 #include "setae/core/text.hpp"
 
-namespace setae::cli {
+namespace setae::cli::completion_command {
 namespace {
 
 constexpr const char* explanation =
@@ -111,10 +111,10 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action completion_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("shell", arguments->shell, "bash, zsh or fish").required().one_of_unlisted({"bash", "zsh", "fish"});
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::completion_command

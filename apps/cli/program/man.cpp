@@ -9,7 +9,7 @@
 #include "program/verb_page.hpp"
 #include "setae/bytes/whole_file.hpp"
 
-namespace setae::cli {
+namespace setae::cli::man_command {
 namespace {
 
 constexpr const char* explanation =
@@ -73,10 +73,10 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action man_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("--documentation", arguments->documentation, "write the page on all verbs to this file");
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::man_command

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/print_json.hpp"
 
+#include <nlohmann/json.hpp>
 #include "program/messages.hpp"
 
 namespace setae::cli {

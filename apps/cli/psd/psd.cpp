@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 
+#include <nlohmann/json.hpp>
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -13,7 +14,7 @@
 #include "setae/spectra/inverse_abel.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::cli {
+namespace setae::cli::psd_command {
 namespace {
 
 constexpr const char* explanation =
@@ -141,7 +142,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action psd_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     options.flag("--iso", arguments->isotropic, "also C_iso, on the combined grid");
@@ -152,4 +153,4 @@ Action psd_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::psd_command

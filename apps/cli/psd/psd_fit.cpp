@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/output/json.hpp"

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/pages.hpp"
@@ -22,7 +23,7 @@
 #include "study/run_time.hpp"
 #include "study/study_pages.hpp"
 
-namespace setae::cli {
+namespace setae::cli::study_command {
 namespace {
 
 constexpr const char* explanation =
@@ -209,7 +210,7 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action study_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->file, "TOML file of the study");
     options.add("--output", arguments->output, "folder of the results; default: beside the study");
@@ -222,4 +223,4 @@ Action study_command(Options& options) {
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::study_command

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "convert/heights_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -14,7 +15,7 @@
 #include "setae/synthesis/random_surface.hpp"
 #include "synthesize/synthesis_options.hpp"
 
-namespace setae::cli {
+namespace setae::cli::synthesize_command {
 namespace {
 
 constexpr const char* explanation =
@@ -94,11 +95,11 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-Action synthesize_command(Options& options) {
+Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->options.add_to(options);
     options.add("-o,--output", arguments->output, "OUT.x3p, .sdf, .gwy, .nc, .npy, .txt or .csv");
     return action(options, arguments, explanation, run);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::cli::synthesize_command

@@ -8,7 +8,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace setae::adhesion {
+namespace setae::adhesion::pair_fit_test {
 namespace {
 
 /// Four surfaces and four elastomers with known balance lines.
@@ -125,4 +125,4 @@ TEST(FreeEnergies, RecoverWhatEachSurfaceStores) {
 }
 
 }  // namespace
-}  // namespace setae::adhesion
+}  // namespace setae::adhesion::pair_fit_test

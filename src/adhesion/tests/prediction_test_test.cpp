@@ -7,7 +7,7 @@
 #include "setae/adhesion/prediction_test.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::adhesion {
+namespace setae::adhesion::prediction_test_test {
 namespace {
 
 std::vector<PredictionResidual> pairs_of(const Array1D& measured, const Array1D& predicted) {
@@ -57,4 +57,4 @@ TEST(PredictionTest, RefusesWhatTestsNothing) {
 }
 
 }  // namespace
-}  // namespace setae::adhesion
+}  // namespace setae::adhesion::prediction_test_test

@@ -12,7 +12,7 @@
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/self_affine.hpp"
 
-namespace setae::adhesion {
+namespace setae::adhesion::stored_energy_test {
 namespace {
 
 topography::HeightMap wave(Index nx, Index ny, int kx, int ky, double amplitude) {
@@ -87,4 +87,4 @@ TEST(ScaleBalance, BridgesFromTheLongestWavelengthsOnWhenStiff) {
 }
 
 }  // namespace
-}  // namespace setae::adhesion
+}  // namespace setae::adhesion::stored_energy_test

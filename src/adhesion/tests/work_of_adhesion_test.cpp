@@ -6,7 +6,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/roughness/true_area.hpp"
 
-namespace setae::adhesion {
+namespace setae::adhesion::work_of_adhesion_test {
 namespace {
 
 TEST(ModifiedBalance, OfAFlatSurfaceIsTheIntrinsicWork) {
@@ -69,4 +69,4 @@ TEST(SurfaceEnergyLaw, IsLinearBetweenItsNodesAndConstantBeyond) {
 }
 
 }  // namespace
-}  // namespace setae::adhesion
+}  // namespace setae::adhesion::work_of_adhesion_test

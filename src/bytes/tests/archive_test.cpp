@@ -13,7 +13,7 @@
 
 using namespace setae::tests;
 
-namespace setae::bytes::tests {
+namespace setae::bytes::tests::archive_test {
 namespace {
 
 /// Bytes that do not compress.
@@ -48,4 +48,4 @@ TEST(Archive, MemberThatAnnouncesMoreThanItsBytesCanBecomeIsRefused) {
 }
 
 }  // namespace
-}  // namespace setae::bytes::tests
+}  // namespace setae::bytes::tests::archive_test

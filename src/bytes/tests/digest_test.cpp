@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::bytes {
+namespace setae::bytes::digest_test {
 namespace {
 
 // examples of RFC 1321 and FIPS 180-4
@@ -24,4 +24,4 @@ TEST(Digest, OfASourceIsThatOfItsContent) {
 }
 
 }  // namespace
-}  // namespace setae::bytes
+}  // namespace setae::bytes::digest_test

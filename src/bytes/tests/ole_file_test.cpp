@@ -9,7 +9,7 @@
 
 using namespace setae::tests;
 
-namespace setae::bytes::tests {
+namespace setae::bytes::tests::ole_file_test {
 namespace {
 
 std::string counting(std::size_t size) {
@@ -65,4 +65,4 @@ TEST(OleFile, LongListsOfTableSectorsAreFollowed) {
 }
 
 }  // namespace
-}  // namespace setae::bytes::tests
+}  // namespace setae::bytes::tests::ole_file_test

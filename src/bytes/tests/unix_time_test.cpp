@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::bytes {
+namespace setae::bytes::unix_time_test {
 namespace {
 
 TEST(UtcText, IsTheCalendarsDay) {
@@ -23,4 +23,4 @@ TEST(UtcText, OfNoYearIsEmpty) {
 }
 
 }  // namespace
-}  // namespace setae::bytes
+}  // namespace setae::bytes::unix_time_test

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace setae::bytes {
+namespace setae::bytes::whole_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,4 +34,4 @@ TEST(Leftovers, OfDeadWritersGoAndAllElseStays) {
 }
 
 }  // namespace
-}  // namespace setae::bytes
+}  // namespace setae::bytes::whole_file_test

@@ -11,7 +11,7 @@
 #include "setae/contact/maugis_dugdale.hpp"
 #include "setae/contact/transition.hpp"
 
-namespace setae::contact {
+namespace setae::contact::adhesion_models_property_test {
 namespace {
 
 double power_of_ten(double lowest, double highest) {
@@ -87,4 +87,4 @@ RC_GTEST_PROP(CrackSpeedProperty, SpeedUndoesEnergyReleaseRate, ()) {
 }
 
 }  // namespace
-}  // namespace setae::contact
+}  // namespace setae::contact::adhesion_models_property_test

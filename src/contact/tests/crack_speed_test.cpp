@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::crack_speed {
+namespace setae::contact::crack_speed::crack_speed_test {
 namespace {
 
 constexpr Law rubber{.threshold = 0.05, .reference_speed = 2e-7, .exponent = 0.6};
@@ -64,4 +64,4 @@ TEST(CrackSpeed, RefusesValuesOutsideItsDomain) {
 }
 
 }  // namespace
-}  // namespace setae::contact::crack_speed
+}  // namespace setae::contact::crack_speed::crack_speed_test

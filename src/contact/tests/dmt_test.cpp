@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::dmt {
+namespace setae::contact::dmt::dmt_test {
 namespace {
 
 /// An AFM's tip on a stiff solid.
@@ -79,4 +79,4 @@ TEST(Dmt, RefusesValuesOutsideItsDomain) {
 }
 
 }  // namespace
-}  // namespace setae::contact::dmt
+}  // namespace setae::contact::dmt::dmt_test

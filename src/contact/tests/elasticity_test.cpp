@@ -8,7 +8,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace setae::contact {
+namespace setae::contact::elasticity_test {
 namespace {
 
 constexpr ElasticSolid diamond{.youngs_modulus = 1100e9, .poisson_ratio = 0.06};
@@ -49,4 +49,4 @@ TEST(ContactModulus, RefusesImpossibleSolids) {
 }
 
 }  // namespace
-}  // namespace setae::contact
+}  // namespace setae::contact::elasticity_test

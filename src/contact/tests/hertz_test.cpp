@@ -5,7 +5,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::hertz {
+namespace setae::contact::hertz::hertz_test {
 namespace {
 
 constexpr SphereOnFlat contact{.radius = 4.0, .contact_modulus = 5.0};
@@ -28,4 +28,4 @@ TEST(Hertz, RefusesTensionAndImpossibleSpheres) {
 }
 
 }  // namespace
-}  // namespace setae::contact::hertz
+}  // namespace setae::contact::hertz::hertz_test

@@ -6,7 +6,7 @@
 
 #include "setae/contact/jkr.hpp"
 
-namespace setae::contact::jkr {
+namespace setae::contact::jkr::jkr_property_test {
 namespace {
 
 /// A number whose logarithm is evenly spread between two powers of ten.
@@ -57,4 +57,4 @@ RC_GTEST_PROP(JkrProperty, IsTheSameInMaugisUnits, ()) {
 }
 
 }  // namespace
-}  // namespace setae::contact::jkr
+}  // namespace setae::contact::jkr::jkr_property_test

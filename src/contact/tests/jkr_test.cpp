@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::jkr {
+namespace setae::contact::jkr::jkr_test {
 namespace {
 
 /// A millimetre lens of soft rubber, so that nothing rests on R = W = 1.
@@ -160,4 +160,4 @@ TEST(TaborParameter, ScalesAsItsDefinition) {
 }
 
 }  // namespace
-}  // namespace setae::contact::jkr
+}  // namespace setae::contact::jkr::jkr_test

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::large_strain {
+namespace setae::contact::large_strain::large_strain_test {
 namespace {
 
 /// A soft gel: W/(E*R) = 0.1, pull-off at more than half the radius.
@@ -139,4 +139,4 @@ TEST(LargeStrain, RefusesValuesOutsideItsDomain) {
 }
 
 }  // namespace
-}  // namespace setae::contact::large_strain
+}  // namespace setae::contact::large_strain::large_strain_test

@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::layer {
+namespace setae::contact::layer::layer_test {
 namespace {
 
 constexpr AdhesiveContact lens{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.05};
@@ -192,4 +192,4 @@ TEST(Layer, RefusesValuesOutsideItsDomain) {
 }
 
 }  // namespace
-}  // namespace setae::contact::layer
+}  // namespace setae::contact::layer::layer_test

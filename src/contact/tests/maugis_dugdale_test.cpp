@@ -11,7 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::maugis_dugdale {
+namespace setae::contact::maugis_dugdale::maugis_dugdale_test {
 namespace {
 
 constexpr AdhesiveContact lens{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.05};
@@ -272,4 +272,4 @@ TEST(MaugisDugdale, SlopesAreThoseOfTheStates) {
 }
 
 }  // namespace
-}  // namespace setae::contact::maugis_dugdale
+}  // namespace setae::contact::maugis_dugdale::maugis_dugdale_test

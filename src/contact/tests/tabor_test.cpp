@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::tabor {
+namespace setae::contact::tabor::tabor_test {
 namespace {
 
 constexpr AdhesiveContact lens{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.05};
@@ -67,4 +67,4 @@ TEST(Tabor, RefusesValuesOutsideItsDomain) {
 }
 
 }  // namespace
-}  // namespace setae::contact::tabor
+}  // namespace setae::contact::tabor::tabor_test

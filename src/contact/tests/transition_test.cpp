@@ -11,7 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::contact::transition {
+namespace setae::contact::transition::transition_test {
 namespace {
 
 constexpr AdhesiveContact tip{.radius = 20e-9, .contact_modulus = 60e9, .work_of_adhesion = 0.1};
@@ -118,4 +118,4 @@ TEST(Transition, RefusesValuesOutsideItsDomain) {
 }
 
 }  // namespace
-}  // namespace setae::contact::transition
+}  // namespace setae::contact::transition::transition_test

@@ -11,7 +11,7 @@
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 
-namespace setae {
+namespace setae::core_test {
 namespace {
 
 TEST(ParseQuantity, ReadsWhatPeopleWrite) {
@@ -121,4 +121,4 @@ TEST(ShellWord, QuotesWhatAShellWouldTakeApart) {
 }
 
 }  // namespace
-}  // namespace setae
+}  // namespace setae::core_test

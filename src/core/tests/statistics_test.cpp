@@ -13,7 +13,7 @@
 #include "setae/core/resampling.hpp"
 #include "setae/core/statistics.hpp"
 
-namespace setae {
+namespace setae::statistics_test {
 namespace {
 
 TEST(FExceedance, AgreesWithItsClosedForms) {
@@ -155,4 +155,4 @@ TEST(Difference, AddsVariancesAndKeepsWhatIsUnknown) {
 }
 
 }  // namespace
-}  // namespace setae
+}  // namespace setae::statistics_test

@@ -14,7 +14,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace figure_test {
 
 using namespace setae;
 using namespace setae::figures;
@@ -467,4 +467,4 @@ TEST(FigureData, NeedANameForEachPointOrNone) {
     EXPECT_THROW((void)data_text(figure_of(series)), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace figure_test

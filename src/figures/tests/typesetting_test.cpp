@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::figures {
+namespace setae::figures::typesetting_test {
 namespace {
 
 /// Spans in brackets: italic ones with a slash, lowered with _, raised with ^.
@@ -49,4 +49,4 @@ TEST(FactorsOf, WhatStandsBelowTheStrokeHasNegativePowers) {
 }
 
 }  // namespace
-}  // namespace setae::figures
+}  // namespace setae::figures::typesetting_test

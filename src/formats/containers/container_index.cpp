@@ -328,14 +328,15 @@ void modernise(json& index) {
     }
 }
 
-constexpr int deepest = 64;
+constexpr int index_deepest = 64;
 
 json parse_json(const std::string& text, const std::string& name) {
     try {
         return json::parse(text, [&](int depth, json::parse_event_t, json&) {
-            if (depth > deepest)
-                throw FormatError(name, {.offset = 0},
-                                  fmt::format("JSON nested deeper than {} levels; no container's index is", deepest));
+            if (depth > index_deepest)
+                throw FormatError(
+                    name, {.offset = 0},
+                    fmt::format("JSON nested deeper than {} levels; no container's index is", index_deepest));
             return true;
         });
     } catch (const json::exception& error) {

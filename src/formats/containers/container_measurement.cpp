@@ -17,7 +17,7 @@ namespace setae::formats {
 namespace {
 
 /// What the index says of a measurement, ready to open its file.
-struct Entry {
+struct MemberEntry {
     std::string name, member;
     bool squeezed = false;  ///< processed: scaled, filled and detrended already
     std::size_t channel = 0;
@@ -41,7 +41,7 @@ void require_understood(const ContainerTopography& topography) {
                 "the index gives {} as {:.80}, which is not what stands there by the schema", key, kept[key].dump()));
 }
 
-void choose_member(const ContainerTopography& topography, const bytes::Archive& archive, Entry& entry) {
+void choose_member(const ContainerTopography& topography, const bytes::Archive& archive, MemberEntry& entry) {
     const auto& [original, squeezed, rest] = topography.datafile;
     if (original.empty() && squeezed.empty()) throw InvalidArgument("the index names no data file");
     const bool lost = !original.empty() && !archive.has(original);
@@ -54,9 +54,9 @@ void choose_member(const ContainerTopography& topography, const bytes::Archive& 
              "ask whoever made the container for the original"});
 }
 
-Entry entry_of(const ContainerTopography& topography, const std::string& surface, const bytes::Archive& archive) {
+MemberEntry entry_of(const ContainerTopography& topography, const std::string& surface, const bytes::Archive& archive) {
     require_understood(topography);
-    Entry entry;
+    MemberEntry entry;
     entry.name = topography.name;
     choose_member(topography, archive, entry);
     entry.channel = entry.squeezed ? 0 : topography.data_source.value_or(0);
@@ -89,7 +89,7 @@ Entry entry_of(const ContainerTopography& topography, const std::string& surface
     return entry;
 }
 
-void merge(const Entry& entry, const std::string& container, topography::Metadata& metadata) {
+void merge(const MemberEntry& entry, const std::string& container, topography::Metadata& metadata) {
     metadata.file = container;
     metadata.name = entry.name;
     if (!entry.instrument.name.empty()) metadata.instrument.name = entry.instrument.name;
@@ -108,7 +108,7 @@ struct ScaledChannel {
 };
 
 /// The channel of a name, or the only one of heights where programs name channels otherwise than setae.
-std::size_t channel_of(const Entry& entry, const std::vector<Channel>& channels, const bytes::Source& member) {
+std::size_t channel_of(const MemberEntry& entry, const std::vector<Channel>& channels, const bytes::Source& member) {
     if (!entry.named) {
         if (entry.channel < channels.size()) return entry.channel;
         throw FormatError(member.name, {},
@@ -124,7 +124,7 @@ std::size_t channel_of(const Entry& entry, const std::vector<Channel>& channels,
     throw FormatError(member.name, {}, fmt::format("no channel '{}' among its {}", entry.named->name, channels.size()));
 }
 
-ScaledChannel open_member(const bytes::Archive& archive, const Entry& entry) {
+ScaledChannel open_member(const bytes::Archive& archive, const MemberEntry& entry) {
     const auto member = bytes::unpacked(archive.member(entry.member));
     const auto& format = detect_format(member);
     if (format.is_container)
@@ -135,7 +135,7 @@ ScaledChannel open_member(const bytes::Archive& archive, const Entry& entry) {
     return {std::move(channels[channel_of(entry, channels, member)]), scaled_already ? 1.0 : entry.height_scale};
 }
 
-topography::Measurement read_member(const bytes::Source& source, const Entry& entry) {
+topography::Measurement read_member(const bytes::Source& source, const MemberEntry& entry) {
     const bytes::Archive archive(source);
     const auto [channel, factor] = open_member(archive, entry);
     auto measurement = topography::scaled(channel.read(), factor);
@@ -155,7 +155,7 @@ bool has_alert(const ChannelInfo& info, const char* code) {
 }
 
 /// A unit of the index that is not the file's, which stays.
-void compare_units(const Entry& entry, const bytes::Source& source, ChannelInfo& info) {
+void compare_units(const MemberEntry& entry, const bytes::Source& source, ChannelInfo& info) {
     if (!entry.options.unit || info.unit.empty() || !info.is_height || has_alert(info, "UNIT_MISMATCH")) return;
     if (std::abs(length_unit(*entry.options.unit, source).factor / length_unit(info.unit, source).factor - 1.0) < 1e-12)
         return;
@@ -165,7 +165,7 @@ void compare_units(const Entry& entry, const bytes::Source& source, ChannelInfo&
          "sizes and heights are right; correct the index"});
 }
 
-Channel member_channel(const bytes::Source& source, const bytes::Archive& archive, const Entry& entry) {
+Channel member_channel(const bytes::Source& source, const bytes::Archive& archive, const MemberEntry& entry) {
     auto opened = open_member(archive, entry);
     auto info = std::move(opened.channel.info);
     compare_units(entry, source, info);

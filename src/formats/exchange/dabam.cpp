@@ -77,7 +77,7 @@ struct Ordinate {
     Quantity quantity = Quantity::unknown;
 };
 
-struct Columns {
+struct DabamColumns {
     double x_factor = 1.0;
     std::vector<Ordinate> ordinates;
     topography::Metadata metadata;
@@ -126,8 +126,8 @@ std::optional<double> factor_of(const std::string& name, Quantity quantity) {
     return known && known->dimension == dimension::length ? std::optional(known->factor) : std::nullopt;
 }
 
-Columns columns_of(const json& description, const tables::TextStart& start, const bytes::Source& source) {
-    Columns columns;
+DabamColumns columns_of(const json& description, const tables::TextStart& start, const bytes::Source& source) {
+    DabamColumns columns;
     const auto x_factor = number_of(description, "X1_FACTOR");
     if (!x_factor || !(*x_factor > 0.0))
         throw FormatError(source.name, {.line = 1}, "dabam: the description beside the file has no X1_FACTOR above 0");
@@ -154,8 +154,8 @@ Columns columns_of(const json& description, const tables::TextStart& start, cons
 }
 
 /// Of a file of numbers alone: what its header says.
-Columns columns_of(const tables::TextStart& start) {
-    Columns columns;
+DabamColumns columns_of(const tables::TextStart& start) {
+    DabamColumns columns;
     const auto names = header_names(start);
     columns.x_factor = unit_factor(tables::parse_header_cell(names[0]).unit, dimension::length);
     for (std::size_t k = 1; k < names.size(); ++k) {

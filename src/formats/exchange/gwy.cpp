@@ -25,9 +25,9 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::size_t longest_text = 1 << 14;     ///< kept of a text; the rest is skipped
-constexpr std::size_t most_components = 200'000;  ///< of one file
-constexpr std::size_t most_attributes = 200;      ///< kept of a channel's metadata
+constexpr std::size_t longest_text_of_gwy = 1 << 14;  ///< kept of a text; the rest is skipped
+constexpr std::size_t most_components = 200'000;      ///< of one file
+constexpr std::size_t most_attributes = 200;          ///< kept of a channel's metadata
 
 /// A part of the file: what an object holds, or the items of an array.
 struct Part {
@@ -46,7 +46,7 @@ struct Component {
 std::string terminated(bytes::Cursor& cursor) {
     std::string text;
     for (char c = cursor.number<char>(); c != '\0'; c = cursor.number<char>())
-        if (text.size() < longest_text) text += c;
+        if (text.size() < longest_text_of_gwy) text += c;
     return text;
 }
 
@@ -117,7 +117,7 @@ void for_each_component(const bytes::Source& source, const Part& part, Visit vis
 // ---- what a container holds of each channel
 // -----------------------------------------------------------------------------
 
-struct Parts {
+struct GwyParts {
     std::optional<Part> data, mask, metadata;
     std::string title;
 };
@@ -137,8 +137,8 @@ std::optional<Key> parsed_key(std::string_view name) {
     return key;
 }
 
-std::map<std::uint32_t, Parts> channel_parts(const bytes::Source& source, const Part& container) {
-    std::map<std::uint32_t, Parts> channels;
+std::map<std::uint32_t, GwyParts> channel_parts(const bytes::Source& source, const Part& container) {
+    std::map<std::uint32_t, GwyParts> channels;
     for_each_component(source, container, [&](const Component& component) {
         const auto key = parsed_key(component.name);
         if (!key) return;
@@ -236,7 +236,7 @@ Channel with_undefined_points(Channel channel, const bytes::Source& source, cons
     return channel;
 }
 
-Channel field_channel(const bytes::Source& source, std::uint32_t number, const Parts& parts,
+Channel field_channel(const bytes::Source& source, std::uint32_t number, const GwyParts& parts,
                       const ReadOptions& options) {
     const auto field = read_field(source, *parts.data, fmt::format("channel {}", number));
     ChannelInfo info{.name = parts.title, .format = "gwy"};

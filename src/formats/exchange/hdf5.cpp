@@ -20,11 +20,11 @@ namespace {
 
 constexpr const char* element_size =
     "element_size_um";  // per index, slowest first: the convention of ImageJ's and napari's plugins
-constexpr std::size_t most_attributes = 100, longest_attribute = 1000;
+constexpr std::size_t most_shown_attributes = 100, longest_attribute = 1000;
 
 void keep_attributes(const Attributes& attributes, topography::Metadata& metadata) {
     for (const auto& attribute : attributes) {
-        if (metadata.attributes.size() == most_attributes) return;
+        if (metadata.attributes.size() == most_shown_attributes) return;
         if (!attribute.text.empty() && attribute.text.size() <= longest_attribute)
             metadata.attributes[attribute.name] = attribute.text;
         if (attribute.numbers.size() == 1)

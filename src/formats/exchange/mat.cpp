@@ -15,7 +15,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr const char* mat = "mat";
+constexpr const char* mat_identifier = "mat";
 constexpr std::string_view version_73 = "MATLAB 7.3 MAT-file";
 constexpr const char* orientation = "rows of the matrix from the top, as stored";
 
@@ -45,7 +45,7 @@ std::vector<MatVariable> mat73_variables(const bytes::Source& source) {
 
 Channel channel_of(const MatVariable& variable, FirstIndex first, const bytes::Source& source,
                    const ReadOptions& options) {
-    ChannelInfo info{.name = variable.array.name, .format = mat};
+    ChannelInfo info{.name = variable.array.name, .format = mat_identifier};
     if (!orientation_of(variable.array, first).empty()) info.orientation = orientation;
     if (!variable.complex)
         return array_channel(std::move(info), variable.array, first, {}, options_for(variable.array, options));
@@ -79,7 +79,7 @@ std::vector<Channel> open_mat(const bytes::Source& source, const ReadOptions& op
 
 Format mat_format() {
     return {
-        .identifier = mat,
+        .identifier = mat_identifier,
         .name = "MATLAB",
         .extensions = ".mat",
         .description =

@@ -18,9 +18,9 @@
 namespace setae::formats {
 namespace {
 
-constexpr const char* mat = "MAT";
+constexpr const char* mat_name = "MAT";
 constexpr std::uint64_t level5_header = 128, tag_bytes = 8;
-constexpr std::uint64_t most_values = std::uint64_t{1} << 40;
+constexpr std::uint64_t most_mat_values = std::uint64_t{1} << 40;
 
 /// Types of elements of level 5.
 enum Element : std::uint32_t {
@@ -58,7 +58,7 @@ bool is_name(std::string_view name) {
 std::optional<std::uint64_t> values_in(const std::vector<Index>& shape) {
     std::uint64_t values = 1;
     for (const auto extent : shape) {
-        if (extent < 0 || (extent > 0 && values > most_values / static_cast<std::uint64_t>(extent)))
+        if (extent < 0 || (extent > 0 && values > most_mat_values / static_cast<std::uint64_t>(extent)))
             return std::nullopt;
         values *= static_cast<std::uint64_t>(extent);
     }
@@ -68,7 +68,7 @@ std::optional<std::uint64_t> values_in(const std::vector<Index>& shape) {
 // ---- level 5 --------------------------------------------------------------------------------------------------------
 
 /// Type and length of an element; small ones keep up to 4 bytes beside their type.
-struct Tag {
+struct MatTag {
     std::uint32_t type = 0;
     std::uint64_t bytes = 0;
     bool small = false;
@@ -76,7 +76,7 @@ struct Tag {
     [[nodiscard]] std::uint64_t padded() const { return small ? 4 : (bytes + 7) / 8 * 8; }
 };
 
-Tag read_tag(bytes::Cursor& cursor) {
+MatTag read_tag(bytes::Cursor& cursor) {
     const auto first = cursor.number<std::uint32_t>();
     if (first >> 16) {
         if (first >> 16 > 4)
@@ -136,7 +136,7 @@ std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
 void place_compressed(MatVariable& variable, const bytes::Source& source, std::uint64_t offset, std::uint64_t packed,
                       std::uint64_t expanded) {
     const auto content = std::make_shared<OnDemand<const std::string>>([source, offset, packed, expanded] {
-        auto bytes = bytes::inflated(source.bytes(offset, packed), source, offset, mat);
+        auto bytes = bytes::inflated(source.bytes(offset, packed), source, offset, mat_name);
         if (bytes.size() < expanded)
             throw FormatError(source.name, {.offset = offset + packed},
                               fmt::format("MAT: {} bytes expand to {}, expected {}; the file is damaged", packed,
@@ -161,7 +161,7 @@ std::optional<MatVariable> compressed_matrix(const bytes::Source& source, std::u
                                              std::endian order) {
     constexpr std::uint64_t header_bytes = 1 << 14;
     const auto head =
-        bytes::inflated(source.bytes(offset, std::min(packed, header_bytes)), source, offset, mat, tag_bytes);
+        bytes::inflated(source.bytes(offset, std::min(packed, header_bytes)), source, offset, mat_name, tag_bytes);
     if (head.size() < tag_bytes)
         throw FormatError(source.name, {.offset = offset},
                           fmt::format("MAT: a compressed element of {} bytes; the file is damaged", head.size()));
@@ -211,7 +211,7 @@ std::optional<Level4> level4_header(std::string_view head, std::endian order) {
     const auto rows = bytes::load<std::int32_t>(head.data() + 4, order),
                columns = bytes::load<std::int32_t>(head.data() + 8, order);
     const Level4 header{order, precisions[fits ? precision : 0], kind, rows, columns, number(3) == 1, number(4)};
-    if (!fits || header.rows < 0 || header.columns < 0 || header.values() > most_values) return std::nullopt;
+    if (!fits || header.rows < 0 || header.columns < 0 || header.values() > most_mat_values) return std::nullopt;
     return header;
 }
 
@@ -245,7 +245,7 @@ bool can_be_mat4(std::string_view head) {
 
 std::vector<MatVariable> mat5_variables(const bytes::Source& source) {
     const auto order = source.bytes(126, 2) == "IM" ? std::endian::little : std::endian::big;
-    bytes::Cursor cursor(source, mat, level5_header, order);
+    bytes::Cursor cursor(source, mat_name, level5_header, order);
     std::vector<MatVariable> variables;
     while (!cursor.at_end()) {
         const auto start = cursor.position();
@@ -272,7 +272,7 @@ std::vector<MatVariable> mat5_variables(const bytes::Source& source) {
 }
 
 std::vector<MatVariable> mat4_variables(const bytes::Source& source) {
-    bytes::Cursor cursor(source, mat);
+    bytes::Cursor cursor(source, mat_name);
     std::vector<MatVariable> variables;
     while (!cursor.at_end()) {
         const auto header = first_level4(cursor.bytes(Level4::bytes));

@@ -14,20 +14,19 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::uint32_t dimension_tag = 10, variable_tag = 11, attribute_tag = 12;
 constexpr std::uint32_t character = 2;
 constexpr std::uint64_t most_values = std::uint64_t{1} << 40;  // along a dimension, or of an attribute
-constexpr std::size_t most_dimensions = 1024;                  // of a variable, as the library allows
+constexpr std::size_t most_dimensions_of_netcdf = 1024;        // of a variable, as the library allows
 
 /// The types in the order of their numbers, characters as bytes.
-constexpr Sample samples[] = {Sample::int8,   Sample::int8,    Sample::uint8,   Sample::int16,
-                              Sample::int32,  Sample::float32, Sample::float64, Sample::uint8,
-                              Sample::uint16, Sample::uint32,  Sample::int64,   Sample::uint64};
+constexpr Sample netcdf_samples[] = {Sample::int8,   Sample::int8,    Sample::uint8,   Sample::int16,
+                                     Sample::int32,  Sample::float32, Sample::float64, Sample::uint8,
+                                     Sample::uint16, Sample::uint32,  Sample::int64,   Sample::uint64};
 
 /// Walks through a header.
-class Header {
+class NetcdfHeader {
 public:
-    explicit Header(const bytes::Source& source)
+    explicit NetcdfHeader(const bytes::Source& source)
         : cursor_(source, "NetCDF", 3, std::endian::big), version_(cursor_.number<std::uint8_t>()) {}
 
     [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what + "; the file is damaged"); }
@@ -59,8 +58,8 @@ public:
 
     Sample sample() {
         type_ = word();
-        if (type_ == 0 || type_ >= std::size(samples)) fail(fmt::format("values of type {}", type_));
-        return samples[type_];
+        if (type_ == 0 || type_ >= std::size(netcdf_samples)) fail(fmt::format("values of type {}", type_));
+        return netcdf_samples[type_];
     }
     [[nodiscard]] bool was_character() const { return type_ == character; }
 
@@ -70,24 +69,7 @@ private:
     std::uint32_t type_ = 0;
 };
 
-double load_value(const char* from, Sample sample) {
-    constexpr auto order = std::endian::big;
-    switch (sample) {
-        case Sample::int8: return bytes::load<std::int8_t>(from, order);
-        case Sample::uint8: return bytes::load<std::uint8_t>(from, order);
-        case Sample::int16: return bytes::load<std::int16_t>(from, order);
-        case Sample::uint16: return bytes::load<std::uint16_t>(from, order);
-        case Sample::int32: return bytes::load<std::int32_t>(from, order);
-        case Sample::uint32: return bytes::load<std::uint32_t>(from, order);
-        case Sample::int64: return static_cast<double>(bytes::load<std::int64_t>(from, order));
-        case Sample::uint64: return static_cast<double>(bytes::load<std::uint64_t>(from, order));
-        case Sample::float32: return static_cast<double>(bytes::load<float>(from, order));
-        case Sample::float64: return bytes::load<double>(from, order);
-    }
-    return 0.0;
-}
-
-Attributes parse_attributes(Header& header) {
+Attributes parse_attributes(NetcdfHeader& header) {
     Attributes attributes;
     for (auto left = header.list(attribute_tag); left > 0; --left) {
         Attribute attribute;
@@ -100,7 +82,7 @@ Attributes parse_attributes(Header& header) {
         if (text) attribute.text = values.substr(0, values.find('\0'));
         else
             for (std::size_t at = 0; at < values.size(); at += bytes_of(sample))
-                attribute.numbers.push_back(load_value(values.data() + at, sample));
+                attribute.numbers.push_back(loaded(values.data() + at, sample, std::endian::big));
         attributes.push_back(std::move(attribute));
     }
     return attributes;
@@ -116,12 +98,13 @@ struct Variable {
     [[nodiscard]] std::uint64_t padded_bytes() const { return (record_bytes + 3) / 4 * 4; }
 };
 
-Variable parse_variable(Header& header, const std::vector<std::uint64_t>& dimensions, const bytes::Source& source) {
+Variable parse_variable(NetcdfHeader& header, const std::vector<std::uint64_t>& dimensions,
+                        const bytes::Source& source) {
     Variable variable;
     auto& array = variable.array;
     array.name = header.name();
     const auto n = header.count();
-    if (n > most_dimensions) header.fail(fmt::format("variable '{:.40}' has {} dimensions", array.name, n));
+    if (n > most_dimensions_of_netcdf) header.fail(fmt::format("variable '{:.40}' has {} dimensions", array.name, n));
     std::uint64_t values = 1;
     for (std::uint64_t i = 0; i < n; ++i) {
         const auto id = header.count();
@@ -148,7 +131,7 @@ Variable parse_variable(Header& header, const std::vector<std::uint64_t>& dimens
 }
 
 /// Records one after another: the parts of all variables, each filled up to four bytes unless it is the only one.
-void place_records(std::vector<Variable>& variables, std::uint64_t records, const Header& header) {
+void place_records(std::vector<Variable>& variables, std::uint64_t records, const NetcdfHeader& header) {
     std::uint64_t together = 0, number = 0, alone = 0;
     for (const auto& variable : variables) {
         if (!variable.has_records) continue;
@@ -175,7 +158,7 @@ const StoredArray* ArrayFile::find(const std::string& name) const {
 }
 
 ArrayFile classic_netcdf(const bytes::Source& source) {
-    Header header(source);
+    NetcdfHeader header(source);
     const auto records = header.count();
     std::vector<std::uint64_t> dimensions;
     for (auto left = header.list(dimension_tag); left > 0; --left) {

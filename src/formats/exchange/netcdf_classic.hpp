@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "storage/stored_array.hpp"
 
 namespace setae::formats {
+
+/// Numbers that begin the lists of a classic header.
+inline constexpr std::uint32_t dimension_tag = 10, variable_tag = 11, attribute_tag = 12;
 
 /// What a file of named arrays holds.
 struct ArrayFile {

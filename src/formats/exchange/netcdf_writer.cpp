@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "netcdf_classic.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -18,8 +19,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::uint32_t dimension_tag = 10, variable_tag = 11, attribute_tag = 12;
-enum Type : std::uint32_t { byte = 1, character = 2, float64 = 6 };
+enum Type : std::uint32_t { byte = 1, characters = 2, float64 = 6 };
 constexpr std::uint64_t most_bytes = 0xFFFFFFFCU;  // of a variable
 
 template <class T>
@@ -69,7 +69,7 @@ public:
             append(attributes_.elements, number);
         }
         void put(const std::string& name, const std::string& text) {
-            begin(name, character, {});
+            begin(name, characters, {});
             append(attributes_.elements, text);
         }
 

@@ -16,13 +16,13 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::string_view npy_magic = "\x93NUMPY";
 
 std::string with_header(std::string_view shape, const double* values, Index count) {
     auto dictionary = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': {}, }}", shape);
-    const auto unpadded = magic.size() + 4 + dictionary.size() + 1;
+    const auto unpadded = npy_magic.size() + 4 + dictionary.size() + 1;
     dictionary.append((64 - unpadded % 64) % 64, ' ').append(1, '\n');
-    std::string content(magic);
+    std::string content(npy_magic);
     content += {'\x01', '\x00', static_cast<char>(dictionary.size() & 0xff), static_cast<char>(dictionary.size() >> 8)};
     content += dictionary;
     static_assert(std::endian::native == std::endian::little, "NPY is written as the memory holds it");
@@ -34,10 +34,10 @@ Match detect_npy(std::string_view head, const bytes::Source&) { return is_npy(he
 
 std::vector<Channel> open_npy(const bytes::Source& source, const ReadOptions& options) {
     const auto array = npy_array(source);
-    if (!array.refusal.empty()) throw FormatError(source.name, {.offset = magic.size()}, array.refusal);
+    if (!array.refusal.empty()) throw FormatError(source.name, {.offset = npy_magic.size()}, array.refusal);
     if (!is_map_or_line(array))
         throw FormatError(
-            source.name, {.offset = magic.size()},
+            source.name, {.offset = npy_magic.size()},
             fmt::format("NPY: array of {} dimensions, expected 1 or 2 with more than one value", array.shape.size()));
     return {array_channel({.name = "heights", .format = "npy"}, array, FirstIndex::x_to_the_right, {}, options)};
 }

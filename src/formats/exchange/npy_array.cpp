@@ -18,11 +18,11 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
-constexpr std::uint64_t longest_header = 1 << 20;
-constexpr std::size_t most_dimensions = 64;
+constexpr std::string_view npy_array_magic = "\x93NUMPY";
+constexpr std::uint64_t longest_npy_header = 1 << 20;
+constexpr std::size_t most_dimensions_of_npy = 64;
 
-[[noreturn]] void broken(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
+[[noreturn]] void broken_npy(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
     throw FormatError(source.name, {.offset = offset}, "NPY: " + what);
 }
 
@@ -30,7 +30,8 @@ constexpr std::size_t most_dimensions = 64;
 std::string_view entry(std::string_view dictionary, std::string_view key, const bytes::Source& source) {
     const auto at = dictionary.find(fmt::format("'{}'", key));
     const auto colon = at == std::string_view::npos ? at : dictionary.find(':', at);
-    if (colon == std::string_view::npos) broken(source, magic.size(), fmt::format("header has no '{}'", key));
+    if (colon == std::string_view::npos)
+        broken_npy(source, npy_array_magic.size(), fmt::format("header has no '{}'", key));
     return trimmed(dictionary.substr(colon + 1));
 }
 
@@ -61,14 +62,14 @@ void parse_type(std::string_view text, StoredArray& array) {
 void parse_shape(std::string_view text, StoredArray& array, const bytes::Source& source) {
     const auto close = text.find(')');
     if (!text.starts_with('(') || close == std::string_view::npos)
-        broken(source, magic.size(), "header's shape is no tuple");
+        broken_npy(source, npy_array_magic.size(), "header's shape is no tuple");
     auto body = text.substr(1, close - 1);
     while (!trimmed(body).empty()) {
         const auto comma = body.find(',');
         const auto number = trimmed(body.substr(0, comma));
         const auto extent = bytes::spelled<Index>(number);
-        if (!extent || *extent < 0 || array.shape.size() == most_dimensions)
-            broken(source, magic.size(), fmt::format("'{:.40}' in the header's shape", number));
+        if (!extent || *extent < 0 || array.shape.size() == most_dimensions_of_npy)
+            broken_npy(source, npy_array_magic.size(), fmt::format("'{:.40}' in the header's shape", number));
         array.shape.push_back(*extent);
         body = comma == std::string_view::npos ? std::string_view{} : body.substr(comma + 1);
     }
@@ -80,29 +81,29 @@ void require_values(const StoredArray& array, const bytes::Source& source) {
     for (const auto extent : array.shape) {
         const auto n = static_cast<std::uint64_t>(extent);
         if (n != 0 && count > source.size / n)
-            broken(source, source.size,
-                   fmt::format("the header announces {} values of {} bytes, the file has {} bytes; it is truncated",
-                               fmt::join(array.shape, " × "), bytes_of(array.sample), source.size));
+            broken_npy(source, source.size,
+                       fmt::format("the header announces {} values of {} bytes, the file has {} bytes; it is truncated",
+                                   fmt::join(array.shape, " × "), bytes_of(array.sample), source.size));
         count *= n;
     }
     if (array.offset + count > source.size)
-        broken(
+        broken_npy(
             source, source.size,
             fmt::format("the file ends here, its data should end at byte {}; it is truncated", array.offset + count));
 }
 
 }  // namespace
 
-bool is_npy(std::string_view head) { return head.starts_with(magic); }
+bool is_npy(std::string_view head) { return head.starts_with(npy_array_magic); }
 
 StoredArray npy_array(const bytes::Source& source) {
-    bytes::Cursor cursor(source, "NPY", magic.size());
+    bytes::Cursor cursor(source, "NPY", npy_array_magic.size());
     const unsigned version = cursor.number<std::uint8_t>();
     if (version < 1 || version > 3) cursor.fail(fmt::format("version {}, expected 1, 2 or 3", version));
     cursor.skip(1);
     const std::uint64_t length = version == 1 ? cursor.number<std::uint16_t>() : cursor.number<std::uint32_t>();
-    if (length > longest_header)
-        cursor.fail(fmt::format("a header of {} bytes, expected at most {}", length, longest_header));
+    if (length > longest_npy_header)
+        cursor.fail(fmt::format("a header of {} bytes, expected at most {}", length, longest_npy_header));
     const auto dictionary = cursor.bytes(length);
     StoredArray array;
     array.data = source;

@@ -25,11 +25,11 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::uint64_t longest_header = 1 << 16;
+constexpr std::uint64_t longest_sdf_header = 1 << 16;
 constexpr std::size_t magic_bytes = 8;
 
 /// What the header says.
-struct Header {
+struct SdfHeader {
     bool text = false;
     std::string manufacturer, created, modified;
     Index nx = 0, ny = 0;  ///< points of a profile, profiles
@@ -39,7 +39,7 @@ struct Header {
     std::map<std::string, std::string> others;
 };
 
-[[noreturn]] void broken(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
+[[noreturn]] void broken_sdf(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
     throw FormatError(source.name, {.offset = offset}, "SDF: " + what);
 }
 
@@ -69,18 +69,18 @@ Line parsed_line(std::string_view line) {
 double number(const std::string& text, const std::string& key, const bytes::Source& source, std::uint64_t offset) {
     double value = 0.0;
     if (!bytes::parse_cell(text, '.', value) || !std::isfinite(value))
-        broken(source, offset, fmt::format("{} is '{:.40}', expected a number", key, text));
+        broken_sdf(source, offset, fmt::format("{} is '{:.40}', expected a number", key, text));
     return value;
 }
 
 long integer(const std::string& text, const std::string& key, const bytes::Source& source, std::uint64_t offset) {
     const double value = number(text, key, source, offset);
     if (value != std::floor(value) || std::abs(value) > 4.3e9)
-        broken(source, offset, fmt::format("{} is '{:.40}', expected an integer", key, text));
+        broken_sdf(source, offset, fmt::format("{} is '{:.40}', expected an integer", key, text));
     return static_cast<long>(value);
 }
 
-void take_line(Header& header, std::string_view line, const bytes::Source& source, std::uint64_t offset) {
+void take_line(SdfHeader& header, std::string_view line, const bytes::Source& source, std::uint64_t offset) {
     const auto [name, value] = parsed_line(line);
     const auto key = bytes::lowered(name);
     if (key == "manufacid") header.manufacturer = value;
@@ -98,10 +98,10 @@ void take_line(Header& header, std::string_view line, const bytes::Source& sourc
     else if (!value.empty()) header.others[name] = value;
 }
 
-Header text_header(const bytes::Source& source) {
-    Header header;
+SdfHeader text_header(const bytes::Source& source) {
+    SdfHeader header;
     header.text = true;
-    const auto head = source.head(longest_header);
+    const auto head = source.head(longest_sdf_header);
     for (std::size_t at = magic_bytes; at < head.size();) {
         const auto end = head.find_first_of("\r\n", at);
         if (end == std::string::npos) break;
@@ -113,16 +113,16 @@ Header text_header(const bytes::Source& source) {
         if (!line.empty() && line[0] != ';') take_line(header, line, source, at);
         at = end + 1;
     }
-    broken(source, head.size(),
-           fmt::format("the header has no end, a line '*', in its first {} bytes; it is truncated or damaged",
-                       head.size()));
+    broken_sdf(source, head.size(),
+               fmt::format("the header has no end, a line '*', in its first {} bytes; it is truncated or damaged",
+                           head.size()));
 }
 
 // ---- binary header
 // ----------------------------------------------------------------------------------------------------
 
-Header binary_header(const bytes::Source& source, bool wide) {
-    Header header;
+SdfHeader binary_header(const bytes::Source& source, bool wide) {
+    SdfHeader header;
     bytes::Cursor cursor(source, "SDF", magic_bytes);
     header.manufacturer = cursor.text(10);
     header.created = cursor.text(12);
@@ -145,8 +145,8 @@ Header binary_header(const bytes::Source& source, bool wide) {
 // ---- both
 // -------------------------------------------------------------------------------------------------------------
 
-constexpr std::array samples{Sample::uint8, Sample::uint16, Sample::uint32, Sample::float32,
-                             Sample::int8,  Sample::int16,  Sample::int32,  Sample::float64};
+constexpr std::array sdf_samples{Sample::uint8, Sample::uint16, Sample::uint32, Sample::float32,
+                                 Sample::int8,  Sample::int16,  Sample::int32,  Sample::float64};
 
 /// The value of each binary type that is no height: the least of those with a sign, as the standard has it; the
 /// greatest of unsigned ones of 16 and 32 bits, as Gwyddion has it. Bytes without a sign have none.
@@ -163,26 +163,28 @@ std::vector<double> undefined_values(Sample sample) {
     }
 }
 
-Header checked_header(Header header, const bytes::Source& source) {
+SdfHeader checked_header(SdfHeader header, const bytes::Source& source) {
     if (header.nx < 1 || header.ny < 1)
-        broken(source, header.data,
-               fmt::format("{} profiles of {} points, expected at least one of each", header.ny, header.nx));
+        broken_sdf(source, header.data,
+                   fmt::format("{} profiles of {} points, expected at least one of each", header.ny, header.nx));
     if (header.compression != 0)
-        broken(source, header.data,
-               fmt::format("compression {}, which the standard does not describe; save it uncompressed",
-                           header.compression));
-    if (header.type < 0 || header.type >= static_cast<long>(samples.size()))
-        broken(source, header.data, fmt::format("data type {}, expected 0 to {}", header.type, samples.size() - 1));
+        broken_sdf(source, header.data,
+                   fmt::format("compression {}, which the standard does not describe; save it uncompressed",
+                               header.compression));
+    if (header.type < 0 || header.type >= static_cast<long>(sdf_samples.size()))
+        broken_sdf(source, header.data,
+                   fmt::format("data type {}, expected 0 to {}", header.type, sdf_samples.size() - 1));
     if (header.z_scale == 0.0 || !std::isfinite(header.z_scale))
-        broken(source, header.data, fmt::format("Zscale is {}, expected metres per unit of height", header.z_scale));
+        broken_sdf(source, header.data,
+                   fmt::format("Zscale is {}, expected metres per unit of height", header.z_scale));
     return header;
 }
 
-Header read_header(const bytes::Source& source) {
+SdfHeader read_header(const bytes::Source& source) {
     const auto magic = source.bytes(0, magic_bytes);
     const auto version = magic.substr(5);
     if (version != "1.0" && version != "2.0")
-        broken(source, 5, fmt::format("version '{}', expected 1.0 or 2.0", version));
+        broken_sdf(source, 5, fmt::format("version '{}', expected 1.0 or 2.0", version));
     return checked_header(magic[0] == 'a' ? text_header(source) : binary_header(source, version == "2.0"), source);
 }
 
@@ -206,7 +208,7 @@ void keep_trailer(std::string_view text, topography::Metadata& metadata) {
 
 /// What stands behind the heights, as far as the last bytes of the file hold it.
 void read_trailer(const bytes::Source& source, std::uint64_t data, topography::Metadata& metadata) {
-    const auto from = std::max(data, source.size - std::min(source.size, longest_header));
+    const auto from = std::max(data, source.size - std::min(source.size, longest_sdf_header));
     const auto tail = bytes::decoded(source.bytes(from, source.size - from), bytes::Encoding::detect);
     const auto begin = tail.find('*');
     if (begin == std::string::npos) return;
@@ -240,7 +242,7 @@ public:
                 return std::string_view(piece_).substr(begin, stop - begin);
             }
             if (next_ == source_.size) return {};
-            if (piece_.size() - used_ > longest_word) broken(source_, at_, "expected numbers");
+            if (piece_.size() - used_ > longest_word) broken_sdf(source_, at_, "expected numbers");
             refill();
         }
     }
@@ -271,11 +273,11 @@ double text_height(std::string_view word, double scale, const bytes::Source& sou
     if (word == "BAD") return undefined;
     double value = 0.0;
     if (!bytes::parse_cell(word, '.', value))
-        broken(source, offset, fmt::format("'{:.40}' among the heights, expected a number or BAD", word));
+        broken_sdf(source, offset, fmt::format("'{:.40}' among the heights, expected a number or BAD", word));
     return value * scale;
 }
 
-topography::Measurement read_text(const bytes::Source& source, const Header& header, const std::vector<double>& size,
+topography::Measurement read_text(const bytes::Source& source, const SdfHeader& header, const std::vector<double>& size,
                                   const topography::Metadata& metadata) {
     Words words(source, header.data);
     Array2D heights(header.nx, header.ny);
@@ -283,13 +285,14 @@ topography::Measurement read_text(const bytes::Source& source, const Header& hea
         for (Index i = 0; i < header.nx; ++i) {
             const auto word = words.word();
             if (word.empty() || !words.whole())
-                broken(source, words.position(),
-                       fmt::format("the heights end here, at point {} of {} × {}; it is truncated",
-                                   j * header.nx + i + 1, header.nx, header.ny));
+                broken_sdf(source, words.position(),
+                           fmt::format("the heights end here, at point {} of {} × {}; it is truncated",
+                                       j * header.nx + i + 1, header.nx, header.ny));
             heights(i, j) = text_height(word, header.z_scale, source, words.position() - word.size());
         }
     if (const auto more = words.word(); !more.empty())
-        broken(source, words.position() - more.size(), fmt::format("more heights than {} × {}", header.nx, header.ny));
+        broken_sdf(source, words.position() - more.size(),
+                   fmt::format("more heights than {} × {}", header.nx, header.ny));
     if (size.size() == 1)
         return checked(
             topography::LineScan{Eigen::Map<const Array1D>(heights.data(), heights.size()), size[0], false, metadata},
@@ -298,13 +301,14 @@ topography::Measurement read_text(const bytes::Source& source, const Header& hea
 }
 
 /// A channel of text, whose numbers are parsed when asked. Each takes two bytes at least: fewer cannot hold them.
-Channel text_channel(ChannelInfo info, const bytes::Source& source, const Header& header, const ReadOptions& options) {
+Channel text_channel(ChannelInfo info, const bytes::Source& source, const SdfHeader& header,
+                     const ReadOptions& options) {
     const auto room = (source.size - header.data + 1) / 2;
     const auto nx = static_cast<std::uint64_t>(header.nx), ny = static_cast<std::uint64_t>(header.ny);
     if (ny > room || nx > room / ny)
-        broken(source, source.size,
-               fmt::format("the file ends here, it cannot hold {} × {} heights; it is truncated or damaged", header.nx,
-                           header.ny));
+        broken_sdf(source, source.size,
+                   fmt::format("the file ends here, it cannot hold {} × {} heights; it is truncated or damaged",
+                               header.nx, header.ny));
     info.shape = header.ny == 1 ? std::vector<Index>{header.nx} : std::vector<Index>{header.nx, header.ny};
     info.size.resize(std::min(info.size.size(), info.shape.size()));
     (void)complete(info, options, source);
@@ -317,7 +321,7 @@ Channel text_channel(ChannelInfo info, const bytes::Source& source, const Header
 
 /// Olympus writes two more numbers of 32 bits, 5 and 1, between header and heights: such files are longer than they
 /// announce.
-std::uint64_t binary_data(const bytes::Source& source, const Header& header, Sample sample) {
+std::uint64_t binary_data(const bytes::Source& source, const SdfHeader& header, Sample sample) {
     const auto heights =
         static_cast<std::uint64_t>(header.nx) * static_cast<std::uint64_t>(header.ny);  // each below 2^32
     const bool longer = heights < source.size && source.size > header.data + heights * bytes_of(sample);
@@ -329,7 +333,7 @@ std::uint64_t binary_data(const bytes::Source& source, const Header& header, Sam
 
 std::vector<Channel> open_sdf(const bytes::Source& source, const ReadOptions& options) {
     const auto header = read_header(source);
-    const auto sample = samples[static_cast<std::size_t>(header.type)];
+    const auto sample = sdf_samples[static_cast<std::size_t>(header.type)];
     ChannelInfo info{.name = "height", .format = "sdf", .unit = "m"};
     info.metadata.attributes = header.others;
     info.metadata.instrument.name = header.manufacturer;

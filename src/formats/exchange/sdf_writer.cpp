@@ -13,8 +13,8 @@
 namespace setae::formats {
 namespace {
 
-constexpr Index most_points = 65535;
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr Index most_points_of_sdf = 65535;
+constexpr double sdf_not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Day, month, year, hour, minute; zeros where none is known.
 std::string digits_of(const std::string& text) {
@@ -30,12 +30,12 @@ std::string fixed(const std::string& text, std::size_t width) {
     return ascii.append(width - ascii.size(), ' ');
 }
 
-struct Grid {
+struct WrittenGrid {
     Index nx = 0, ny = 1;
     double x_scale = 0.0, y_scale = 0.0;  ///< [m]
 };
 
-void write_grid(const std::string& path, const Grid& grid, const Array2D& heights,
+void write_grid(const std::string& path, const WrittenGrid& grid, const Array2D& heights,
                 const topography::Metadata& metadata) {
     std::string header = "bISO-1.0" + fixed(metadata.instrument.name, 10) + digits_of(metadata.acquisition_time) +
                          digits_of(metadata.acquisition_time);
@@ -47,7 +47,7 @@ void write_grid(const std::string& path, const Grid& grid, const Array2D& height
     add(1.0);                      // Zscale
     add(-1.0);                     // Zresolution, unknown
     header += {'\0', '\7', '\0'};  // no compression, float64, no check sum
-    bytes::write_whole_file(path, {header, row_bytes(heights, not_a_number)});
+    bytes::write_whole_file(path, {header, row_bytes(heights, sdf_not_a_number)});
 }
 
 }  // namespace
@@ -58,10 +58,10 @@ void write_sdf(const std::string& path, const topography::Measurement& measureme
     if (std::holds_alternative<topography::Profile>(measurement))
         throw InvalidArgument(fmt::format(
             "{}: SDF holds points at equal steps alone, this is a profile; write it as .x3p, .nc or .csv", path));
-    if (nx > most_points || ny > most_points)
+    if (nx > most_points_of_sdf || ny > most_points_of_sdf)
         throw InvalidArgument(
             fmt::format("{}: SDF holds at most {} points along each direction, there are {} × {}; write it as .x3p",
-                        path, most_points, nx, ny));
+                        path, most_points_of_sdf, nx, ny));
     const auto& metadata = topography::metadata(measurement);
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
         write_grid(path, {nx, ny, map->pixel_size()[0], map->pixel_size()[1]}, map->heights, metadata);

@@ -37,7 +37,7 @@ using topography::Profile;
 
 constexpr Index most_layers = 256;
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& what) {
+[[noreturn]] void broken_archive(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "X3P: " + what);
 }
 
@@ -75,9 +75,9 @@ std::uint64_t count_of(const X3pDocument& document, const bytes::Source& source)
     const auto layer =
         static_cast<std::uint64_t>(document.nx) * static_cast<std::uint64_t>(document.ny);  // each at most 2^31
     if (document.layers > most_layers)
-        broken(source, fmt::format("{} layers, expected at most {}", document.layers, most_layers));
+        broken_archive(source, fmt::format("{} layers, expected at most {}", document.layers, most_layers));
     if (layer > (std::uint64_t{1} << 53))
-        broken(source, fmt::format("{} × {} points, more than any file holds", document.nx, document.ny));
+        broken_archive(source, fmt::format("{} × {} points, more than any file holds", document.nx, document.ny));
     return layer * static_cast<std::uint64_t>(document.layers);
 }
 
@@ -175,16 +175,6 @@ std::vector<std::pair<const X3pAxis*, std::vector<double>*>> stored_axes(const X
     return stored;
 }
 
-double load_value(const char* from, Sample sample) {
-    constexpr auto order = std::endian::little;
-    switch (sample) {
-        case Sample::int16: return bytes::load<std::int16_t>(from, order);
-        case Sample::int32: return bytes::load<std::int32_t>(from, order);
-        case Sample::float32: return static_cast<double>(bytes::load<float>(from, order));
-        default: return bytes::load<double>(from, order);
-    }
-}
-
 Points binary_points(const X3pDocument& document, const Package& package, const bytes::Source& source) {
     Points points;
     const auto stored = stored_axes(document, points);
@@ -197,7 +187,7 @@ Points binary_points(const X3pDocument& document, const Package& package, const 
     for (const auto& [axis, values] : stored) values->reserve(count);
     for (const char* at = data.data(); at != data.data() + data.size();)
         for (const auto& [axis, values] : stored) {
-            values->push_back(load_value(at, axis->sample) * axis->step() + axis->offset);
+            values->push_back(loaded(at, axis->sample, std::endian::little) * axis->step() + axis->offset);
             at += bytes_of(axis->sample);
         }
     if (const auto valid = valid_points(package, document, count))
@@ -215,19 +205,19 @@ Points listed_points(const X3pDocument& document, const bytes::Source& source) {
         tables::split_cells(datum.child_value(), ';', cells);
         const bool empty = trimmed(datum.child_value()).empty();
         if (!empty && cells.size() != stored.size())
-            broken(source,
-                   fmt::format("point {} has {} coordinates, expected {}", count + 1, cells.size(), stored.size()));
+            broken_archive(source, fmt::format("point {} has {} coordinates, expected {}", count + 1, cells.size(),
+                                               stored.size()));
         for (std::size_t k = 0; k < stored.size(); ++k) {
             double value = undefined;
             if (!empty && !bytes::parse_cell(cells[k], '.', value))
-                broken(source, fmt::format("'{:.40}' of point {} is no number", cells[k], count + 1));
+                broken_archive(source, fmt::format("'{:.40}' of point {} is no number", cells[k], count + 1));
             stored[k].second->push_back(value * stored[k].first->step() + stored[k].first->offset);
         }
         ++count;
     }
     if (count != count_of(document, source))
-        broken(source, fmt::format("{} points listed, expected {} × {}; the file is truncated", count, document.nx,
-                                   document.ny));
+        broken_archive(source, fmt::format("{} points listed, expected {} × {}; the file is truncated", count,
+                                           document.nx, document.ny));
     return points;
 }
 
@@ -244,7 +234,7 @@ double grid_step(const std::vector<double>& values, Index n, const char* axis, c
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double stray = values[i] - first - static_cast<double>(index(static_cast<Index>(i))) * step;
         if (!std::isnan(values[i]) && !(std::abs(stray) <= 0.02 * std::abs(step)))
-            broken(source, fmt::format("absolute {} axis is no regular grid at point {}", axis, i + 1));
+            broken_archive(source, fmt::format("absolute {} axis is no regular grid at point {}", axis, i + 1));
     }
     return step;
 }
@@ -255,7 +245,8 @@ double step_of(const X3pAxis& axis, const std::vector<double>& values, Index n, 
                const bytes::Source& source, GridIndex index) {
     if (axis.absolute) return grid_step(values, n, name, source, index);
     if (!axis.increment)
-        broken(source, fmt::format("no <Increment> of the {} axis, and listed points cannot be given a size", name));
+        broken_archive(source,
+                       fmt::format("no <Increment> of the {} axis, and listed points cannot be given a size", name));
     return std::abs(*axis.increment);
 }
 
@@ -305,10 +296,11 @@ void require_honest_list(const std::string& xml, const bytes::Source& source) {
     const auto tags = static_cast<std::uint64_t>(std::count(xml.begin(), xml.end(), '<'));
     constexpr std::uint64_t always = 1'000'000;
     if (tags > always + source.size)
-        broken(source,
-               fmt::format(
-                   "main.xml has {} tags in a file of {} bytes; if it is honest, save the points as a binary member",
-                   tags, source.size));
+        broken_archive(
+            source,
+            fmt::format(
+                "main.xml has {} tags in a file of {} bytes; if it is honest, save the points as a binary member", tags,
+                source.size));
 }
 
 std::vector<Channel> open_xml(const std::string& xml, const Package* package, const ReadOptions& options,
@@ -320,8 +312,8 @@ std::vector<Channel> open_xml(const std::string& xml, const Package* package, co
     if (!document.list.empty()) {
         channels.push_back(points_channel(document, listed_points(document, source), source));
     } else if (!package) {
-        broken(source,
-               fmt::format("the points stand in {}; open the archive instead of its main.xml", document.point_member));
+        broken_archive(source, fmt::format("the points stand in {}; open the archive instead of its main.xml",
+                                           document.point_member));
     } else if (!document.regular()) {
         channels.push_back(points_channel(document, binary_points(document, *package, source), source));
     } else {
@@ -371,7 +363,7 @@ std::vector<Channel> open_nested(const bytes::Source& source, const std::string&
     const auto member = bytes::Archive(source).member(name);
     const bytes::Archive inner(member);
     auto channels = open_documents(member, inner, options);
-    if (channels.empty()) broken(member, "no main.xml; an X3P file holds one");
+    if (channels.empty()) broken_archive(member, "no main.xml; an X3P file holds one");
     return channels;
 }
 

@@ -14,9 +14,9 @@
 namespace setae::formats {
 namespace {
 
-constexpr Index most_points = Index{1} << 31;
+constexpr Index most_points_of_x3p = Index{1} << 31;
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& what) {
+[[noreturn]] void broken_document(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "X3P: " + what);
 }
 
@@ -25,15 +25,15 @@ Sample sample_of(std::string_view type, const char* name, const bytes::Source& s
     if (type == "L") return Sample::int32;
     if (type == "F") return Sample::float32;
     if (type == "D") return Sample::float64;
-    broken(source, fmt::format("data type '{:.40}' of {}, expected I, L, F or D", type, name));
+    broken_document(source, fmt::format("data type '{:.40}' of {}, expected I, L, F or D", type, name));
 }
 
 X3pAxis parse_axis(const pugi::xml_node& node, const char* name, const bytes::Source& source) {
-    if (!node) broken(source, fmt::format("no <{}> among the axes", name));
+    if (!node) broken_document(source, fmt::format("no <{}> among the axes", name));
     X3pAxis axis;
     const auto kind = trimmed(node.child_value("AxisType"));
     if (kind != "I" && kind != "A")
-        broken(source, fmt::format("axis type '{:.40}' of {}, expected I or A", kind, name));
+        broken_document(source, fmt::format("axis type '{:.40}' of {}, expected I or A", kind, name));
     axis.absolute = kind == "A";
     const auto type = trimmed(node.child_value("DataType"));
     if (axis.absolute || !type.empty()) axis.sample = sample_of(type, name, source);
@@ -47,8 +47,8 @@ Index extent(const pugi::xml_node& node, const char* name, const bytes::Source& 
     const auto text = trimmed(node.child_value());
     Index value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || value < 1 || value > most_points)
-        broken(source, fmt::format("<{}> is '{:.40}', expected a positive integer", name, text));
+    if (error != std::errc{} || value < 1 || value > most_points_of_x3p)
+        broken_document(source, fmt::format("<{}> is '{:.40}', expected a positive integer", name, text));
     return value;
 }
 
@@ -60,10 +60,11 @@ void parse_shape(const pugi::xml_node& record, X3pDocument& document, const byte
         document.layers = extent(matrix.child("SizeZ"), "SizeZ", source);
     } else {
         document.nx = extent(record.child("ListDimension"), "ListDimension", source);
-        if (!document.profile) broken(source, "a list of points that form no matrix; surfaces are read as matrices");
+        if (!document.profile)
+            broken_document(source, "a list of points that form no matrix; surfaces are read as matrices");
     }
     if (document.profile && document.ny != 1)
-        broken(source, fmt::format("a profile with SizeY {}, expected 1", document.ny));
+        broken_document(source, fmt::format("a profile with SizeY {}, expected 1", document.ny));
 }
 
 std::string known(const pugi::xml_node& parent, const char* name) {
@@ -108,22 +109,22 @@ pugi::xml_node find_root(const pugi::xml_document& xml) {
 
 X3pDocument parse_x3p_document(const pugi::xml_document& xml, const bytes::Source& source) {
     const auto root = find_root(xml);
-    if (!root) broken(source, "main.xml holds no ISO5436_2 document");
+    if (!root) broken_document(source, "main.xml holds no ISO5436_2 document");
     X3pDocument document;
     const auto head = root.child("Record1"), data = root.child("Record3");
     const std::string feature(trimmed(head.child_value("FeatureType")));
     if (feature == "PCL")
-        broken(
+        broken_document(
             source,
             "a cloud of points (feature type PCL), expected a surface (SUR) or profile (PRF); give it a grid in another program first");
     if (feature != "SUR" && feature != "PRF")
-        broken(source, fmt::format("feature type '{:.40}', expected SUR (surface) or PRF (profile)", feature));
+        broken_document(source, fmt::format("feature type '{:.40}', expected SUR (surface) or PRF (profile)", feature));
     document.profile = feature == "PRF";
     const auto axes = head.child("Axes");
     document.x = parse_axis(axes.child("CX"), "CX", source);
     document.z = parse_axis(axes.child("CZ"), "CZ", source);
     if (!document.profile) document.y = parse_axis(axes.child("CY"), "CY", source);
-    if (!document.z.absolute) broken(source, "CZ is incremental, expected an absolute axis");
+    if (!document.z.absolute) broken_document(source, "CZ is incremental, expected an absolute axis");
     parse_shape(data, document, source);
     document.metadata = parse_metadata(root.child("Record2"), source);
     const auto link = data.child("DataLink");
@@ -134,10 +135,11 @@ X3pDocument parse_x3p_document(const pugi::xml_document& xml, const bytes::Sourc
     document.checksum_member = trimmed(root.child("Record4").child_value("ChecksumFile"));
     document.list = data.child("DataList");
     if (document.point_member.empty() == document.list.empty())
-        broken(source, "expected either a list of points or a link to them");
+        broken_document(source, "expected either a list of points or a link to them");
     const bool layered = document.layers > 1;
     if (layered && (!document.regular() || !document.list.empty()))
-        broken(source, fmt::format("{} layers of listed points or absolute axes, expected SizeZ 1", document.layers));
+        broken_document(source,
+                        fmt::format("{} layers of listed points or absolute axes, expected SizeZ 1", document.layers));
     return document;
 }
 

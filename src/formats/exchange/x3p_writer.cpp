@@ -23,13 +23,13 @@ using topography::LineScan;
 using topography::Metadata;
 using topography::Profile;
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double x3p_not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* point_member = "bindata/data.bin";
 constexpr const char* checksum_member = "md5checksum.hex";
 constexpr const char* opengps = "http://www.opengps.eu/2008/ISO5436_2";
 
 /// Axes, extents and points, as the format has them.
-struct Content {
+struct WrittenContent {
     const char* feature = "SUR";
     double step_x = 0.0, step_y = 0.0;  ///< [m]; a step 0 is that of an absolute axis
     Index nx = 0, ny = 1;
@@ -37,24 +37,24 @@ struct Content {
 };
 
 std::string bytes_of_line(const Array1D& heights) {
-    return row_bytes(Eigen::Map<const Array2D>(heights.data(), heights.size(), 1), not_a_number);
+    return row_bytes(Eigen::Map<const Array2D>(heights.data(), heights.size(), 1), x3p_not_a_number);
 }
 
-Content content_of(const HeightMap& map) {
+WrittenContent content_of(const HeightMap& map) {
     return {"SUR",
             map.pixel_size()[0],
             map.pixel_size()[1],
             map.heights.rows(),
             map.heights.cols(),
-            row_bytes(map.heights, not_a_number)};
+            row_bytes(map.heights, x3p_not_a_number)};
 }
 
-Content content_of(const LineScan& scan) {
+WrittenContent content_of(const LineScan& scan) {
     return {"PRF", scan.pixel_size(), 1.0, scan.heights.size(), 1, bytes_of_line(scan.heights)};
 }
 
 /// Pairs of position and height.
-Content content_of(const Profile& profile) {
+WrittenContent content_of(const Profile& profile) {
     Array1D pairs(2 * profile.heights.size());
     for (Index i = 0; i < profile.heights.size(); ++i) {
         pairs[2 * i] = profile.positions[i];
@@ -118,7 +118,7 @@ void add_measurement(pugi::xml_node root, const Metadata& metadata) {
     if (!comment.empty()) add(record, "Comment", comment);
 }
 
-std::string document_of(const Content& content, const Metadata& metadata) {
+std::string document_of(const WrittenContent& content, const Metadata& metadata) {
     pugi::xml_document xml;
     auto declaration = xml.append_child(pugi::node_declaration);
     declaration.append_attribute("version") = "1.0";

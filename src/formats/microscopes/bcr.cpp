@@ -24,7 +24,7 @@ constexpr double void_integer = 32767.0;
 /// Image Metrology writes 1.7014118e38 for a void, NanoFocus 3.402823e38.
 constexpr double greatest_float = 1.7e38;
 
-using Header = std::map<std::string, std::string>;
+using BcrHeader = std::map<std::string, std::string>;
 
 /// Bytes of a character of the header: 1 or 2; 0 where the bytes are no such header.
 std::uint64_t character_bytes(std::string_view head) {
@@ -39,10 +39,10 @@ std::uint64_t character_bytes(std::string_view head) {
     return !packed.starts_with("fileformat=bcr") ? 0 : wide ? 2 : 1;
 }
 
-Header parsed(std::string bytes, std::uint64_t width) {
+BcrHeader parsed(std::string bytes, std::uint64_t width) {
     auto text = bytes::decoded(std::move(bytes), width == 2 ? bytes::Encoding::utf16 : bytes::Encoding::latin1);
     text.resize(std::min(text.find('\0'), text.size()));
-    Header header;
+    BcrHeader header;
     for (const auto line : bytes::split_lines(text)) {
         const auto equals = line.find('=');
         const auto trimmed_line = trimmed(line);
@@ -53,7 +53,7 @@ Header parsed(std::string bytes, std::uint64_t width) {
     return header;
 }
 
-std::optional<double> number(const Header& header, const std::string& key, const bytes::Source& source) {
+std::optional<double> number(const BcrHeader& header, const std::string& key, const bytes::Source& source) {
     const auto at = header.find(key);
     if (at == header.end() || at->second.empty()) return std::nullopt;
     double value = 0.0;
@@ -63,7 +63,7 @@ std::optional<double> number(const Header& header, const std::string& key, const
     return value;
 }
 
-std::uint64_t count(const Header& header, const std::string& key, const bytes::Source& source) {
+std::uint64_t count(const BcrHeader& header, const std::string& key, const bytes::Source& source) {
     const auto value = number(header, key, source);
     if (!value || !(*value >= 1.0) || *value > 2147483648.0 || *value != std::floor(*value))
         throw FormatError(source.name, {.offset = 0},
@@ -73,14 +73,14 @@ std::uint64_t count(const Header& header, const std::string& key, const bytes::S
 }
 
 /// The unit the header names; nm where it names none, as the format says.
-std::string unit_of(const Header& header, const std::string& key) {
+std::string unit_of(const BcrHeader& header, const std::string& key) {
     const auto at = header.find(key);
     return at == header.end() || at->second.empty() ? "nm" : at->second;
 }
 
 /// n points; NanoFocus, which writes a value where the format has the number of voids, counts from the first point to
 /// the last.
-std::optional<double> size_along(const Header& header, char axis, std::uint64_t points, bool between_points,
+std::optional<double> size_along(const BcrHeader& header, char axis, std::uint64_t points, bool between_points,
                                  const bytes::Source& source) {
     const auto length = number(header, std::string(1, axis) + "length", source);
     if (!length || !(*length > 0.0)) return std::nullopt;
@@ -93,7 +93,7 @@ std::optional<double> size_along(const Header& header, char axis, std::uint64_t 
     return *length * unit->factor * (between_points && points > 1 ? n / (n - 1.0) : 1.0);
 }
 
-topography::Metadata metadata_of(const Header& header) {
+topography::Metadata metadata_of(const BcrHeader& header) {
     topography::Metadata metadata;
     if (const auto at = header.find("starttime"); at != header.end()) metadata.acquisition_time = at->second;
     for (const auto* key : {"xoffset", "yoffset", "zmin", "scanspeed", "bias", "current"})

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t bin_header_2 = 16, wave_header_2 = 110, padding_2 = 16, bin_header_5 = 64, wave_header_5 = 320,
                         label_bytes = 32;
-constexpr std::uint64_t longest_text = 1 << 24;
+constexpr std::uint64_t longest_text_of_igor = 1 << 24;
 
 std::uint64_t headers_bytes(int version) {
     switch (version) {
@@ -64,13 +64,13 @@ std::uint64_t points_along(bytes::Cursor& cursor) {
 }
 
 /// What follows the numbers, one part after another, each refused where it is not wholly there.
-class Parts {
+class IgorParts {
 public:
-    Parts(const bytes::Source& source, std::uint64_t at) : cursor_(source, "Igor", at) {}
+    IgorParts(const bytes::Source& source, std::uint64_t at) : cursor_(source, "Igor", at) {}
 
     std::string text(std::uint64_t bytes) {
-        if (bytes > longest_text)
-            cursor_.fail(fmt::format("a text of {} bytes, expected at most {}", bytes, longest_text));
+        if (bytes > longest_text_of_igor)
+            cursor_.fail(fmt::format("a text of {} bytes, expected at most {}", bytes, longest_text_of_igor));
         return bytes::decoded(cursor_.bytes(bytes), bytes::Encoding::detect);
     }
     void skip(std::uint64_t bytes) { cursor_.skip(bytes); }
@@ -127,7 +127,7 @@ IgorWave wave_of_version_2(bytes::Cursor& cursor, const bytes::Source& source) {
     cursor.seek(bin_header_2 + 96);
     wave.created = cursor.number<std::uint32_t>();
     require_numbers(wave, wave_bytes - std::min(wave_bytes, wave_header_2 + padding_2), source);
-    Parts parts(source, bin_header_2 + wave_bytes);
+    IgorParts parts(source, bin_header_2 + wave_bytes);
     wave.note = parts.text(note_bytes);
     return wave;
 }
@@ -154,7 +154,7 @@ IgorWave wave_of_version_5(bytes::Cursor& cursor, const bytes::Source& source) {
     wave.data_unit = cursor.text(4);
     for (auto& unit : wave.units) unit = cursor.text(4);
     require_numbers(wave, wave_bytes - std::min(wave_bytes, wave_header_5), source);
-    Parts parts(source, bin_header_5 + wave_bytes);
+    IgorParts parts(source, bin_header_5 + wave_bytes);
     parts.skip(formula_bytes);
     wave.note = parts.text(note_bytes);
     if (unit_bytes > 0) wave.data_unit = parts.text(unit_bytes);

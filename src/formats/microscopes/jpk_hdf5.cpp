@@ -22,7 +22,7 @@ constexpr const char* jpk_hdf5 = "jpk-hdf5";
 constexpr std::size_t most_frames = 10'000;
 
 /// A measurement's grid: pixels and extents [m].
-struct Grid {
+struct JpkGrid {
     Index nx = 0, ny = 0;
     std::vector<double> size;
 };
@@ -33,14 +33,14 @@ std::optional<Index> count_of(const Attributes& attributes, const char* name) {
     return static_cast<Index>(*number);
 }
 
-Grid grid_of(const Attributes& measurement, Index pixels, const bytes::Source& source, const std::string& path) {
+JpkGrid grid_of(const Attributes& measurement, Index pixels, const bytes::Source& source, const std::string& path) {
     const auto nx = count_of(measurement, "position-pattern.grid.ilength");
     if (!nx || pixels % *nx != 0)
         throw FormatError(
             source.name, {},
             fmt::format("JPK HDF5: {:.200} has {} pixels a frame, which are no lines of {}; the file is damaged", path,
                         pixels, nx.value_or(0)));
-    Grid grid{*nx, pixels / *nx, {}};
+    JpkGrid grid{*nx, pixels / *nx, {}};
     const auto ny = count_of(measurement, "position-pattern.grid.jlength");
     if (ny && *ny != grid.ny)
         throw FormatError(

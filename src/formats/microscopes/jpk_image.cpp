@@ -20,7 +20,7 @@
 namespace setae::formats {
 namespace {
 
-enum Tag : std::uint16_t {
+enum JpkTag : std::uint16_t {
     program_version = 0x8000,
     start_date = 0x8003,
     sample_name = 0x8007,

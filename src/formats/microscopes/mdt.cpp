@@ -22,7 +22,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view magic = "\x01\xb0\x93\xff";
+constexpr std::string_view mdt_magic = "\x01\xb0\x93\xff";
 constexpr std::uint64_t head_bytes = 33, frame_head_bytes = 22, least_variables = 36;
 constexpr std::uint16_t scanned = 0, spectroscopy = 1, text_frame = 3, old_mda = 105, mda = 106, palette = 107,
                         curves = 201;
@@ -80,7 +80,7 @@ const char* signal_name(std::uint8_t number) {
 }
 
 /// Calibration of an axis: value = offset + step · index, in its unit.
-struct Axis {
+struct MdtAxis {
     double offset = 0.0, step = 0.0;
     std::string unit;
 
@@ -88,9 +88,9 @@ struct Axis {
 };
 
 /// A map in a frame.
-struct Image {
+struct MdtImage {
     std::string name;
-    Axis x, y, z;
+    MdtAxis x, y, z;
     Raster raster;
 };
 
@@ -114,8 +114,8 @@ FrameHead read_head(bytes::Cursor& cursor, std::uint64_t begin, unsigned number)
     return frame;
 }
 
-Axis read_axis(bytes::Cursor& cursor) {
-    Axis axis;
+MdtAxis read_axis(bytes::Cursor& cursor) {
+    MdtAxis axis;
     axis.offset = cursor.number<float>();
     axis.step = cursor.number<float>();
     axis.unit = unit_of(cursor.number<std::int16_t>());
@@ -130,7 +130,7 @@ std::string title_at(bytes::Cursor& cursor, std::uint64_t end) {
 }
 
 /// What every map of a frame must obey besides lying in the file.
-void require_in_frame(const Image& image, const FrameHead& frame, const bytes::Cursor& cursor) {
+void require_in_frame(const MdtImage& image, const FrameHead& frame, const bytes::Cursor& cursor) {
     require_raster(image.raster, cursor.source(), "NT-MDT");
     const auto end = image.raster.offset + image.raster.row_distance() * static_cast<std::uint64_t>(image.raster.ny);
     if (end > frame.end())
@@ -139,12 +139,12 @@ void require_in_frame(const Image& image, const FrameHead& frame, const bytes::C
                         image.name, image.raster.nx, image.raster.ny, end, frame.end()));
 }
 
-std::optional<Image> scanned_image(bytes::Cursor& cursor, const FrameHead& frame) {
+std::optional<MdtImage> scanned_image(bytes::Cursor& cursor, const FrameHead& frame) {
     if (frame.variables < least_variables)
         cursor.fail(
             fmt::format("a scan with {} bytes of variables, expected at least {}", frame.variables, least_variables));
     cursor.seek(frame.body());
-    Image image;
+    MdtImage image;
     image.x = read_axis(cursor);
     image.y = read_axis(cursor);
     image.z = read_axis(cursor);
@@ -166,7 +166,7 @@ std::optional<Image> scanned_image(bytes::Cursor& cursor, const FrameHead& frame
 
 /// Calibration of a dimension or measurand of an MDA frame.
 struct Calibration {
-    Axis axis;
+    MdtAxis axis;
     std::string name;
     std::uint64_t points = 0;
     std::int32_t type = 0;
@@ -217,7 +217,7 @@ std::optional<Sample> sample_of(std::int32_t type) {
 
 /// Maps of a frame that describes itself: two dimensions and measurands that alternate point by point. Nothing for
 /// other shapes.
-std::vector<Image> mda_images(bytes::Cursor& cursor, const FrameHead& frame) {
+std::vector<MdtImage> mda_images(bytes::Cursor& cursor, const FrameHead& frame) {
     cursor.seek(frame.body());
     const auto head = cursor.number<std::uint32_t>();
     cursor.skip(4 + 2 * 16 + 4);
@@ -248,10 +248,10 @@ std::vector<Image> mda_images(bytes::Cursor& cursor, const FrameHead& frame) {
     constexpr std::uint64_t most_points = std::uint64_t{1} << 31;
     if (x.points < 1 || y.points < 1 || x.points > most_points || y.points > most_points)
         cursor.fail(fmt::format("{} × {} points in '{}'; the file is damaged", x.points, y.points, title));
-    std::vector<Image> images;
+    std::vector<MdtImage> images;
     std::uint64_t within = 0;
     for (const auto& value : values) {
-        Image image{.name = title.empty() ? value.name : title, .x = x.axis, .y = y.axis, .z = value.axis};
+        MdtImage image{.name = title.empty() ? value.name : title, .x = x.axis, .y = y.axis, .z = value.axis};
         if (values.size() > 1 && !title.empty()) image.name += ": " + value.name;
         image.raster = {.offset = cursor.position() + within,
                         .nx = static_cast<Index>(x.points),
@@ -267,7 +267,7 @@ std::vector<Image> mda_images(bytes::Cursor& cursor, const FrameHead& frame) {
     return images;
 }
 
-Channel image_channel(const Image& image, const FrameHead& frame, const bytes::Source& source,
+Channel image_channel(const MdtImage& image, const FrameHead& frame, const bytes::Source& source,
                       const ReadOptions& options) {
     ChannelInfo info{.name = image.name, .format = "mdt"};
     info.metadata.acquisition_time = frame.date;
@@ -310,7 +310,7 @@ const char* kind_of(std::uint16_t type) {
 }
 
 std::vector<Channel> open_mdt(const bytes::Source& source, const ReadOptions& options) {
-    bytes::Cursor cursor(source, "NT-MDT", magic.size());
+    bytes::Cursor cursor(source, "NT-MDT", mdt_magic.size());
     const auto announced = cursor.number<std::uint32_t>();
     cursor.skip(4);
     const unsigned frames = cursor.number<std::uint16_t>() + 1u;
@@ -320,7 +320,7 @@ std::vector<Channel> open_mdt(const bytes::Source& source, const ReadOptions& op
     for (unsigned number = 0; number < frames; ++number) {
         const auto frame = read_head(cursor, begin, number);
         begin = frame.end();
-        std::vector<Image> images;
+        std::vector<MdtImage> images;
         if (frame.type == mda) images = mda_images(cursor, frame);
         if (frame.type == scanned)
             if (auto image = scanned_image(cursor, frame)) images.push_back(*std::move(image));
@@ -362,7 +362,7 @@ Format mdt_format() {
         .reference = "nt-mdt module of Gwyddion, MDT reader of SurfaceTopography 1.27; no real file at hand",
         .carries_scale = true,
         .detect = [](std::string_view head,
-                     const bytes::Source&) { return head.starts_with(magic) ? Match::yes : Match::no; },
+                     const bytes::Source&) { return head.starts_with(mdt_magic) ? Match::yes : Match::no; },
         .open = open_mdt};
 }
 

@@ -23,11 +23,11 @@ namespace {
 constexpr std::string_view first_key = "fileType", last_key = "\ndata          ";
 constexpr std::size_t key_width = 14, most_channels = 1000;
 
-using Entries = std::map<std::string, std::string, std::less<>>;
+using MiEntries = std::map<std::string, std::string, std::less<>>;
 
 struct MiFile {
-    Entries entries;
-    std::vector<Entries> channels;
+    MiEntries entries;
+    std::vector<MiEntries> channels;
     std::string encoding;
     std::uint64_t data_at = 0;
     std::uint64_t nx = 0, ny = 0;
@@ -37,7 +37,7 @@ struct MiFile {
     throw FormatError(source.name, {.offset = offset}, "MI: " + what);
 }
 
-std::string entry(const Entries& entries, std::string_view key) {
+std::string entry(const MiEntries& entries, std::string_view key) {
     const auto found = entries.find(key);
     return found == entries.end() ? std::string() : found->second;
 }

@@ -29,12 +29,12 @@ constexpr std::string_view first_section = "\\*File list", last_line = "\\*File 
                            first_section_as_text = "?*File list";
 constexpr std::size_t most_images = 1000;
 
-using Entries = std::vector<std::pair<std::string, std::string>>;
+using NanoscopeEntries = std::vector<std::pair<std::string, std::string>>;
 
 /// A section with its entries; keys in lower case, without '@' and the group number of "@2:Z scale".
-struct Section {
+struct NanoscopeSection {
     std::string name;
-    Entries entries;
+    NanoscopeEntries entries;
 };
 
 std::string normalised_key(std::string_view key) {
@@ -49,9 +49,9 @@ std::size_t colon_after_key(std::string_view line) {
     return line.find(':', grouped ? 3 : 0);
 }
 
-std::vector<Section> parse_sections(const bytes::Source& source) {
+std::vector<NanoscopeSection> parse_sections(const bytes::Source& source) {
     const auto text = bytes::decoded(tables::head_until(source, last_line, "Nanoscope"), bytes::Encoding::latin1);
-    std::vector<Section> sections;
+    std::vector<NanoscopeSection> sections;
     for (const auto raw : bytes::split_lines(text)) {
         auto line = trimmed(raw);
         if (line.starts_with("\\*")) {
@@ -67,14 +67,14 @@ std::vector<Section> parse_sections(const bytes::Source& source) {
     return sections;
 }
 
-const std::string* find(const Section& section, std::string_view key) {
+const std::string* find(const NanoscopeSection& section, std::string_view key) {
     for (const auto& [name, value] : section.entries)
         if (name == key) return &value;
     return nullptr;
 }
 
 /// First entry of that key outside the images.
-const std::string* find(const std::vector<Section>& sections, std::string_view key) {
+const std::string* find(const std::vector<NanoscopeSection>& sections, std::string_view key) {
     for (const auto& section : sections) {
         if (section.name.ends_with("image list")) continue;
         if (const auto* value = find(section, key)) return value;
@@ -82,12 +82,12 @@ const std::string* find(const std::vector<Section>& sections, std::string_view k
     return nullptr;
 }
 
-const std::string& required(const Section& section, std::string_view key, const bytes::Source& source) {
+const std::string& required(const NanoscopeSection& section, std::string_view key, const bytes::Source& source) {
     if (const auto* value = find(section, key)) return *value;
     throw FormatError(source.name, {}, fmt::format("Nanoscope: image without '{}' in the header", key));
 }
 
-std::uint64_t integer(const Section& section, std::string_view key, const bytes::Source& source) {
+std::uint64_t integer(const NanoscopeSection& section, std::string_view key, const bytes::Source& source) {
     const auto& text = required(section, key, source);
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -122,7 +122,7 @@ struct ValueScale {
 
 /// "V [Sens. Zsens] (0.005035400 V/LSB) 2.910461 V": the sensitivity's name in [], the hard value after (). A
 /// sensitivity without a unit, as that of "359.9945 º", leaves the hard value's.
-ValueScale value_scale(const std::string& scale, const std::vector<Section>& sections, std::size_t bytes) {
+ValueScale value_scale(const std::string& scale, const std::vector<NanoscopeSection>& sections, std::size_t bytes) {
     const auto close = scale.rfind(')');
     const auto hard =
         leading_value(close == std::string::npos ? std::string_view{} : std::string_view(scale).substr(close + 1));
@@ -151,7 +151,8 @@ ValueScale value_scale(const std::string& scale, const std::vector<Section>& sec
 }
 
 /// "4:1": so many times wider than high.
-double aspect_ratio(const Section& image, const std::vector<Section>& sections, const bytes::Source& source) {
+double aspect_ratio(const NanoscopeSection& image, const std::vector<NanoscopeSection>& sections,
+                    const bytes::Source& source) {
     const auto* text = find(image, "aspect ratio");
     if (!text) text = find(sections, "aspect ratio");
     if (!text) return 1.0;
@@ -165,7 +166,7 @@ double aspect_ratio(const Section& image, const std::vector<Section>& sections, 
 }
 
 /// "500 250 nm", or "500 nm" and the aspect ratio.
-std::array<double, 2> scan_size(const Section& image, const std::vector<Section>& sections,
+std::array<double, 2> scan_size(const NanoscopeSection& image, const std::vector<NanoscopeSection>& sections,
                                 const bytes::Source& source) {
     const auto& text = required(image, "scan size", source);
     const auto first = leading_value(text);
@@ -191,7 +192,7 @@ std::string image_name(const std::string& data, const std::string* direction) {
 }
 
 /// Where an image's integers stand.
-struct Block {
+struct NanoscopeBlock {
     std::uint64_t offset = 0;
     std::size_t bytes = 2;  ///< of one value
     Index nx = 0, ny = 0;
@@ -205,7 +206,8 @@ struct Block {
 /// From version 9.2 on, data are 4 bytes wide while "Bytes/pixel" may still say 2: the length of the block decides.
 /// Where an image's own number of points does not fill its block and the scan's does, as version 5.30 writes them, the
 /// scan's holds.
-Block find_block(const Section& image, const Section* scan, const std::string& name, const bytes::Source& source) {
+NanoscopeBlock find_block(const NanoscopeSection& image, const NanoscopeSection* scan, const std::string& name,
+                          const bytes::Source& source) {
     const auto own_nx = integer(image, "samps/line", source), own_ny = integer(image, "number of lines", source);
     const auto length = integer(image, "data length", source);
     auto bytes = integer(image, "bytes/pixel", source);
@@ -225,12 +227,12 @@ Block find_block(const Section& image, const Section* scan, const std::string& n
         throw FormatError(source.name, {},
                           fmt::format("Nanoscope: image '{}' has {} × {} values of {} bytes in {} bytes", name, nx, ny,
                                       bytes, length));
-    const Block block{integer(image, "data offset", source),
-                      static_cast<std::size_t>(bytes),
-                      static_cast<Index>(nx),
-                      static_cast<Index>(ny),
-                      static_cast<double>(nx) / static_cast<double>(own_nx),
-                      static_cast<double>(ny) / static_cast<double>(own_ny)};
+    const NanoscopeBlock block{integer(image, "data offset", source),
+                               static_cast<std::size_t>(bytes),
+                               static_cast<Index>(nx),
+                               static_cast<Index>(ny),
+                               static_cast<double>(nx) / static_cast<double>(own_nx),
+                               static_cast<double>(ny) / static_cast<double>(own_ny)};
     if (block.offset + block.length() > source.size)
         throw FormatError(
             source.name, {.offset = source.size},
@@ -239,7 +241,7 @@ Block find_block(const Section& image, const Section* scan, const std::string& n
     return block;
 }
 
-topography::Metadata file_metadata(const std::vector<Section>& sections, const bytes::Source& source) {
+topography::Metadata file_metadata(const std::vector<NanoscopeSection>& sections, const bytes::Source& source) {
     topography::Metadata metadata;
     metadata.file = source.name;
     metadata.format = "di";
@@ -257,15 +259,15 @@ topography::Metadata file_metadata(const std::vector<Section>& sections, const b
     return metadata;
 }
 
-Channel image_channel(const Section& image, const std::vector<Section>& sections, const ChannelInfo& common,
-                      const bytes::Source& source) {
+Channel image_channel(const NanoscopeSection& image, const std::vector<NanoscopeSection>& sections,
+                      const ChannelInfo& common, const bytes::Source& source) {
     ChannelInfo info = common;
     const auto* direction = find(image, "line direction");
     info.name = info.metadata.name = image_name(required(image, "image data", source), direction);
     if (direction) info.metadata.attributes["line_direction"] = bytes::lowered(*direction);
     if (const auto* frame = find(image, "frame direction"))
         info.metadata.attributes["scan_direction"] = bytes::lowered(*frame);
-    const auto scan = std::find_if(sections.begin(), sections.end(), [](const Section& section) {
+    const auto scan = std::find_if(sections.begin(), sections.end(), [](const NanoscopeSection& section) {
         return section.name == "ciao scan list" || section.name == "afm list" || section.name == "nc afm list";
     });
     const auto block = find_block(image, scan == sections.end() ? nullptr : &*scan, info.name, source);
@@ -289,14 +291,14 @@ Channel image_channel(const Section& image, const std::vector<Section>& sections
     return raster_channel(std::move(info), source, raster, {.factor = scale.factor});
 }
 
-bool is_image(const Section& section) {
+bool is_image(const NanoscopeSection& section) {
     return section.name == "ciao image list" || section.name == "afm image list" || section.name == "stm image list" ||
            section.name == "ncafm image list";
 }
 
-bool holds_curves(const std::vector<Section>& sections) {
+bool holds_curves(const std::vector<NanoscopeSection>& sections) {
     return std::any_of(sections.begin(), sections.end(),
-                       [](const Section& section) { return section.name == "ciao force image list"; });
+                       [](const NanoscopeSection& section) { return section.name == "ciao force image list"; });
 }
 
 Match detect_nanoscope(std::string_view head, const bytes::Source&) {

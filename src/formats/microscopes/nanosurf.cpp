@@ -23,20 +23,20 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view first_line = "[DataSet]", last_line = "\n#!";
-constexpr std::size_t most_channels = 1000;
+constexpr std::string_view first_nanosurf_line = "[DataSet]", last_nanosurf_line = "\n#!";
+constexpr std::size_t most_channels_of_nanosurf = 1000;
 
-using Section = std::map<std::string, std::string, std::less<>>;
-using Sections = std::map<std::string, Section, std::less<>>;
+using TextSection = std::map<std::string, std::string, std::less<>>;
+using Sections = std::map<std::string, TextSection, std::less<>>;
 
-std::string entry(const Section& section, std::string_view key) {
+std::string text_entry(const TextSection& section, std::string_view key) {
     const auto found = section.find(key);
     return found == section.end() ? std::string() : found->second;
 }
 
 Sections parsed(const std::string& head) {
     Sections sections;
-    Section* current = nullptr;
+    TextSection* current = nullptr;
     const auto text = bytes::decoded(head, bytes::Encoding::detect);
     for (const auto raw : bytes::split_lines(text)) {
         const auto line = trimmed(raw);
@@ -66,14 +66,14 @@ std::optional<Place> place_of(const std::string& key, const std::string& section
     return channel.ec == std::errc{} && channel.ptr == end ? std::optional(place) : std::nullopt;
 }
 
-std::vector<Place> places(const Section& dataset, const bytes::Source& source) {
+std::vector<Place> places(const TextSection& dataset, const bytes::Source& source) {
     std::vector<Place> found;
     for (const auto& [key, value] : dataset)
         if (const auto place = place_of(key, value)) found.push_back(*place);
-    if (found.size() > most_channels)
-        throw FormatError(
-            source.name, {.offset = 0},
-            fmt::format("Nanosurf: {} channels, expected at most {}; it is damaged", found.size(), most_channels));
+    if (found.size() > most_channels_of_nanosurf)
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("Nanosurf: {} channels, expected at most {}; it is damaged", found.size(),
+                                      most_channels_of_nanosurf));
     std::sort(found.begin(), found.end(), [](const Place& a, const Place& b) {
         return std::pair{a.group, a.channel} < std::pair{b.group, b.channel};
     });
@@ -89,8 +89,8 @@ topography::Metadata metadata_of(const Sections& sections, const bytes::Source& 
     const auto found = sections.find("DataSet-Info");
     if (found == sections.end()) return metadata;
     const auto& about = found->second;
-    if (const auto head = entry(about, "Head type"); !head.empty()) metadata.instrument.name += " " + head;
-    metadata.acquisition_time = std::string(trimmed(entry(about, "Date") + " " + entry(about, "Time")));
+    if (const auto head = text_entry(about, "Head type"); !head.empty()) metadata.instrument.name += " " + head;
+    metadata.acquisition_time = std::string(trimmed(text_entry(about, "Date") + " " + text_entry(about, "Time")));
     for (const auto& [key, attribute] : {std::pair{"Op. mode", "mode"},
                                          {"Cantilever", "cantilever"},
                                          {"Cantilever type", "cantilever"},
@@ -98,7 +98,7 @@ topography::Metadata metadata_of(const Sections& sections, const bytes::Source& 
                                          {"Rotation", "scan_angle"},
                                          {"SW.Version", "software_version"},
                                          {"Software ver.", "software_version"}})
-        if (const auto value = entry(about, key); !value.empty()) metadata.attributes[attribute] = value;
+        if (const auto value = text_entry(about, key); !value.empty()) metadata.attributes[attribute] = value;
     return metadata;
 }
 
@@ -108,14 +108,14 @@ struct Values {
     double factor = 0.0, offset = 0.0;  ///< to Dim2Unit
 };
 
-Values values_of(const Section& section, std::uint64_t at, const bytes::Source& source) {
+Values values_of(const TextSection& section, std::uint64_t at, const bytes::Source& source) {
     const auto refuse = [&](const std::string& what) {
         throw FormatError(source.name, {.offset = 0}, "Nanosurf: " + what);
     };
-    if (const auto mode = entry(section, "SaveMode"); mode != "Binary")
+    if (const auto mode = text_entry(section, "SaveMode"); mode != "Binary")
         refuse(fmt::format("a channel saved as '{:.40}', expected 'Binary'", mode));
-    const auto bits = entry(section, "SaveBits"), sign = entry(section, "SaveSign"),
-               order = entry(section, "SaveOrder");
+    const auto bits = text_entry(section, "SaveBits"), sign = text_entry(section, "SaveSign"),
+               order = text_entry(section, "SaveOrder");
     if ((bits != "8" && bits != "16" && bits != "32") || (sign != "Signed" && sign != "Unsigned") ||
         (order != "Intel" && order != "Motorola"))
         refuse(fmt::format(
@@ -125,15 +125,15 @@ Values values_of(const Section& section, std::uint64_t at, const bytes::Source& 
     Values values;
     values.raster = {
         .offset = at,
-        .nx = static_cast<Index>(tables::header_count(entry(section, "Points"), "Points", source, "Nanosurf")),
-        .ny = static_cast<Index>(tables::header_count(entry(section, "Lines"), "Lines", source, "Nanosurf")),
+        .nx = static_cast<Index>(tables::header_count(text_entry(section, "Points"), "Points", source, "Nanosurf")),
+        .ny = static_cast<Index>(tables::header_count(text_entry(section, "Lines"), "Lines", source, "Nanosurf")),
         .bottom_up = true};
     values.raster.sample = bits == "8"    ? (is_signed ? Sample::int8 : Sample::uint8)
                            : bits == "16" ? (is_signed ? Sample::int16 : Sample::uint16)
                                           : (is_signed ? Sample::int32 : Sample::uint32);
     values.raster.order = order == "Intel" ? std::endian::little : std::endian::big;
-    const double range = tables::header_number(entry(section, "Dim2Range"), "Dim2Range", source, "Nanosurf"),
-                 least = tables::header_number(entry(section, "Dim2Min"), "Dim2Min", source, "Nanosurf");
+    const double range = tables::header_number(text_entry(section, "Dim2Range"), "Dim2Range", source, "Nanosurf"),
+                 least = tables::header_number(text_entry(section, "Dim2Min"), "Dim2Min", source, "Nanosurf");
     values.factor = std::ldexp(range, -8 * static_cast<int>(bytes_of(values.raster.sample)));
     values.offset = least + (is_signed ? 0.5 * range : 0.0);
     require_raster(values.raster, source, "Nanosurf");
@@ -141,26 +141,26 @@ Values values_of(const Section& section, std::uint64_t at, const bytes::Source& 
 }
 
 /// Extent [m] along each axis; empty where one is no length.
-std::vector<double> size_of(const Section& section, std::size_t dimensions, const bytes::Source& source) {
+std::vector<double> size_of(const TextSection& section, std::size_t dimensions, const bytes::Source& source) {
     std::vector<double> size;
     for (std::size_t k = 0; k < dimensions; ++k) {
-        const auto unit = plain_unit(entry(section, fmt::format("Dim{}Unit", k)));
+        const auto unit = plain_unit(text_entry(section, fmt::format("Dim{}Unit", k)));
         const auto key = fmt::format("Dim{}Range", k);
         if (!holds_heights({}, unit)) return {};
-        size.push_back(std::abs(tables::header_number(entry(section, key), key, source, "Nanosurf")) *
+        size.push_back(std::abs(tables::header_number(text_entry(section, key), key, source, "Nanosurf")) *
                        length_unit(unit, source).factor);
     }
     return size;
 }
 
-Channel channel_of(const Section& section, const Values& values, ChannelInfo info, const bytes::Source& source,
+Channel channel_of(const TextSection& section, const Values& values, ChannelInfo info, const bytes::Source& source,
                    const ReadOptions& options) {
-    const auto frame = entry(section, "Frame");
-    info.name = info.metadata.name =
-        frame.empty() ? entry(section, "Dim2Name") : fmt::format("{} ({})", entry(section, "Dim2Name"), frame);
+    const auto frame = text_entry(section, "Frame");
+    info.name = info.metadata.name = frame.empty() ? text_entry(section, "Dim2Name")
+                                                   : fmt::format("{} ({})", text_entry(section, "Dim2Name"), frame);
     if (frame == "Scan forward" || frame == "Scan backward")
         info.metadata.attributes["line_direction"] = frame.substr(5);
-    info.unit = plain_unit(entry(section, "Dim2Unit"));
+    info.unit = plain_unit(text_entry(section, "Dim2Unit"));
     const bool line = values.raster.ny == 1;
     info.shape = line ? std::vector{values.raster.nx} : std::vector{values.raster.nx, values.raster.ny};
     info.size = size_of(section, info.shape.size(), source);
@@ -172,12 +172,12 @@ Channel channel_of(const Section& section, const Values& values, ChannelInfo inf
 }
 
 std::vector<Channel> open_nanosurf(const bytes::Source& source, const ReadOptions& options) {
-    const auto head = tables::head_until(source, last_line, "Nanosurf");
+    const auto head = tables::head_until(source, last_nanosurf_line, "Nanosurf");
     const auto sections = parsed(head);
     ChannelInfo common;
     common.format = "nanosurf";
     common.metadata = metadata_of(sections, source);
-    std::uint64_t at = head.size() + last_line.size();
+    std::uint64_t at = head.size() + last_nanosurf_line.size();
     std::vector<Channel> channels;
     const auto dataset = sections.find("DataSet");
     for (const auto& place : dataset == sections.end() ? std::vector<Place>{} : places(dataset->second, source)) {
@@ -193,8 +193,8 @@ std::vector<Channel> open_nanosurf(const bytes::Source& source, const ReadOption
 }
 
 Match detect_nanosurf(std::string_view head, const bytes::Source&) {
-    return head.starts_with(first_line) && (head.substr(first_line.size()).starts_with('\r') ||
-                                            head.substr(first_line.size()).starts_with('\n'))
+    return head.starts_with(first_nanosurf_line) && (head.substr(first_nanosurf_line.size()).starts_with('\r') ||
+                                                     head.substr(first_nanosurf_line.size()).starts_with('\n'))
                ? Match::yes
                : Match::no;
 }

@@ -19,7 +19,7 @@
 namespace setae::formats {
 namespace {
 
-enum Tag : std::uint16_t {
+enum ParkTag : std::uint16_t {
     magic_tag = 50432,
     version_tag = 50433,
     samples_tag = 50434,
@@ -31,8 +31,8 @@ enum Tag : std::uint16_t {
     strip_bytes_tag = 279
 };
 constexpr std::uint64_t most_strips = 1 << 20;
-constexpr double magic = 0x0E031301, version_1 = 0x1000001, version_2 = 0x1000002;
-constexpr std::uint64_t header_bytes = 356, header_bytes_2 = 580;
+constexpr double park_magic = 0x0E031301, version_1 = 0x1000001, version_2 = 0x1000002;
+constexpr std::uint64_t park_header_bytes = 356, header_bytes_2 = 580;
 
 struct ParkHeader {
     std::uint32_t image_type = 0;
@@ -59,10 +59,10 @@ std::string wide_text(bytes::Cursor& cursor, std::uint64_t characters) {
 }
 
 ParkHeader header_of(const bytes::TiffFile& file, const bytes::TiffTag& tag) {
-    if (tag.bytes() < header_bytes)
-        throw FormatError(
-            file.source.name, {.offset = tag.offset},
-            fmt::format("Park: a header of {} bytes, expected {} or {}", tag.bytes(), header_bytes, header_bytes_2));
+    if (tag.bytes() < park_header_bytes)
+        throw FormatError(file.source.name, {.offset = tag.offset},
+                          fmt::format("Park: a header of {} bytes, expected {} or {}", tag.bytes(), park_header_bytes,
+                                      header_bytes_2));
     bytes::Cursor cursor(file.source, "Park", tag.offset);
     ParkHeader header;
     const auto flag = [&] { return cursor.number<std::uint32_t>() != 0; };
@@ -202,7 +202,7 @@ Match detect_park(std::string_view head, const bytes::Source& source) {
     if (!bytes::is_tiff(head)) return Match::no;
     try {
         const auto file = bytes::open_tiff(source, "Park", 1);
-        return file.number(file.pages.front(), magic_tag) == magic ? Match::yes : Match::no;
+        return file.number(file.pages.front(), magic_tag) == park_magic ? Match::yes : Match::no;
     } catch (const FormatError&) {
         return Match::no;
     }

@@ -22,11 +22,11 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view first_line = "WSxM file copyright", image_line = "SxM Image file",
-                           size_key = "Image header size:", last_line = "[Header end]";
+constexpr std::string_view first_wsxm_line = "WSxM file copyright", image_line = "SxM Image file",
+                           size_key = "Image header size:", last_wsxm_line = "[Header end]";
 constexpr std::uint64_t usual_header = 1 << 16, longest_header = 1 << 20;
 
-struct Header {
+struct WsxmHeader {
     std::map<std::string, std::string> entries;  ///< "section/key" in lower case
     std::uint64_t data_offset = 0;
 
@@ -37,7 +37,7 @@ struct Header {
     }
 };
 
-[[noreturn]] void broken(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
+[[noreturn]] void broken_wsxm(const bytes::Source& source, std::uint64_t offset, const std::string& what) {
     throw FormatError(source.name, {.offset = offset}, "WSxM: " + what);
 }
 
@@ -46,32 +46,32 @@ void require_image(const std::vector<std::string_view>& lines, const bytes::Sour
     const auto kind = lines.size() < 2 ? std::string_view{} : trimmed(lines[1]);
     if (kind == image_line) return;
     if (bytes::lowered(kind).starts_with("fz"))
-        broken(
+        broken_wsxm(
             source, lines[0].size() + 1,
             fmt::format(
                 "'{:.40}': force-distance curves, no map of heights; export them as columns of text, which `setae jkr fit` reads",
                 kind));
-    broken(source, lines.size() < 2 ? source.size : lines[0].size() + 1,
-           fmt::format("got '{:.40}', expected '{}'; curves, spectra and films are not read", kind, image_line));
+    broken_wsxm(source, lines.size() < 2 ? source.size : lines[0].size() + 1,
+                fmt::format("got '{:.40}', expected '{}'; curves, spectra and films are not read", kind, image_line));
 }
 
 /// The first bytes up to the end of the header at least; all that may be one where it has no end.
-std::string header_bytes(const bytes::Source& source) {
+std::string whole_header(const bytes::Source& source) {
     auto bytes = source.head(usual_header);
-    return bytes.find(last_line) == std::string::npos && bytes.size() < source.size ? source.head(longest_header)
-                                                                                    : bytes;
+    return bytes.find(last_wsxm_line) == std::string::npos && bytes.size() < source.size ? source.head(longest_header)
+                                                                                         : bytes;
 }
 
-Header parse_header(const bytes::Source& source) {
-    const auto bytes = header_bytes(source);
+WsxmHeader parse_header(const bytes::Source& source) {
+    const auto bytes = whole_header(source);
     const auto lines = bytes::split_lines(bytes);
     const bool whole_lines = lines.size() > 2;
     if (whole_lines) require_image(lines, source);
-    const auto end = bytes.find(last_line);
+    const auto end = bytes.find(last_wsxm_line);
     if (end == std::string::npos || !whole_lines)
-        broken(source, bytes.size(),
-               fmt::format("the header does not end with '{}'; the file is truncated or damaged", last_line));
-    Header header;
+        broken_wsxm(source, bytes.size(),
+                    fmt::format("the header does not end with '{}'; the file is truncated or damaged", last_wsxm_line));
+    WsxmHeader header;
     const auto line_end = bytes.find('\n', end);
     header.data_offset = line_end == std::string::npos ? bytes.size() : line_end + 1;
     const auto third = trimmed(lines[2]);
@@ -104,7 +104,7 @@ std::optional<Amplitude> amplitude(std::string_view text) {
     return Amplitude{*number, std::string(trimmed(text.substr(blank)))};
 }
 
-std::vector<double> lateral_size(const Header& header, const bytes::Source& source) {
+std::vector<double> lateral_size(const WsxmHeader& header, const bytes::Source& source) {
     const auto x = amplitude(header.text("control/x amplitude"));
     const auto given_y = amplitude(header.text("control/y amplitude"));
     const auto& y = given_y ? given_y : x;  // old versions state one for a square
@@ -118,24 +118,25 @@ struct DataType {
     bool scaled;  ///< integers that span the Z amplitude
 };
 
-DataType data_type(const Header& header, const bytes::Source& source) {
+DataType data_type(const WsxmHeader& header, const bytes::Source& source) {
     const auto name = bytes::lowered(header.text("general info/image data type"));
     if (name.empty() || name == "short" || name == "integer") return {Sample::int16, true};
     if (name == "float") return {Sample::float32, false};
     if (name == "double") return {Sample::float64, false};
-    broken(source, header.data_offset,
-           fmt::format("image data type '{:.40}', expected short, integer, float or double", name));
+    broken_wsxm(source, header.data_offset,
+                fmt::format("image data type '{:.40}', expected short, integer, float or double", name));
 }
 
-Index dimension_of(const Header& header, const std::string& key, const bytes::Source& source) {
+Index dimension_of(const WsxmHeader& header, const std::string& key, const bytes::Source& source) {
     const auto& text = header.text("general info/" + key);
     const auto number = tables::count_in(text);
     if (!number)
-        broken(source, header.data_offset, fmt::format("'{}' is '{:.40}', expected a positive integer", key, text));
+        broken_wsxm(source, header.data_offset,
+                    fmt::format("'{}' is '{:.40}', expected a positive integer", key, text));
     return *number;
 }
 
-topography::Metadata metadata_of(const Header& header) {
+topography::Metadata metadata_of(const WsxmHeader& header) {
     topography::Metadata metadata;
     metadata.acquisition_time = header.text("general info/acquisition time");
     metadata.instrument.type = bytes::lowered(header.text("general info/head type"));
@@ -152,7 +153,7 @@ topography::Metadata metadata_of(const Header& header) {
 }
 
 /// The range of raw integers that spans the Z amplitude, where the header states it as integers.
-std::optional<double> stated_range(const Header& header) {
+std::optional<double> stated_range(const WsxmHeader& header) {
     const auto least = tables::finite_number(header.text("miscellaneous/minimum")),
                greatest = tables::finite_number(header.text("miscellaneous/maximum"));
     const bool integers = least && greatest && *least == std::round(*least) && *greatest == std::round(*greatest);
@@ -166,7 +167,7 @@ topography::Measurement spanning(topography::Measurement measurement, double amp
     return topography::scaled(std::move(measurement), range > 0.0 ? amplitude / range : 0.0);
 }
 
-void warn_of_scale(ChannelInfo& info, const Header& header, const bytes::Source& source) {
+void warn_of_scale(ChannelInfo& info, const WsxmHeader& header, const bytes::Source& source) {
     const auto factor = tables::finite_number(header.text("miscellaneous/z scale factor"));
     if (factor && *factor != 1.0)
         info.alerts.push_back({"SCALE_NOT_APPLIED", source.name,
@@ -193,7 +194,8 @@ std::vector<Channel> open_wsxm(const bytes::Source& source, const ReadOptions& o
         "rows from the bottom and each from the right, turned by half a turn; not stated in the file, taken as Gwyddion shows it";
     const auto height = amplitude(header.text("general info/z amplitude"));
     if (type.scaled && !height)
-        broken(source, header.data_offset, "the header has no 'Z Amplitude', without which integers have no scale");
+        broken_wsxm(source, header.data_offset,
+                    "the header has no 'Z Amplitude', without which integers have no scale");
     info.unit = height ? height->unit : "";
     const auto unit = tables::try_parse_unit(info.unit);
     if (!info.unit.empty() && info.unit != "A" && (!unit || unit->dimension != dimension::length)) {
@@ -209,8 +211,8 @@ std::vector<Channel> open_wsxm(const bytes::Source& source, const ReadOptions& o
     if (const auto range = stated_range(header))
         return {raster_channel(std::move(info), source, raster, {.factor = span / *range}, options)};
     if (info.unit.empty())
-        broken(source, header.data_offset,
-               "the header states neither the unit of 'Z Amplitude' nor the integers' range");
+        broken_wsxm(source, header.data_offset,
+                    "the header states neither the unit of 'Z Amplitude' nor the integers' range");
     auto channel = raster_channel(std::move(info), source, raster, {.factor = span}, options);
     read_as_a_whole(channel, [read = channel.read, span] { return spanning(read(), span); });
     return {std::move(channel)};
@@ -234,7 +236,7 @@ Format wsxm_format() {
         .tested_on_real_files = true,
         .carries_scale = true,
         .detect = [](std::string_view head,
-                     const bytes::Source&) { return head.starts_with(first_line) ? Match::yes : Match::no; },
+                     const bytes::Source&) { return head.starts_with(first_wsxm_line) ? Match::yes : Match::no; },
         .open = open_wsxm};
 }
 

@@ -17,7 +17,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr const char* name = "ZAG";
+constexpr const char* zag_name = "ZAG";
 constexpr const char* inventory_member = "f1724dc6-686c-4502-9227-2a594bc8ed33";
 constexpr const char* zon_member = "84b648d7-e44f-4909-ac11-0476720a67ff";
 
@@ -46,7 +46,7 @@ Match detect_zag(std::string_view head, const bytes::Source& source) {
 
 void add_measurements(std::vector<Channel>& channels, const bytes::Source& inner, const bytes::Archive& archive,
                       const std::string& item, const bytes::Source& source, const ReadOptions& options) {
-    const auto document = bytes::parsed_xml(keyence_member(archive, item, source), source, name);
+    const auto document = bytes::parsed_xml(keyence_member(archive, item, source), source, zag_name);
     if (document.document_element().name() != std::string_view("MeasurementDataMap")) return;
     const auto parent = item.substr(0, std::min(item.find('/'), item.size()));
     for (const auto& measurement : document.document_element().children("MeasurementData")) {
@@ -66,7 +66,7 @@ void add_measurements(std::vector<Channel>& channels, const bytes::Source& inner
 std::vector<Channel> open_zag(const bytes::Source& source, const ReadOptions& options) {
     const auto inner = keyence_archive(source);
     const bytes::Archive archive(inner);
-    const auto inventory = bytes::parsed_xml(keyence_member(archive, inventory_member, source), source, name);
+    const auto inventory = bytes::parsed_xml(keyence_member(archive, inventory_member, source), source, zag_name);
     std::vector<Channel> channels;
     for (const auto& item : inventory.document_element().children("Item"))
         if (const auto path = path_of(item); !path.empty())

@@ -13,15 +13,15 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view signature = "Zeta-Instruments";
-constexpr std::uint64_t header_bytes = 205;
+constexpr std::string_view zmg_signature = "Zeta-Instruments";
+constexpr std::uint64_t zmg_header_bytes = 205;
 
 namespace at {
 constexpr std::uint64_t points = 85, steps = 97, comment_length = 117, recipe = 131;
 }
 
 Match detect_zmg(std::string_view head, const bytes::Source&) {
-    return head.starts_with(signature) ? Match::yes : Match::no;
+    return head.starts_with(zmg_signature) ? Match::yes : Match::no;
 }
 
 std::vector<Channel> open_zmg(const bytes::Source& source, const ReadOptions& options) {
@@ -43,10 +43,10 @@ std::vector<Channel> open_zmg(const bytes::Source& source, const ReadOptions& op
     constexpr std::uint64_t recipe_bytes = 68, longest_comment = 4096;
     if (auto recipe = cursor.text(recipe_bytes); !recipe.empty())
         info.metadata.attributes["recipe"] = std::move(recipe);
-    cursor.seek(header_bytes);
+    cursor.seek(zmg_header_bytes);
     if (auto comment = cursor.text(std::min<std::uint64_t>(comment_bytes, longest_comment)); !comment.empty())
         info.metadata.attributes["comment"] = std::move(comment);
-    const Raster raster{.offset = header_bytes + comment_bytes, .nx = nx, .ny = ny, .sample = Sample::uint16};
+    const Raster raster{.offset = zmg_header_bytes + comment_bytes, .nx = nx, .ny = ny, .sample = Sample::uint16};
     return {raster_channel(std::move(info), source, raster, {.factor = dz * units::um}, options)};
 }
 

@@ -28,7 +28,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr const char* name = "ZON";
+constexpr const char* zon_name = "ZON";
 constexpr const char* heights_member = "4cdb0c75-5706-48cc-a9a1-adf395d609ae";
 constexpr const char* validity_member = "9e7ca6dd-0e6a-4d7b-8986-f0a7b773c916";
 constexpr const char* colour_member = "c65a358c-2782-481d-9f05-b9b233b3802d";
@@ -55,7 +55,7 @@ PointArray array_of(const bytes::Archive& archive, const char* member, std::int3
     const auto packed = archive.head(member, enough_for_a_header);
     const bool zstd = packed.starts_with(zstd_signature);
     const auto header =
-        zstd ? bytes::expanded_zstd_head(packed, array_header, content, 0, name) : packed.substr(0, array_header);
+        zstd ? bytes::expanded_zstd_head(packed, array_header, content, 0, zon_name) : packed.substr(0, array_header);
     if (header.size() < array_header)
         throw FormatError(content.name, {.offset = header.size()},
                           "ZON: the member ends within its header; the file is damaged");
@@ -75,16 +75,16 @@ PointArray array_of(const bytes::Archive& archive, const char* member, std::int3
                           fmt::format("ZON: {} × {} points announced in {} compressed bytes; the file is damaged",
                                       array.nx, array.ny, content.size));
     array.content = bytes::expanded_source(
-        content.name, size, [content, source] { return bytes::expanded_zstd(content.all(), content, 0, name); });
+        content.name, size, [content, source] { return bytes::expanded_zstd(content.all(), content, 0, zon_name); });
     return array;
 }
 
 pugi::xml_document document_of(const bytes::Archive& archive, const char* member, const bytes::Source& source) {
-    return bytes::parsed_xml(keyence_member(archive, member, source), source, name);
+    return bytes::parsed_xml(keyence_member(archive, member, source), source, zon_name);
 }
 
 double calibration(const pugi::xml_document& document, const char* axis, const char* key, const bytes::Source& source) {
-    const double value = bytes::xml_number(document.document_element().child(axis).child(key), 0.0, source, name);
+    const double value = bytes::xml_number(document.document_element().child(axis).child(key), 0.0, source, zon_name);
     if (!(value > 0.0))
         throw FormatError(source.name, {}, fmt::format("ZON: calibration without a positive {}/{}", axis, key));
     return value;
@@ -124,14 +124,14 @@ bool is_keyence_package(std::string_view head) { return head.starts_with("KPK0")
 
 bytes::Source keyence_archive(const bytes::Source& source) {
     constexpr std::uint64_t picture = 8;
-    bytes::Cursor cursor(source, name);
+    bytes::Cursor cursor(source, zon_name);
     if (!is_keyence_package(cursor.bytes(4))) cursor.fail("it does not begin with 'KPK0' or 'KPK1'");
-    return archive_behind_picture(source, picture, cursor.number<std::uint32_t>(), name);
+    return archive_behind_picture(source, picture, cursor.number<std::uint32_t>(), zon_name);
 }
 
 std::string keyence_member(const bytes::Archive& archive, const std::string& member, const bytes::Source& source) {
     auto content = archive.read(member);
-    return content.starts_with(zstd_signature) ? bytes::expanded_zstd(content, source, 0, name) : content;
+    return content.starts_with(zstd_signature) ? bytes::expanded_zstd(content, source, 0, zon_name) : content;
 }
 
 std::vector<Channel> open_zon(const bytes::Source& source, const ReadOptions& options) {

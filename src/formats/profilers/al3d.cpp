@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr auto magic = "AliconaImaging\0\r\n"sv;
+constexpr auto al3d_magic = "AliconaImaging\0\r\n"sv;
 constexpr std::uint64_t key_bytes = 20, value_bytes = 30, tag_bytes = 52, comment_bytes = 256;
 /// Values as near to the one that marks invalid pixels are meant, which the header prints with fewer digits than it
 /// has.
@@ -53,7 +53,7 @@ std::string required_tag(bytes::Cursor& cursor, const std::string& name) {
 }
 
 Tags read_tags(const bytes::Source& source) {
-    bytes::Cursor cursor(source, "Alicona", magic.size());
+    bytes::Cursor cursor(source, "Alicona", al3d_magic.size());
     Tags tags;
     tags.values["Version"] = required_tag(cursor, "Version");
     const auto announced = required_tag(cursor, "TagCount");
@@ -170,7 +170,7 @@ Format al3d_format() {
         .tested_on_real_files = true,
         .carries_scale = true,
         .detect = [](std::string_view head,
-                     const bytes::Source&) { return head.starts_with(magic) ? Match::yes : Match::no; },
+                     const bytes::Source&) { return head.starts_with(al3d_magic) ? Match::yes : Match::no; },
         .open = open_al3d};
 }
 

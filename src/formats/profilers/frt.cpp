@@ -22,11 +22,11 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view signature = "FRTM_GLIDERV";
+constexpr std::string_view frt_signature = "FRTM_GLIDERV";
 constexpr std::uint64_t version_bytes = 4;
 constexpr double undefined_raw = 1.0;
 
-enum Tag : std::uint16_t {
+enum FrtTag : std::uint16_t {
     single_map = 0x0b,
     description = 0x65,
     grid = 0x66,
@@ -38,21 +38,21 @@ enum Tag : std::uint16_t {
     serial_number = 0x8e
 };
 
-struct Block {
+struct FrtBlock {
     std::uint64_t offset = 0, length = 0;
 };
 
 struct FrtFile {
-    std::map<std::uint16_t, Block> blocks;
+    std::map<std::uint16_t, FrtBlock> blocks;
 
-    [[nodiscard]] const Block* find(std::uint16_t tag, std::uint64_t least_bytes = 0) const {
+    [[nodiscard]] const FrtBlock* find(std::uint16_t tag, std::uint64_t least_bytes = 0) const {
         const auto at = blocks.find(tag);
         return at == blocks.end() || at->second.length < least_bytes ? nullptr : &at->second;
     }
 };
 
 /// An image's type, as flags, and where its values lie.
-struct Image {
+struct FrtImage {
     std::uint32_t type = 0;
     std::uint32_t bits = 0;
     Raster raster;
@@ -86,7 +86,7 @@ bool is_height(std::uint32_t type) {
 }
 
 FrtFile read_blocks(bytes::Cursor& cursor) {
-    cursor.seek(signature.size());
+    cursor.seek(frt_signature.size());
     const auto version = cursor.text(version_bytes);
     if (version != "1.00" && version != "1.01")
         cursor.fail(fmt::format("version '{}', expected 1.00 or 1.01", version));
@@ -95,14 +95,14 @@ FrtFile read_blocks(bytes::Cursor& cursor) {
     for (std::uint16_t i = 0; i < count; ++i) {
         const auto tag = cursor.number<std::uint16_t>();
         const auto length = version == "1.00" ? cursor.number<std::uint32_t>() : cursor.number<std::uint64_t>();
-        file.blocks.emplace(tag, Block{cursor.position(), length});
+        file.blocks.emplace(tag, FrtBlock{cursor.position(), length});
         cursor.skip(length);
     }
     return file;
 }
 
-Image image_of(bytes::Cursor& cursor, std::uint32_t type) {
-    Image image{.type = type, .raster = {.bottom_up = true}};
+FrtImage image_of(bytes::Cursor& cursor, std::uint32_t type) {
+    FrtImage image{.type = type, .raster = {.bottom_up = true}};
     image.raster.nx = cursor.number<std::uint32_t>();
     image.raster.ny = cursor.number<std::uint32_t>();
     image.bits = cursor.number<std::uint32_t>();
@@ -113,10 +113,10 @@ Image image_of(bytes::Cursor& cursor, std::uint32_t type) {
 }
 
 /// Images of the block of several.
-std::vector<Image> images_of(const Block& block, bytes::Cursor& cursor) {
+std::vector<FrtImage> images_of(const FrtBlock& block, bytes::Cursor& cursor) {
     constexpr std::uint64_t identifiers_bytes = 8, header_bytes = 16;
     constexpr std::size_t most_images = 256;
-    std::vector<Image> found;
+    std::vector<FrtImage> found;
     const auto end = block.offset + block.length;
     cursor.seek(block.offset);
     cursor.skip(std::min(identifiers_bytes, block.length));
@@ -138,13 +138,13 @@ std::vector<Image> images_of(const Block& block, bytes::Cursor& cursor) {
 }
 
 /// Heights first. The single map is taken where no image of several is one: else it is the same map again.
-std::vector<Image> all_images(const FrtFile& file, bytes::Cursor& cursor) {
-    std::vector<Image> found;
-    if (const auto* block = file.find(Tag::images)) found = images_of(*block, cursor);
-    std::stable_partition(found.begin(), found.end(), [](const Image& image) { return is_height(image.type); });
+std::vector<FrtImage> all_images(const FrtFile& file, bytes::Cursor& cursor) {
+    std::vector<FrtImage> found;
+    if (const auto* block = file.find(FrtTag::images)) found = images_of(*block, cursor);
+    std::stable_partition(found.begin(), found.end(), [](const FrtImage& image) { return is_height(image.type); });
     if (!found.empty() && is_height(found.front().type)) return found;
-    const auto* map = file.find(Tag::single_map);
-    const auto* points = file.find(Tag::grid, 12);
+    const auto* map = file.find(FrtTag::single_map);
+    const auto* points = file.find(FrtTag::grid, 12);
     if (!map || !points) return found;
     cursor.seek(points->offset);
     auto image = image_of(cursor, topography);
@@ -159,7 +159,7 @@ std::vector<Image> all_images(const FrtFile& file, bytes::Cursor& cursor) {
     return found;
 }
 
-std::string counted_text(const Block& block, bytes::Cursor& cursor) {
+std::string counted_text(const FrtBlock& block, bytes::Cursor& cursor) {
     cursor.seek(block.offset);
     const auto length = cursor.number<std::uint32_t>();
     return length <= block.length - sizeof(std::uint32_t) ? cursor.text(length) : std::string();
@@ -169,17 +169,18 @@ topography::Metadata metadata_of(const FrtFile& file, bytes::Cursor& cursor) {
     topography::Metadata metadata;
     metadata.instrument = {.name = "FRT MicroProf", .type = "optical"};
     constexpr std::uint64_t longest_text = 1 << 16;
-    for (const auto& [key, tag] : {std::pair{"description", Tag::description}, {"parameter_set", Tag::parameter_set}}) {
+    for (const auto& [key, tag] :
+         {std::pair{"description", FrtTag::description}, {"parameter_set", FrtTag::parameter_set}}) {
         const auto* block = file.find(tag);
         if (!block) continue;
         cursor.seek(block->offset);
         if (auto text = cursor.text(std::min(block->length, longest_text)); !text.empty())
             metadata.attributes[key] = std::move(text);
     }
-    if (const auto* block = file.find(Tag::serial_number, sizeof(std::uint32_t)))
+    if (const auto* block = file.find(FrtTag::serial_number, sizeof(std::uint32_t)))
         if (auto text = counted_text(*block, cursor); !text.empty())
             metadata.attributes["serial_number"] = std::move(text);
-    if (const auto* block = file.find(Tag::times, sizeof(std::uint32_t))) {
+    if (const auto* block = file.find(FrtTag::times, sizeof(std::uint32_t))) {
         constexpr std::uint32_t unset = 0xffffffff;
         const auto started = cursor.number_at<std::uint32_t>(block->offset);
         if (started != 0 && started != unset) metadata.acquisition_time = bytes::utc_text(started);
@@ -188,7 +189,7 @@ topography::Metadata metadata_of(const FrtFile& file, bytes::Cursor& cursor) {
 }
 
 Match detect_frt(std::string_view head, const bytes::Source&) {
-    return head.starts_with(signature) ? Match::yes : Match::no;
+    return head.starts_with(frt_signature) ? Match::yes : Match::no;
 }
 
 std::vector<Channel> open_frt(const bytes::Source& source, const ReadOptions& options) {
@@ -198,13 +199,13 @@ std::vector<Channel> open_frt(const bytes::Source& source, const ReadOptions& op
     common.format = "frt";
     common.orientation = "rows from the bottom, turned; not stated in the file, as Gwyddion shows it";
     common.metadata = metadata_of(file, cursor);
-    if (const auto* block = file.find(Tag::extent, 16)) {
+    if (const auto* block = file.find(FrtTag::extent, 16)) {
         const double width = std::abs(cursor.number_at<double>(block->offset)),
                      height = std::abs(cursor.number_at<double>(block->offset + 8));
         if (width > 0.0 && height > 0.0) common.size = {width, height};
     }
     std::optional<double> step;
-    if (const auto* block = file.find(Tag::sensor, 12)) step = cursor.number_at<double>(block->offset + 4);
+    if (const auto* block = file.find(FrtTag::sensor, 12)) step = cursor.number_at<double>(block->offset + 4);
     std::vector<Channel> channels;
     for (const auto& image : all_images(file, cursor)) {
         auto info = common;

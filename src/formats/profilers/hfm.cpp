@@ -12,11 +12,11 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view magic = "X;Y;valid";
+constexpr std::string_view hfm_magic = "X;Y;valid";
 
 Match detect_hfm(std::string_view head, const bytes::Source&) {
     if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
-    return head.starts_with(magic) ? Match::yes : Match::no;
+    return head.starts_with(hfm_magic) ? Match::yes : Match::no;
 }
 
 std::vector<Channel> open_hfm(const bytes::Source& source, const ReadOptions& options) {

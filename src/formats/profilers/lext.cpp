@@ -17,7 +17,7 @@
 namespace setae::formats {
 namespace {
 
-enum Tag : std::uint16_t {
+enum LextTag : std::uint16_t {
     description_tag = 270,
     maker_tag = 271,
     model_tag = 272,

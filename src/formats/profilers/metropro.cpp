@@ -38,14 +38,14 @@ constexpr std::uint64_t header_format = 4, software_date = 12, intensity_width =
                         objective = 246, part = 258, full_serial = 798;
 }
 
-struct Grid {
+struct MetroproGrid {
     Index nx = 0, ny = 0;
     [[nodiscard]] std::uint64_t points() const {
         return static_cast<std::uint64_t>(nx) * static_cast<std::uint64_t>(ny);
     }
 };
 
-Grid grid_at(bytes::Cursor& cursor, std::uint64_t offset) {
+MetroproGrid grid_at(bytes::Cursor& cursor, std::uint64_t offset) {
     return {cursor.number_at<std::uint16_t>(offset), cursor.number_at<std::uint16_t>(offset + 2)};
 }
 
@@ -137,7 +137,7 @@ std::vector<Channel> open_metropro(const bytes::Source& source, const ReadOption
     common.format = "metropro";
     common.metadata = metadata_of(cursor);
     common.orientation = "rows from the top, as stored";
-    const auto channel_info = [&](const char* name, const Grid& grid) {
+    const auto channel_info = [&](const char* name, const MetroproGrid& grid) {
         auto info = common;
         info.name = info.metadata.name = name;
         info.shape = {grid.nx, grid.ny};

@@ -30,7 +30,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr const char* name = "MNT";
+constexpr const char* mnt_name = "MNT";
 constexpr const char* contents_stream = "ScopedContents";
 constexpr std::uint16_t base = 0xffff;  ///< tag of what an entry inherits
 enum Class : std::uint32_t {
@@ -44,18 +44,18 @@ constexpr std::uint8_t mask_measured = 9;
 constexpr std::uint64_t entry_header = 10;
 
 /// Content of an entry in the stream.
-struct Entry {
+struct MntEntry {
     std::uint64_t offset = 0, size = 0;
 };
 
 /// Walks the tree; what it cannot find is nothing, what leaves its parent is refused.
 class Tree {
 public:
-    explicit Tree(const bytes::Source& stream) : cursor_(stream, name) {}
+    explicit Tree(const bytes::Source& stream) : cursor_(stream, mnt_name) {}
 
     [[nodiscard]] const bytes::Source& stream() const { return cursor_.source(); }
 
-    std::optional<Entry> child(const Entry& parent, std::uint16_t tag) {
+    std::optional<MntEntry> child(const MntEntry& parent, std::uint16_t tag) {
         const auto end = parent.offset + parent.size;
         for (auto at = parent.offset; end - at >= entry_header;) {
             const auto [found, entry] = entry_at(at, end);
@@ -64,7 +64,7 @@ public:
         }
         return std::nullopt;
     }
-    std::optional<Entry> at(Entry entry, std::initializer_list<std::uint16_t> path) {
+    std::optional<MntEntry> at(MntEntry entry, std::initializer_list<std::uint16_t> path) {
         for (const auto tag : path) {
             const auto next = child(entry, tag);
             if (!next) return std::nullopt;
@@ -73,8 +73,8 @@ public:
         return entry;
     }
     /// Objects of a document: each entry has its own length written before it once more.
-    std::vector<Entry> objects(const Entry& list) {
-        std::vector<Entry> entries;
+    std::vector<MntEntry> objects(const MntEntry& list) {
+        std::vector<MntEntry> entries;
         const auto end = list.offset + list.size;
         for (auto at = list.offset; end - at >= entry_header + 8;) {
             entries.push_back(entry_at(at + 8, end).second);
@@ -83,13 +83,13 @@ public:
         return entries;
     }
     template <class T>
-    std::optional<T> number(const Entry& entry, std::initializer_list<std::uint16_t> path) {
+    std::optional<T> number(const MntEntry& entry, std::initializer_list<std::uint16_t> path) {
         const auto found = at(entry, path);
         if (!found || found->size != sizeof(T)) return std::nullopt;
         return cursor_.number_at<T>(found->offset);
     }
     /// UTF-16 behind a byte 4.
-    std::string text(const Entry& entry, std::initializer_list<std::uint16_t> path) {
+    std::string text(const MntEntry& entry, std::initializer_list<std::uint16_t> path) {
         constexpr std::uint64_t longest = 4096;
         const auto found = at(entry, path);
         if (!found || found->size < 3 || found->size > longest) return {};
@@ -99,10 +99,10 @@ public:
         characters.resize(std::min(characters.find('\0'), characters.size()));
         return std::string(trimmed(characters));
     }
-    bool is(const Entry& entry, Class wanted) { return number<std::uint32_t>(entry, {1, 1}) == wanted; }
+    bool is(const MntEntry& entry, Class wanted) { return number<std::uint32_t>(entry, {1, 1}) == wanted; }
 
 private:
-    std::pair<std::uint16_t, Entry> entry_at(std::uint64_t at, std::uint64_t end) {
+    std::pair<std::uint16_t, MntEntry> entry_at(std::uint64_t at, std::uint64_t end) {
         cursor_.seek(at);
         const auto tag = cursor_.number<std::uint16_t>();
         const auto size = cursor_.number<std::uint64_t>();
@@ -115,55 +115,55 @@ private:
     bytes::Cursor cursor_;
 };
 
-[[noreturn]] void broken(const bytes::Source& stream, std::uint64_t offset, const std::string& what) {
-    throw FormatError(stream.name, {.offset = offset}, fmt::format("{}: {}", name, what));
+[[noreturn]] void broken_mnt(const bytes::Source& stream, std::uint64_t offset, const std::string& what) {
+    throw FormatError(stream.name, {.offset = offset}, fmt::format("{}: {}", mnt_name, what));
 }
 
 /// A zlib block of an array.
-struct Block {
+struct StoredBlock {
     std::uint64_t first = 0, count = 0;  ///< elements
     std::uint64_t offset = 0, size = 0;  ///< in the stream
 };
 
-std::vector<Block> blocks_of(const bytes::Source& stream, const Entry& data, std::uint64_t elements) {
-    std::vector<Block> blocks;
-    bytes::Cursor cursor(stream, name, data.offset + 8);
+std::vector<StoredBlock> blocks_of(const bytes::Source& stream, const MntEntry& data, std::uint64_t elements) {
+    std::vector<StoredBlock> blocks;
+    bytes::Cursor cursor(stream, mnt_name, data.offset + 8);
     const auto end = data.offset + data.size;
     while (cursor.position() < end) {
-        Block block;
+        StoredBlock block;
         block.first = cursor.number<std::uint64_t>();
         block.count = cursor.number<std::uint32_t>();
         block.size = cursor.number<std::uint32_t>();
         block.offset = cursor.position();
         cursor.skip(block.size);
         if (cursor.position() > end)
-            broken(stream, block.offset, "a block of heights is longer than its array; the file is damaged");
+            broken_mnt(stream, block.offset, "a block of heights is longer than its array; the file is damaged");
         blocks.push_back(block);
     }
     std::sort(blocks.begin(), blocks.end(),
-              [](const Block& left, const Block& right) { return left.first < right.first; });
+              [](const StoredBlock& left, const StoredBlock& right) { return left.first < right.first; });
     std::uint64_t next = 0;
     for (const auto& block : blocks) {
         if (block.first != next)
-            broken(stream, block.offset,
-                   fmt::format("a block begins at point {}, expected {}; the file is damaged", block.first, next));
+            broken_mnt(stream, block.offset,
+                       fmt::format("a block begins at point {}, expected {}; the file is damaged", block.first, next));
         next += block.count;
     }
     if (next != elements)
-        broken(stream, end, fmt::format("blocks of {} points, expected {}; the file is damaged", next, elements));
+        broken_mnt(stream, end, fmt::format("blocks of {} points, expected {}; the file is damaged", next, elements));
     return blocks;
 }
 
-std::string expanded_blocks(const bytes::Source& stream, const std::vector<Block>& blocks, std::uint64_t elements,
+std::string expanded_blocks(const bytes::Source& stream, const std::vector<StoredBlock>& blocks, std::uint64_t elements,
                             std::uint64_t element_bytes) {
     std::string array(elements * element_bytes, '\0');
     parallel::for_each_index(blocks.size(), {}, [&](std::size_t i) {
         const auto& block = blocks[i];
-        const auto part = bytes::inflated(stream.bytes(block.offset, block.size), stream, block.offset, name);
+        const auto part = bytes::inflated(stream.bytes(block.offset, block.size), stream, block.offset, mnt_name);
         if (part.size() != block.count * element_bytes)
-            broken(stream, block.offset,
-                   fmt::format("a block of {} points has {} bytes, expected {}", block.count, part.size(),
-                               block.count * element_bytes));
+            broken_mnt(stream, block.offset,
+                       fmt::format("a block of {} points has {} bytes, expected {}", block.count, part.size(),
+                                   block.count * element_bytes));
         std::memcpy(array.data() + block.first * element_bytes, part.data(), part.size());
     });
     return array;
@@ -175,18 +175,19 @@ struct Array {
     bytes::Source content;
 };
 
-Array array_of(Tree& tree, const Entry& object, std::uint64_t elements) {
+Array array_of(Tree& tree, const MntEntry& object, std::uint64_t elements) {
     const auto& stream = tree.stream();
     const auto count = tree.number<std::uint32_t>(object, {2, 1});
     const auto data = tree.at(object, {2, 2});
     if (!data || data->size < 8 || count != elements)
-        broken(stream, object.offset,
-               fmt::format("an array of {} elements, expected {}; the file is damaged", count.value_or(0), elements));
-    const auto bytes = bytes::Cursor(stream, name).number_at<std::uint64_t>(data->offset);
+        broken_mnt(
+            stream, object.offset,
+            fmt::format("an array of {} elements, expected {}; the file is damaged", count.value_or(0), elements));
+    const auto bytes = bytes::Cursor(stream, mnt_name).number_at<std::uint64_t>(data->offset);
     if (elements == 0 || bytes % elements != 0 || bytes > bytes::most_expanded(data->size))
-        broken(stream, data->offset,
-               fmt::format("{} bytes announced for {} elements in {} compressed bytes; the file is damaged", bytes,
-                           elements, data->size));
+        broken_mnt(stream, data->offset,
+                   fmt::format("{} bytes announced for {} elements in {} compressed bytes; the file is damaged", bytes,
+                               elements, data->size));
     const auto element_bytes = bytes / elements;
     return {element_bytes, bytes::expanded_source(stream.name, bytes, [stream, data = *data, elements, element_bytes] {
                 return expanded_blocks(stream, blocks_of(stream, data, elements), elements, element_bytes);
@@ -194,21 +195,21 @@ Array array_of(Tree& tree, const Entry& object, std::uint64_t elements) {
 }
 
 /// Step and origin of an axis in their own units, as SI factors where they are lengths.
-struct Axis {
+struct MntAxis {
     double step = 0.0, origin = 0.0;  ///< [m] where `is_length`
     bool is_length = false;
     std::string unit;
 };
 
-Axis axis_of(Tree& tree, const Entry& scale) {
-    Axis axis;
+MntAxis axis_of(Tree& tree, const MntEntry& scale) {
+    MntAxis axis;
     const auto step = tree.number<double>(scale, {1});
     const auto step_unit = tree.text(scale, {2});
     const auto shown_unit = tree.text(scale, {3});
     axis.unit = shown_unit.empty() ? step_unit : shown_unit;
     const auto step_factor = tables::try_parse_unit(step_unit), shown_factor = tables::try_parse_unit(axis.unit);
     if (!step || !std::isfinite(*step))
-        broken(tree.stream(), scale.offset, "an axis without its step; the file is damaged");
+        broken_mnt(tree.stream(), scale.offset, "an axis without its step; the file is damaged");
     axis.is_length = !step_unit.empty() && step_factor && shown_factor && step_factor->dimension == dimension::length &&
                      shown_factor->dimension == dimension::length;
     if (!axis.is_length) return axis;
@@ -217,7 +218,7 @@ Axis axis_of(Tree& tree, const Entry& scale) {
     return axis;
 }
 
-topography::Metadata metadata_of(Tree& tree, const Entry& document, const bytes::Source& file) {
+topography::Metadata metadata_of(Tree& tree, const MntEntry& document, const bytes::Source& file) {
     topography::Metadata metadata;
     metadata.file = file.name;
     std::string version;
@@ -229,7 +230,7 @@ topography::Metadata metadata_of(Tree& tree, const Entry& document, const bytes:
 }
 
 /// The map of a surface object; nothing for objects that hold none.
-std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const topography::Metadata& common,
+std::optional<Channel> surface_channel(Tree& tree, const MntEntry& object, const topography::Metadata& common,
                                        const ReadOptions& options) {
     if (!tree.is(object, surface_object)) return std::nullopt;
     const auto data = tree.at(object, {2, 1});
@@ -258,8 +259,8 @@ std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const to
     if (ny > 1) info.orientation = "rows from the top, as stored; not stated in the file, taken as Mountains shows it";
     const auto counts = array_of(tree, *heights, std::uint64_t{nx} * ny);
     if (counts.element_bytes != 2 && counts.element_bytes != 4)
-        broken(tree.stream(), heights->offset,
-               fmt::format("heights of {} bytes each, expected 2 or 4", counts.element_bytes));
+        broken_mnt(tree.stream(), heights->offset,
+                   fmt::format("heights of {} bytes each, expected 2 or 4", counts.element_bytes));
     const Raster raster{.nx = nx, .ny = ny, .sample = counts.element_bytes == 2 ? Sample::int16 : Sample::int32};
     auto channel = raster_channel(std::move(info), counts.content, raster,
                                   {.factor = z_axis.step, .offset = z_axis.origin}, options);
@@ -267,7 +268,7 @@ std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const to
     if (!mask || !tree.is(*mask, mask_object) || ny == 1) return channel;
     const auto array = tree.at(*mask, {2, 5});
     if (!array || !tree.is(*array, mask_array))
-        broken(tree.stream(), mask->offset, "a mask without its points; the file is damaged");
+        broken_mnt(tree.stream(), mask->offset, "a mask without its points; the file is damaged");
     const std::uint64_t row = std::uint64_t{nx} + 2;  // the mask has a border of one point
     return masked(std::move(channel), {.source = array_of(tree, *array, row * (std::uint64_t{ny} + 2)).content,
                                        .offset = row + 1,
@@ -278,22 +279,22 @@ std::optional<Channel> surface_channel(Tree& tree, const Entry& object, const to
 Match detect_mnt(std::string_view head, const bytes::Source& source) {
     if (!bytes::is_ole(head)) return Match::no;
     try {
-        return bytes::OleFile(source, name).has(contents_stream) ? Match::yes : Match::no;
+        return bytes::OleFile(source, mnt_name).has(contents_stream) ? Match::yes : Match::no;
     } catch (const FormatError&) {
         return Match::maybe;  // so that what is wrong with the file is told
     }
 }
 
 std::vector<Channel> open_mnt(const bytes::Source& source, const ReadOptions& options) {
-    const bytes::OleFile file(source, name);
+    const bytes::OleFile file(source, mnt_name);
     for (const auto& stream : file.names())
         (void)file.stream(stream);  // a truncated file is refused whichever stream it cuts
     Tree tree(file.stream(contents_stream));
     const auto& stream = tree.stream();
-    if (stream.size < 8) broken(source, 0, "its contents are empty");
+    if (stream.size < 8) broken_mnt(source, 0, "its contents are empty");
     const auto document = tree.child({8, stream.size - 8}, 1);
     const auto list = document ? tree.at(*document, {0x2bd, 2, 1}) : std::nullopt;
-    if (!list) broken(source, 0, "no list of objects; the file is damaged");
+    if (!list) broken_mnt(source, 0, "no list of objects; the file is damaged");
     const auto common = metadata_of(tree, *document, source);
     std::vector<Channel> channels;
     for (const auto& entry : tree.objects(*list))

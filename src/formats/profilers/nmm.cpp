@@ -25,11 +25,11 @@ namespace setae::formats {
 namespace {
 
 constexpr std::string_view dashes = "------------------------------------------",
-                           title = "Scan procedure description file", height_column = "-Lz+Az";
+                           title = "Scan procedure description file", nmm_height_column = "-Lz+Az";
 constexpr double agreement = 1e-6;  ///< relative, of lengths that tell the same
 constexpr Index most_lines = 1 << 20;
 
-[[noreturn]] void broken(const bytes::Source& source, std::uint64_t line, const std::string& what) {
+[[noreturn]] void broken_nmm(const bytes::Source& source, std::uint64_t line, const std::string& what) {
     throw FormatError(source.name, {.line = line}, "NMM: " + what);
 }
 
@@ -125,16 +125,16 @@ ScanField read_field(const bytes::Archive& archive, const std::string& member) {
 }
 
 /// Names of the columns of a line, with the points each is announced to have.
-struct Columns {
+struct NmmColumns {
     std::vector<std::string> names;
     Index points = 0;
 };
 
-Columns read_columns(const bytes::Source& source) {
+NmmColumns read_columns(const bytes::Source& source) {
     const auto text = bytes::decoded(source.all(), bytes::Encoding::detect);
     const auto lines = bytes::split_lines(text);
-    if (lines.empty() || trimmed(lines[0]) != dashes) broken(source, 1, "expected a line of dashes");
-    Columns columns;
+    if (lines.empty() || trimmed(lines[0]) != dashes) broken_nmm(source, 1, "expected a line of dashes");
+    NmmColumns columns;
     for (std::size_t i = 1; i < lines.size() && trimmed(lines[i]) != dashes; ++i) {
         std::vector<std::string_view> cells;
         auto rest = lines[i];
@@ -144,8 +144,9 @@ Columns read_columns(const bytes::Source& source) {
         }
         const auto count = cells.size() < 4 ? std::nullopt : tables::count_in(cells[3]);
         if (!count || (columns.points != 0 && *count != columns.points))
-            broken(source, i + 1,
-                   "expected 'number : date : name : points : description' and as many points as the column before");
+            broken_nmm(
+                source, i + 1,
+                "expected 'number : date : name : points : description' and as many points as the column before");
         columns.points = *count;
         columns.names.emplace_back(cells[2]);
     }
@@ -162,10 +163,11 @@ void read_line(const bytes::Archive& archive, const ScanField& field, Index scan
     const auto member = line_member(field, scan, line);
     const auto description = archive.member(member + ".dsc");
     const auto columns = read_columns(description);
-    const auto at = std::find(columns.names.begin(), columns.names.end(), height_column);
+    const auto at = std::find(columns.names.begin(), columns.names.end(), nmm_height_column);
     if (at == columns.names.end())
-        throw FormatError(description.name, {},
-                          fmt::format("NMM: no column '{}', got {}", height_column, fmt::join(columns.names, ", ")));
+        throw FormatError(
+            description.name, {},
+            fmt::format("NMM: no column '{}', got {}", nmm_height_column, fmt::join(columns.names, ", ")));
     if (columns.points != field.points)
         throw FormatError(description.name, {},
                           fmt::format("NMM: a line of {} points, expected {}", columns.points, field.points));
@@ -178,18 +180,18 @@ void read_line(const bytes::Archive& archive, const ScanField& field, Index scan
         tables::split_cells(raw, ' ', cells);
         if (cells.empty()) continue;
         if (row == field.points)
-            broken(data, static_cast<std::uint64_t>(row) + 1,
-                   fmt::format("more rows than the {} points announced", field.points));
+            broken_nmm(data, static_cast<std::uint64_t>(row) + 1,
+                       fmt::format("more rows than the {} points announced", field.points));
         double value = 0.0;
         if (cells.size() != columns.names.size() || !bytes::parse_cell(cells[column], '.', value))
-            broken(data, static_cast<std::uint64_t>(row) + 1,
-                   fmt::format("'{:.60}', expected {} numbers", trimmed(raw), columns.names.size()));
+            broken_nmm(data, static_cast<std::uint64_t>(row) + 1,
+                       fmt::format("'{:.60}', expected {} numbers", trimmed(raw), columns.names.size()));
         heights.push_back(value);
         ++row;
     }
     if (row != field.points)
-        broken(data, static_cast<std::uint64_t>(row) + 1,
-               fmt::format("the member ends after {} of {} points", row, field.points));
+        broken_nmm(data, static_cast<std::uint64_t>(row) + 1,
+                   fmt::format("the member ends after {} of {} points", row, field.points));
 }
 
 topography::Measurement read_scan(const bytes::Source& source, const ScanField& field, Index scan,
@@ -251,7 +253,7 @@ std::vector<Channel> open_nmm(const bytes::Source& source, const ReadOptions& op
         };
         channels.push_back({info, std::move(read)});
         for (const auto& column : read_columns(archive.member(line_member(field, scan, 0) + ".dsc")).names) {
-            if (column == height_column) continue;
+            if (column == nmm_height_column) continue;
             auto other = info;
             other.name = fmt::format("scan {}: {}", scan + 1, column);
             other.unit = column_unit(column);

@@ -17,10 +17,10 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::uint64_t header_bytes = 3468;
+constexpr std::uint64_t nms_header_bytes = 3468;
 constexpr std::string_view program = "OM_MS_";
 constexpr double steps_of_range = 65534.0;
-constexpr std::uint32_t most_points = 100000;
+constexpr std::uint32_t most_points_of_nms = 100000;
 
 namespace at {
 constexpr std::uint64_t limits = 16, program = 32, title = 52, date = 1076, header_length = 1352, points = 1368,
@@ -34,14 +34,14 @@ T value_at(std::string_view head, std::uint64_t offset) {
 
 /// Each field as it must be for heights to follow.
 bool is_consistent(std::string_view head) {
-    if (value_at<std::uint32_t>(head, at::header_length) != header_bytes) return false;
+    if (value_at<std::uint32_t>(head, at::header_length) != nms_header_bytes) return false;
     const auto lowest = value_at<double>(head, at::limits), highest = value_at<double>(head, at::limits + 8);
     const auto nx = value_at<std::uint32_t>(head, at::points), ny = value_at<std::uint32_t>(head, at::points + 4);
     const auto dx = value_at<double>(head, at::pitch), dy = value_at<double>(head, at::pitch + 8);
     constexpr double farthest = 1e6, least_pitch = 1e-3, greatest_pitch = 1e9;  // µm, nm
     return std::abs(lowest) < farthest && std::abs(highest) < farthest && lowest < highest && nx > 0 && ny > 0 &&
-           nx <= most_points && ny <= most_points && dx > least_pitch && dy > least_pitch && dx < greatest_pitch &&
-           dy < greatest_pitch;
+           nx <= most_points_of_nms && ny <= most_points_of_nms && dx > least_pitch && dy > least_pitch &&
+           dx < greatest_pitch && dy < greatest_pitch;
 }
 
 Match detect_nms(std::string_view head, const bytes::Source&) {
@@ -51,7 +51,7 @@ Match detect_nms(std::string_view head, const bytes::Source&) {
 }
 
 std::vector<Channel> open_nms(const bytes::Source& source, const ReadOptions& options) {
-    bytes::Cursor cursor(source, "NMS", header_bytes);
+    bytes::Cursor cursor(source, "NMS", nms_header_bytes);
     const auto lowest = cursor.number_at<double>(at::limits), highest = cursor.number_at<double>(at::limits + 8);
     const auto nx = cursor.number_at<std::uint32_t>(at::points), ny = cursor.number_at<std::uint32_t>(at::points + 4);
     const auto dx = cursor.number_at<double>(at::pitch), dy = cursor.number_at<double>(at::pitch + 8);
@@ -71,16 +71,16 @@ std::vector<Channel> open_nms(const bytes::Source& source, const ReadOptions& op
     info.metadata.acquisition_time = text(at::date, 16);
     if (auto version = text(at::program, 16); !version.empty())
         info.metadata.attributes["software_version"] = std::move(version);
-    const Raster raster{.offset = header_bytes, .nx = nx, .ny = ny, .sample = Sample::uint16};
+    const Raster raster{.offset = nms_header_bytes, .nx = nx, .ny = ny, .sample = Sample::uint16};
     auto picture = info;
     const RawScale scale{.factor = (highest - lowest) * units::um / steps_of_range, .offset = lowest * units::um};
     std::vector<Channel> channels{raster_channel(std::move(info), source, raster, scale, options)};
     const auto points = std::uint64_t{nx} * ny;
-    const auto behind = source.size - header_bytes - 2 * points;
+    const auto behind = source.size - nms_header_bytes - 2 * points;
     if (behind > 0 && behind < points)
         throw FormatError(source.name, {.offset = source.size},
                           fmt::format("NMS: the file ends here, its picture should end at byte {}; it is truncated",
-                                      header_bytes + 3 * points));
+                                      nms_header_bytes + 3 * points));
     if (behind >= points) {
         picture.name = picture.metadata.name = "Intensity";
         picture.shape = {nx, ny};

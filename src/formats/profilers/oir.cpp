@@ -25,14 +25,14 @@
 namespace setae::formats {
 namespace {
 
-constexpr const char* name = "OIR";
-constexpr std::string_view signature = "OLYMPUSRAWFORMAT";
-constexpr std::uint64_t header_bytes = 96, list_header_bytes = 8 * 4;
+constexpr const char* oir_name = "OIR";
+constexpr std::string_view oir_signature = "OLYMPUSRAWFORMAT";
+constexpr std::uint64_t oir_header_bytes = 96, list_header_bytes = 8 * 4;
 enum Chunk : std::int32_t { metadata_list = 0, metadata = 1, picture = 2, points = 3, spacer = 5, no_more = -1 };
-enum Block : std::uint32_t { properties = 2, image_prefix = 6 };
+enum OirBlock : std::uint32_t { properties = 2, image_prefix = 6 };
 
 /// What the chunks hold that is needed.
-struct Content {
+struct OirContent {
     std::string properties, prefix;
     std::map<std::string, std::vector<bytes::Piece>, std::less<>>
         images;  ///< by name, without the number of the part at its end
@@ -66,7 +66,7 @@ std::string first_text(bytes::Cursor& cursor, std::string_view layout) {
     return first;
 }
 
-void read_list(bytes::Cursor& cursor, std::uint64_t end, Content& content) {
+void read_list(bytes::Cursor& cursor, std::uint64_t end, OirContent& content) {
     while (cursor.position() < end) {
         const auto block = cursor.number<std::uint32_t>();
         const auto layout = layout_of(block);
@@ -82,7 +82,7 @@ void read_list(bytes::Cursor& cursor, std::uint64_t end, Content& content) {
 }
 
 /// Points of an image: its name ends in "_0", longer images go on in parts "_1", "_2" …
-void read_points(bytes::Cursor& cursor, std::uint64_t end, Content& content) {
+void read_points(bytes::Cursor& cursor, std::uint64_t end, OirContent& content) {
     cursor.skip(4);
     const auto size = cursor.number<std::uint32_t>();
     auto image = cursor.bytes(cursor.number<std::uint32_t>());
@@ -94,9 +94,9 @@ void read_points(bytes::Cursor& cursor, std::uint64_t end, Content& content) {
     cursor.skip(size);
 }
 
-Content content_of(bytes::Cursor& cursor) {
-    Content content;
-    cursor.seek(header_bytes);
+OirContent content_of(bytes::Cursor& cursor) {
+    OirContent content;
+    cursor.seek(oir_header_bytes);
     while (!cursor.at_end()) {
         const auto size = cursor.number<std::int32_t>();
         if (size == no_more) break;
@@ -128,8 +128,8 @@ Step step_of(const pugi::xml_node& channel, const pugi::xml_node& calibration, c
     auto unit = text_of(channel, {"commonphase:pixelUnit", unit_name.c_str()});
     if (unit == "MICRO_METER") unit = "µm";
     const double length =
-        bytes::xml_number(channel.child("commonphase:length").child(parameter.c_str()), 0.0, source, name);
-    const double factor = bytes::xml_number(calibration.child(parameter.c_str()), 1.0, source, name);
+        bytes::xml_number(channel.child("commonphase:length").child(parameter.c_str()), 0.0, source, oir_name);
+    const double factor = bytes::xml_number(calibration.child(parameter.c_str()), 1.0, source, oir_name);
     if (unit.empty() || !(length > 0.0) || !(factor > 0.0))
         throw FormatError(source.name, {},
                           fmt::format("OIR: image without a positive length or unit along {}: {} '{}' × {}", axis,
@@ -138,22 +138,23 @@ Step step_of(const pugi::xml_node& channel, const pugi::xml_node& calibration, c
 }
 
 Sample sample_of(const pugi::xml_node& definition, const bytes::Source& source) {
-    const double bits = bytes::xml_number(definition.child("commonphase:bitCounts"), 0.0, source, name);
-    const double bytes = bytes::xml_number(definition.child("commonphase:depth"), bits > 8.0 ? 2.0 : 1.0, source, name);
+    const double bits = bytes::xml_number(definition.child("commonphase:bitCounts"), 0.0, source, oir_name);
+    const double bytes =
+        bytes::xml_number(definition.child("commonphase:depth"), bits > 8.0 ? 2.0 : 1.0, source, oir_name);
     if (bytes != 1.0 && bytes != 2.0)
         throw FormatError(source.name, {}, fmt::format("OIR: heights of {} bytes, expected 1 or 2", bytes));
     return bytes == 1.0 ? Sample::uint8 : Sample::uint16;
 }
 
 Index points_along(const pugi::xml_node& image, const char* direction, const bytes::Source& source) {
-    const double count = bytes::xml_number(image.child(direction), 0.0, source, name);
+    const double count = bytes::xml_number(image.child(direction), 0.0, source, oir_name);
     if (!(count >= 1.0) || count > 1e9)
         throw FormatError(source.name, {},
                           fmt::format("OIR: '{}' is {}, expected a number of points", direction, count));
     return static_cast<Index>(count);
 }
 
-Channel image_channel(const pugi::xml_node& channel, const pugi::xml_node& root, const Content& content,
+Channel image_channel(const pugi::xml_node& channel, const pugi::xml_node& root, const OirContent& content,
                       const topography::Metadata& common, const bytes::Source& source, const ReadOptions& options) {
     const std::string identifier = channel.attribute("id").value();
     const auto definition = channel.child("commonphase:imageDefinition");
@@ -185,14 +186,15 @@ Channel image_channel(const pugi::xml_node& channel, const pugi::xml_node& root,
 }
 
 Match detect_oir(std::string_view head, const bytes::Source&) {
-    return head.starts_with(signature) ? Match::yes : Match::no;
+    return head.starts_with(oir_signature) ? Match::yes : Match::no;
 }
 
 }  // namespace
 
 std::vector<Channel> open_oir(const bytes::Source& source, const ReadOptions& options) {
-    bytes::Cursor cursor(source, name);
-    if (cursor.bytes(signature.size()) != signature) cursor.fail(fmt::format("it does not begin with '{}'", signature));
+    bytes::Cursor cursor(source, oir_name);
+    if (cursor.bytes(oir_signature.size()) != oir_signature)
+        cursor.fail(fmt::format("it does not begin with '{}'", oir_signature));
     if (const auto size = cursor.number_at<std::uint32_t>(32); size > source.size)
         throw FormatError(source.name, {.offset = source.size},
                           fmt::format("OIR: the file ends here, it announces {} bytes; it is truncated", size));
@@ -200,7 +202,7 @@ std::vector<Channel> open_oir(const bytes::Source& source, const ReadOptions& op
     if (content.properties.empty())
         throw FormatError(source.name, {.offset = source.size},
                           "OIR: no properties among the metadata; the file is damaged");
-    const auto document = bytes::parsed_xml(content.properties, source, name);
+    const auto document = bytes::parsed_xml(content.properties, source, oir_name);
     topography::Metadata metadata;
     metadata.file = source.name;
     const auto root = document.child("lsmimage:imageProperties");

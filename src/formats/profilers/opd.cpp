@@ -23,7 +23,7 @@ namespace setae::formats {
 namespace {
 
 using namespace std::string_view_literals;
-constexpr auto signature =
+constexpr auto opd_signature =
     "\x01\0"
     "Directory"sv;
 constexpr std::uint64_t directory_offset = 2, entry_bytes = 24, name_bytes = 16, array_header_bytes = 6;
@@ -32,18 +32,18 @@ constexpr int array_type = 3, text_type = 5, short_type = 6, float_type = 7, dou
               tagged_type = 15;
 constexpr double greatest_integer = 32765.0, greatest_float = 9.9e37;
 
-struct Block {
+struct OpdBlock {
     std::string name;
     int type = 0;
     std::uint64_t offset = 0, length = 0;
 };
 
 struct OpdFile {
-    std::vector<Block> blocks;
+    std::vector<OpdBlock> blocks;
 
-    [[nodiscard]] const Block* find(std::string_view name) const {
+    [[nodiscard]] const OpdBlock* find(std::string_view name) const {
         const auto at =
-            std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) { return block.name == name; });
+            std::find_if(blocks.begin(), blocks.end(), [&](const OpdBlock& block) { return block.name == name; });
         return at == blocks.end() ? nullptr : &*at;
     }
 };
@@ -61,7 +61,7 @@ OpdFile read_directory(bytes::Cursor& cursor) {
     cursor.seek(directory_offset + entry_bytes);
     OpdFile file;
     for (std::uint64_t i = 0; i < count; ++i) {
-        Block block{.name = cursor.text(name_bytes), .type = cursor.number<std::uint16_t>(), .offset = offset};
+        OpdBlock block{.name = cursor.text(name_bytes), .type = cursor.number<std::uint16_t>(), .offset = offset};
         block.length = static_cast<std::uint64_t>(
             std::max(cursor.number<std::int32_t>(), 0));  // negative: a block without content
         (void)cursor.number<std::uint16_t>();
@@ -78,7 +78,7 @@ OpdFile read_directory(bytes::Cursor& cursor) {
     return file;
 }
 
-VcaItem tagged_value(const Block& block, bytes::Cursor& cursor) {
+VcaItem tagged_value(const OpdBlock& block, bytes::Cursor& cursor) {
     cursor.seek(block.offset);
     return read_vca_value(cursor, block.name, block.offset + block.length);
 }
@@ -144,7 +144,7 @@ bool holds_heights(const std::string& name, const Common& common) {
     return name == common.primary || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Channel array_channel(const Block& block, const Common& common, bytes::Cursor& cursor, const ReadOptions& options) {
+Channel array_channel(const OpdBlock& block, const Common& common, bytes::Cursor& cursor, const ReadOptions& options) {
     if (block.length < array_header_bytes) {
         cursor.seek(block.offset);
         cursor.fail(fmt::format("array '{}' of {} bytes has no place for its dimensions; the file is damaged",
@@ -184,7 +184,7 @@ Channel array_channel(const Block& block, const Common& common, bytes::Cursor& c
 }
 
 Match detect_opd(std::string_view head, const bytes::Source&) {
-    return head.starts_with(signature) ? Match::yes : Match::no;
+    return head.starts_with(opd_signature) ? Match::yes : Match::no;
 }
 
 std::vector<Channel> open_opd(const bytes::Source& source, const ReadOptions& options) {

@@ -15,14 +15,14 @@
 #include "setae/core/units.hpp"
 #include "vca_tree.hpp"
 
-// OPDx files of Bruker's Dektak XT and Vision64: a signature, then a tree of typed entries. "1D_Data" and "2D_Data"
-// hold the channels, "MetaData" says which of them are heights and which is the primary one.
+// OPDx files of Bruker's Dektak XT and Vision64: a opdx_signature, then a tree of typed entries. "1D_Data" and
+// "2D_Data" hold the channels, "MetaData" says which of them are heights and which is the primary one.
 namespace setae::formats {
 namespace {
 
 using namespace std::string_view_literals;
-constexpr std::size_t most_channels = 1000;
-constexpr auto signature = "VCA DATA\x01\x00\x00\x55"sv;
+constexpr std::size_t most_channels_of_opdx = 1000;
+constexpr auto opdx_signature = "VCA DATA\x01\x00\x00\x55"sv;
 constexpr auto* format_name = "OPDx";
 
 /// "Radius: 2 µm"
@@ -91,10 +91,10 @@ std::vector<const VcaItem*> data_items(const VcaItem& tree, const char* folder, 
         for (const auto& child : data->children)
             if (child.find(content))
                 ranked.emplace_back(ranks.contains(child.name) ? ranks[child.name] : ranks.size(), &child);
-    if (ranked.size() > most_channels)
-        throw FormatError(
-            source.name, {.offset = source.size},
-            fmt::format("OPDx: {} channels, expected {} at most; the file is damaged", ranked.size(), most_channels));
+    if (ranked.size() > most_channels_of_opdx)
+        throw FormatError(source.name, {.offset = source.size},
+                          fmt::format("OPDx: {} channels, expected {} at most; the file is damaged", ranked.size(),
+                                      most_channels_of_opdx));
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<const VcaItem*> items;
     for (const auto& [rank, item] : ranked) items.push_back(item);
@@ -102,11 +102,11 @@ std::vector<const VcaItem*> data_items(const VcaItem& tree, const char* folder, 
 }
 
 Match detect_opdx(std::string_view head, const bytes::Source&) {
-    return head.starts_with(signature) ? Match::yes : Match::no;
+    return head.starts_with(opdx_signature) ? Match::yes : Match::no;
 }
 
 std::vector<Channel> open_opdx(const bytes::Source& source, const ReadOptions& options) {
-    bytes::Cursor cursor(source, format_name, signature.size());
+    bytes::Cursor cursor(source, format_name, opdx_signature.size());
     const auto tree = read_vca_tree(cursor);
     const auto common = common_info(tree);
     std::vector<Channel> channels;

@@ -14,7 +14,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view signature = "OmniSurf3D";
+constexpr std::string_view os3d_signature = "OmniSurf3D";
 constexpr double least_height = -3e38;
 
 std::string counted_text(bytes::Cursor& cursor) {
@@ -26,11 +26,11 @@ std::string counted_text(bytes::Cursor& cursor) {
 }
 
 Match detect_os3d(std::string_view head, const bytes::Source&) {
-    return head.starts_with(signature) ? Match::yes : Match::no;
+    return head.starts_with(os3d_signature) ? Match::yes : Match::no;
 }
 
 std::vector<Channel> open_os3d(const bytes::Source& source, const ReadOptions& options) {
-    bytes::Cursor cursor(source, "OmniSurf3D", signature.size());
+    bytes::Cursor cursor(source, "OmniSurf3D", os3d_signature.size());
     ChannelInfo info;
     info.format = "os3d";
     info.name = "heights";

@@ -28,7 +28,7 @@ enum class Kind : std::uint32_t { image, profile, several_profiles, topography, 
 constexpr std::array<const char*, 7> kind_names{"picture",   "profile", "several profiles", "topography", "coordinates",
                                                 "thickness", "custom"};
 
-struct Head {
+struct PluHead {
     std::string date, comment;
     double dx = 0.0, dy = 0.0;  ///< [µm]
     Kind kind = Kind::topography;
@@ -36,7 +36,7 @@ struct Head {
 };
 
 /// Names by configuration number; files say it from version 2012 on.
-std::string instrument_name(const Head& head) {
+std::string instrument_name(const PluHead& head) {
     static constexpr std::array names{"PLu",    "PLu 2300 XGA", "PLu 2300 XGA T5", "PLu 2300 SXGA",        "PLu 3300",
                                       "DCM 3D", "PLu neox",     "DCM 3D rev. 2",   "PLu Apex (prototype)", "S neox",
                                       "DCM8",   "PLu Apex"};
@@ -44,8 +44,8 @@ std::string instrument_name(const Head& head) {
     return states_it && head.hardware < names.size() ? names[head.hardware] : "Sensofar";
 }
 
-Head read_head(bytes::Cursor& cursor) {
-    Head head;
+PluHead read_head(bytes::Cursor& cursor) {
+    PluHead head;
     head.date = cursor.text(date_bytes);
     cursor.seek(date_bytes + 4);
     head.comment = cursor.text(comment_bytes);

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* index_member = "index.xml";
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& what) {
+[[noreturn]] void broken_plux(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "PLUX: " + what);
 }
 
@@ -38,8 +38,8 @@ Match detect_plux(std::string_view head, const bytes::Source& source) {
 Index dimension_of(const pugi::xml_node& general, const char* name, const bytes::Source& source) {
     const auto count = tables::count_in(general.child(name).child_value());
     if (!count)
-        broken(source, fmt::format("{} in {} is '{:.40}', expected a number of pixels", name, index_member,
-                                   general.child(name).child_value()));
+        broken_plux(source, fmt::format("{} in {} is '{:.40}', expected a number of pixels", name, index_member,
+                                        general.child(name).child_value()));
     return *count;
 }
 
@@ -96,7 +96,7 @@ std::vector<Channel> open_plux(const bytes::Source& source, const ReadOptions& o
         channels.push_back(
             raster_channel(std::move(info), archive.member(member), raster, {.factor = units::um}, options));
     }
-    if (channels.empty()) broken(source, fmt::format("{} names no layer of heights", index_member));
+    if (channels.empty()) broken_plux(source, fmt::format("{} names no layer of heights", index_member));
     return channels;
 }
 

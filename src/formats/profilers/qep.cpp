@@ -28,7 +28,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view magic = "[p3dlin]", first_marker = "[sellsg]", second_marker = "[Trajec]";
+constexpr std::string_view qep_magic = "[p3dlin]", first_marker = "[sellsg]", second_marker = "[Trajec]";
 constexpr std::uint64_t points_at = 0x14, texts_at = 0xc4, data_behind_marker = 49, bytes_a_point = 28;
 
 /// Members that hold profiles, the measured one first.
@@ -66,9 +66,9 @@ std::uint64_t position_of(std::string_view content, std::string_view marker, std
 
 Blob read_blob(const bytes::Source& source) {
     const auto content = source.all();
-    if (!content.starts_with(magic))
+    if (!content.starts_with(qep_magic))
         throw FormatError(source.name, {.offset = 0},
-                          fmt::format("MarWin: expected a profile that begins with '{}'", magic));
+                          fmt::format("MarWin: expected a profile that begins with '{}'", qep_magic));
     bytes::Cursor cursor(source, "MarWin", points_at);
     const auto points = cursor.number<std::int32_t>();
     if (points < 2) cursor.fail(fmt::format("a profile of {} points, expected at least 2", points));
@@ -156,7 +156,7 @@ Match detect_qep(std::string_view head, const bytes::Source& source) {
     if (!bytes::is_zip(head)) return Match::no;
     const bytes::Archive archive(source);
     for (const auto& [member, name] : members)
-        if (archive.has(member) && archive.head(member, magic.size()) == magic) return Match::yes;
+        if (archive.has(member) && archive.head(member, qep_magic.size()) == qep_magic) return Match::yes;
     return Match::no;
 }
 

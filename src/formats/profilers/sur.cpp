@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::string_view plain_signature = "DIGITAL SURF", compressed_signature = "DSCOMPRESSED", name = "SUR";
 constexpr std::uint16_t macintosh = 0x0101;
-constexpr std::uint64_t header_bytes = 512;
+constexpr std::uint64_t sur_header_bytes = 512;
 
 enum ObjectType : std::uint16_t {
     profile = 1,
@@ -53,19 +53,19 @@ enum ObjectType : std::uint16_t {
 /// How the heights were turned before they were stored.
 enum Inversion : std::uint16_t { upright = 0, negated = 1, negated_and_mirrored = 2, negated_and_upside_down = 3 };
 
-struct Axis {
+struct SurAxis {
     double spacing = 0.0, offset = 0.0;
     std::string label, unit;
 };
 
-struct Header {
+struct SurHeader {
     bool compressed = false;
     std::endian order = std::endian::little;
     std::uint16_t objects = 1, type = surface, channels = 1, acquisition = 0, special_points = 0, inversion = upright;
     std::string object, operator_name, time;
     std::uint16_t bits = 16;
     std::int32_t least = 0, points = 0, lines = 0;
-    Axis x, y, z;
+    SurAxis x, y, z;
     std::uint64_t data = 0;  ///< where the points begin
 
     [[nodiscard]] std::uint64_t value_bytes() const { return bits / 8u; }
@@ -88,16 +88,16 @@ std::string time_text(bytes::Cursor& cursor) {
                             .second = fields[0]});
 }
 
-void read_axes(Header& header, bytes::Cursor& cursor) {
-    Axis* const axes[] = {&header.x, &header.y, &header.z};
+void read_axes(SurHeader& header, bytes::Cursor& cursor) {
+    SurAxis* const axes[] = {&header.x, &header.y, &header.z};
     for (auto* axis : axes) axis->spacing = cursor.number<float>();
     for (auto* axis : axes) axis->label = cursor.text(16);
     for (auto* axis : axes) axis->unit = unit_text(cursor);
     cursor.skip(3 * 16 + 3 * 4);  // units to show, and their ratios to those of the spacings
 }
 
-Header read_header(bytes::Cursor& cursor) {
-    Header header;
+SurHeader read_header(bytes::Cursor& cursor) {
+    SurHeader header;
     const auto begin = cursor.position();
     const auto signature = cursor.bytes(plain_signature.size());
     if (signature != plain_signature && signature != compressed_signature)
@@ -137,7 +137,7 @@ Header read_header(bytes::Cursor& cursor) {
     for (auto* axis : {&header.x, &header.y, &header.z}) axis->offset = cursor.number<float>();
     for (const double number : {header.x.spacing, header.y.spacing, header.z.spacing, header.z.offset})
         if (!std::isfinite(number)) cursor.fail("a spacing or offset is no number; the header is damaged");
-    cursor.seek(begin + header_bytes);
+    cursor.seek(begin + sur_header_bytes);
     cursor.skip(comment);
     cursor.skip(private_zone);
     header.data = cursor.position();
@@ -150,7 +150,7 @@ struct Stream {
 };
 
 /// The points behind a list of streams, expanded when they are read; the cursor goes behind them.
-bytes::Source compressed_points(const Header& header, bytes::Cursor& cursor) {
+bytes::Source compressed_points(const SurHeader& header, bytes::Cursor& cursor) {
     const auto count = cursor.number<std::uint32_t>();
     if (count > cursor.remaining() / 8)
         cursor.fail(fmt::format(
@@ -197,7 +197,7 @@ std::string instrument_type(std::uint16_t acquisition) {
     }
 }
 
-topography::Metadata metadata_of(const Header& header) {
+topography::Metadata metadata_of(const SurHeader& header) {
     topography::Metadata metadata;
     metadata.acquisition_time = header.time;
     metadata.instrument.type = instrument_type(header.acquisition);
@@ -207,14 +207,14 @@ topography::Metadata metadata_of(const Header& header) {
     return metadata;
 }
 
-std::string orientation_text(const Header& header) {
+std::string orientation_text(const SurHeader& header) {
     if (header.inversion == negated_and_mirrored) return "rows from the top, each from the right, turned";
     if (header.inversion == negated_and_upside_down) return "rows from the bottom, turned";
     return "rows from the top, as stored";
 }
 
 /// Extent along each direction [m]; nothing where a unit is missing or no length.
-std::vector<double> extent_of(const Header& header) {
+std::vector<double> extent_of(const SurHeader& header) {
     const auto x = tables::try_parse_unit(header.x.unit),
                y = tables::try_parse_unit(header.lines > 1 ? header.y.unit : header.x.unit);
     if (header.x.unit.empty() || !x || !y || x->dimension != dimension::length || y->dimension != dimension::length)
@@ -225,7 +225,7 @@ std::vector<double> extent_of(const Header& header) {
 }
 
 /// The points of one object, after which the cursor stands.
-Channel object_channel(const Header& header, const std::string& title, bool is_height,
+Channel object_channel(const SurHeader& header, const std::string& title, bool is_height,
                        const topography::Metadata& metadata, bytes::Cursor& cursor, const ReadOptions& options) {
     const bool turned = header.inversion >= negated && header.inversion <= negated_and_upside_down;
     Raster raster{.offset = header.compressed ? 0 : header.data,
@@ -271,7 +271,7 @@ struct Group {
     bool others_are_heights = true, first_is_height = true;
 };
 
-Group group_of(const Header& first, const bytes::Source& source) {
+Group group_of(const SurHeader& first, const bytes::Source& source) {
     const std::size_t objects = std::max<std::size_t>(first.objects, 1),
                       channels = std::max<std::size_t>(first.channels, 1);
     switch (first.type) {

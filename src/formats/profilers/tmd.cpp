@@ -15,7 +15,7 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view signature = "Binary TrueMap Data File v2.0";
+constexpr std::string_view tmd_signature = "Binary TrueMap Data File v2.0";
 constexpr std::uint64_t comment_offset = 32, usual_comment_bytes = 24, longest_comment = 4096, dimensions_bytes = 24;
 
 struct Dimensions {
@@ -52,7 +52,7 @@ Dimensions find_dimensions(bytes::Cursor& cursor, const std::string& comment) {
 }
 
 Match detect_tmd(std::string_view head, const bytes::Source&) {
-    return head.starts_with(signature) ? Match::yes : Match::no;
+    return head.starts_with(tmd_signature) ? Match::yes : Match::no;
 }
 
 std::vector<Channel> open_tmd(const bytes::Source& source, const ReadOptions& options) {

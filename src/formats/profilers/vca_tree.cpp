@@ -17,9 +17,9 @@
 namespace setae::formats {
 namespace {
 
-constexpr int deepest = 16;
+constexpr int vca_deepest = 16;
 constexpr int most_items = 100000;
-constexpr std::uint64_t longest_text = 1 << 16;
+constexpr std::uint64_t longest_text_of_vca = 1 << 16;
 constexpr std::size_t most_texts = 1000;
 /// Vision writes 1e38 where it measured nothing, which in single precision is a little less.
 constexpr double greatest_height = 9.9e37;
@@ -55,9 +55,9 @@ public:
 private:
     std::string name() {
         const auto length = cursor_.number<std::uint32_t>();
-        if (length > longest_text)
-            cursor_.fail(
-                fmt::format("a name of {} characters, expected {} at most; the file is damaged", length, longest_text));
+        if (length > longest_text_of_vca)
+            cursor_.fail(fmt::format("a name of {} characters, expected {} at most; the file is damaged", length,
+                                     longest_text_of_vca));
         return cursor_.text(length);
     }
 
@@ -143,7 +143,7 @@ private:
             case VcaType::float64: item.number = cursor_.number<double>(); return;
             case VcaType::string: {
                 const auto bytes = length();
-                if (bytes <= longest_text) item.text = cursor_.text(bytes);
+                if (bytes <= longest_text_of_vca) item.text = cursor_.text(bytes);
                 else cursor_.skip(bytes);
                 return;
             }
@@ -162,8 +162,8 @@ private:
             case VcaType::container:
             case VcaType::line_data:
             case VcaType::map_data: {
-                if (depth >= deepest)
-                    cursor_.fail(fmt::format("entries nested deeper than {}; the file is damaged", deepest));
+                if (depth >= vca_deepest)
+                    cursor_.fail(fmt::format("entries nested deeper than {}; the file is damaged", vca_deepest));
                 const auto bytes = length();
                 item.children = items(cursor_.position() + bytes, depth + 1);
                 return;
@@ -247,9 +247,9 @@ std::vector<std::string> texts_of(const VcaItem& list, const bytes::Source& sour
     bytes::Cursor cursor(source, format, list.offset);
     while (cursor.position() < list.offset + list.length && texts.size() < most_texts) {
         const auto length = cursor.number<std::uint32_t>();
-        if (length > longest_text)
-            cursor.fail(
-                fmt::format("a text of {} characters, expected {} at most; the file is damaged", length, longest_text));
+        if (length > longest_text_of_vca)
+            cursor.fail(fmt::format("a text of {} characters, expected {} at most; the file is damaged", length,
+                                    longest_text_of_vca));
         texts.push_back(cursor.text(length));
     }
     return texts;

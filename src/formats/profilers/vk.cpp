@@ -23,8 +23,8 @@
 namespace setae::formats {
 namespace {
 
-constexpr const char* name = "VK";
-constexpr std::uint64_t header_bytes = 12, palette_bytes = 768;
+constexpr const char* vk_name = "VK";
+constexpr std::uint64_t vk_header_bytes = 12, palette_bytes = 768;
 
 struct Offsets {
     std::uint32_t conditions = 0, lights[3] = {}, heights[3] = {}, texts = 0;
@@ -97,10 +97,10 @@ Raster image_raster(bytes::Cursor& cursor, std::uint32_t offset) {
 }
 
 std::vector<Channel> open_vk4(const bytes::Source& source, const std::string& file, const ReadOptions& options) {
-    bytes::Cursor cursor(source, name);
+    bytes::Cursor cursor(source, vk_name);
     const auto signature = cursor.bytes(4);
     if (signature != "VK3_" && signature != "VK4_") cursor.fail("it does not begin with 'VK3_' or 'VK4_'");
-    cursor.seek(header_bytes);
+    cursor.seek(vk_header_bytes);
     const auto offsets = offsets_of(cursor);
     auto conditions = conditions_of(cursor, offsets);
     conditions.metadata.file = file;
@@ -128,13 +128,13 @@ std::vector<Channel> open_vk4(const bytes::Source& source, const std::string& fi
     for (int i = 0; i < 3; ++i) {
         if (!offsets.lights[i]) continue;
         const auto raster = image_raster(cursor, offsets.lights[i]);
-        require_raster(raster, source, name);
+        require_raster(raster, source, vk_name);
         auto info = info_of("Light", i);
         info.shape = {raster.nx, raster.ny};
         channels.push_back(non_height_channel(std::move(info)));
     }
     if (channels.empty())
-        throw FormatError(source.name, {.offset = header_bytes},
+        throw FormatError(source.name, {.offset = vk_header_bytes},
                           "VK: no image of heights or light in the table of offsets");
     return channels;
 }
@@ -151,8 +151,8 @@ Match detect_vk(std::string_view head, const bytes::Source&) {
 std::vector<Channel> open_vk(const bytes::Source& source, const ReadOptions& options) {
     if (!wraps_a_vk4(source.head(9))) return open_vk4(source, source.name, options);
     constexpr std::uint64_t picture = 7;
-    const auto picture_bytes = bytes::Cursor(source, name).number_at<std::uint32_t>(3);
-    return open_vk4(bytes::Archive(archive_behind_picture(source, picture, picture_bytes, name)).member("Vk4File"),
+    const auto picture_bytes = bytes::Cursor(source, vk_name).number_at<std::uint32_t>(3);
+    return open_vk4(bytes::Archive(archive_behind_picture(source, picture, picture_bytes, vk_name)).member("Vk4File"),
                     source.name, options);
 }
 

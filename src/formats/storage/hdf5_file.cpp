@@ -20,10 +20,10 @@ namespace setae::formats {
 namespace {
 
 constexpr int deepest_group = 16;
-constexpr std::size_t most_objects = 10'000, most_attributes = 1'000, most_numbers = 4'096, most_records = 100'000;
-constexpr std::uint64_t longest_text = 1 << 16, most_record_bytes = 1 << 24;
+constexpr std::size_t most_objects = 10'000, most_hdf5_attributes = 1'000, most_numbers = 4'096, most_records = 100'000;
+constexpr std::uint64_t longest_hdf5_text = 1 << 16, most_record_bytes = 1 << 24;
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& what) {
+[[noreturn]] void broken_file(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "HDF5: " + what);
 }
 
@@ -36,7 +36,7 @@ std::string clean_text(std::string bytes) {
 
 herr_t note_member(hid_t, const char* name, const H5L_info_t* link, void* names) {
     auto& found = *static_cast<std::vector<std::string>*>(names);
-    if (link->type == H5L_TYPE_HARD && std::strlen(name) < longest_text) found.emplace_back(name);
+    if (link->type == H5L_TYPE_HARD && std::strlen(name) < longest_hdf5_text) found.emplace_back(name);
     return found.size() < most_objects ? 0 : 1;
 }
 
@@ -104,10 +104,10 @@ std::optional<NativeType> native(hid_t stored) {
 
 std::string text_in(const char* value, hid_t type) {
     if (H5Tis_variable_str(type) <= 0)
-        return clean_text({value, std::min<std::size_t>(H5Tget_size(type), longest_text)});
+        return clean_text({value, std::min<std::size_t>(H5Tget_size(type), longest_hdf5_text)});
     const char* text = nullptr;
     std::memcpy(&text, value, sizeof text);
-    return text ? clean_text({text, strnlen(text, longest_text)}) : std::string{};
+    return text ? clean_text({text, strnlen(text, longest_hdf5_text)}) : std::string{};
 }
 
 /// Numbers in memory, converted.
@@ -179,7 +179,7 @@ void with_attribute(hid_t object, const std::string& name, const std::function<v
 herr_t note_attribute(hid_t, const char* name, const H5A_info_t*, void* names) {
     auto& found = *static_cast<std::vector<std::string>*>(names);
     found.emplace_back(name);
-    return found.size() < most_attributes ? 0 : 1;
+    return found.size() < most_hdf5_attributes ? 0 : 1;
 }
 
 Attributes attributes_of(hid_t object) {
@@ -219,7 +219,7 @@ Hdf5File::Hdf5File(const bytes::Source& source)
 std::vector<std::string> Hdf5File::datasets() const {
     const bytes::Hdf5Session session;
     const bytes::Hdf5Handle root(H5Oopen(*file_, "/", H5P_DEFAULT), &H5Oclose);
-    if (!root) broken(source_, "no root group; the file is damaged");
+    if (!root) broken_file(source_, "no root group; the file is damaged");
     std::vector<std::string> found;
     std::size_t visited = 0;
     find_datasets(root, "", 0, visited, found);
@@ -258,8 +258,8 @@ std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
     array.data = source_;
     for (const auto extent : extents) {
         if (extent > hsize_t{1} << 40)
-            broken(source_,
-                   fmt::format("dataset {:.200} has {} values along a dimension; the file is damaged", path, extent));
+            broken_file(source_, fmt::format("dataset {:.200} has {} values along a dimension; the file is damaged",
+                                             path, extent));
         array.shape.push_back(static_cast<Index>(extent));
     }
     if (!is_map_or_line(array)) return array;

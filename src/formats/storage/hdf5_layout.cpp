@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t most_compact_bytes = 1 << 16;
 
-[[noreturn]] void broken(const bytes::Source& source, const std::string& what) {
+[[noreturn]] void broken_layout(const bytes::Source& source, const std::string& what) {
     throw FormatError(source.name, {}, "HDF5: " + what);
 }
 
@@ -32,11 +32,11 @@ void refuse_elsewhere(StoredArray& array, const char* where) {
 /// A few values stand in the dataset's header.
 void place_compact(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray& array) {
     if (bytes > most_compact_bytes)
-        broken(dataset.source,
-               fmt::format("dataset {:.200} has {} bytes in its header; the file is damaged", dataset.path, bytes));
+        broken_layout(dataset.source, fmt::format("dataset {:.200} has {} bytes in its header; the file is damaged",
+                                                  dataset.path, bytes));
     std::string values(bytes, '\0');
     if (H5Dread(dataset.data, dataset.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-        broken(dataset.source, fmt::format("dataset {:.200} cannot be read; the file is damaged", dataset.path));
+        broken_layout(dataset.source, fmt::format("dataset {:.200} cannot be read; the file is damaged", dataset.path));
     array.data = bytes::memory_source(dataset.source.name, std::move(values));
 }
 
@@ -70,7 +70,8 @@ void place_chunked(const Hdf5Dataset& dataset, std::uint64_t bytes, StoredArray&
                       {}};
     if (H5Pget_chunk(dataset.properties, static_cast<int>(chunks.chunk.size()), chunks.chunk.data()) < 0 ||
         bytes::hdf5_product(chunks.chunk) == 0)
-        broken(dataset.source, fmt::format("dataset {:.200} has pieces of no size; the file is damaged", dataset.path));
+        broken_layout(dataset.source,
+                      fmt::format("dataset {:.200} has pieces of no size; the file is damaged", dataset.path));
     for (int k = 0; k < H5Pget_nfilters(dataset.properties); ++k) {
         unsigned flags = 0, parameter = 0;
         std::size_t parameters = 1;
@@ -145,8 +146,8 @@ std::optional<Hdf5Number> hdf5_number(hid_t type) {
 void place_values(const Hdf5Dataset& dataset, StoredArray& array) {
     const auto bytes = bytes::hdf5_product(dataset.extents, bytes_of(array.sample));
     if (bytes == std::numeric_limits<std::uint64_t>::max())
-        broken(dataset.source,
-               fmt::format("dataset {:.200} announces too many values; the file is damaged", dataset.path));
+        broken_layout(dataset.source,
+                      fmt::format("dataset {:.200} announces too many values; the file is damaged", dataset.path));
     switch (H5Pget_layout(dataset.properties)) {
         case H5D_COMPACT: return place_compact(dataset, bytes, array);
         case H5D_CONTIGUOUS: return place_contiguous(dataset, array);

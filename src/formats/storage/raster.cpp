@@ -113,7 +113,7 @@ void make_heights(double* values, Index count, const RawScale& scale) {
 }
 
 /// Lines and samples that are read and converted together.
-struct Block {
+struct RasterBlock {
     Index first_line = 0, lines = 0, first_sample = 0, samples = 0;
 };
 
@@ -131,7 +131,7 @@ struct Blocks {
         count = static_cast<std::size_t>(across * ((lines + lines_together - 1) / lines_together));
     }
 
-    [[nodiscard]] Block operator[](std::size_t number) const {
+    [[nodiscard]] RasterBlock operator[](std::size_t number) const {
         const Index line = static_cast<Index>(number) / across * lines_together,
                     sample = static_cast<Index>(number) % across * samples_together;
         return {line, std::min(lines_together, lines - line), sample, std::min(samples_together, samples - sample)};
@@ -149,7 +149,7 @@ struct BlockReader {
     std::uint64_t capacity = 0;
 
     /// Distance of the block's lines in `memory`.
-    std::uint64_t read(const Block& block) {
+    std::uint64_t read(const RasterBlock& block) {
         const auto step = raster.sample_distance(), distance = raster.row_distance();
         const auto part = (static_cast<std::uint64_t>(block.samples) - 1) * step + bytes_of(raster.sample);
         const auto lines = static_cast<std::uint64_t>(block.lines);
@@ -170,7 +170,7 @@ struct BlockReader {
 };
 
 /// A block whose lines run along y, to which rows of heights run as well.
-void place_columns(const char* data, std::uint64_t distance, const Block& block, const Raster& raster,
+void place_columns(const char* data, std::uint64_t distance, const RasterBlock& block, const Raster& raster,
                    const RawScale& scale, TakeSamples take, Array2D& heights) {
     const Index first_y = raster.bottom_up ? raster.ny - block.first_sample - block.samples : block.first_sample;
     for (Index line = 0; line < block.lines; ++line) {
@@ -184,7 +184,7 @@ void place_columns(const char* data, std::uint64_t distance, const Block& block,
 }
 
 /// A block whose lines run along x: turned tile by tile.
-void place_rows(const char* data, std::uint64_t distance, const Block& block, const Raster& raster,
+void place_rows(const char* data, std::uint64_t distance, const RasterBlock& block, const Raster& raster,
                 const RawScale& scale, TakeSamples take, Array2D& heights) {
     alignas(64) std::array<double, tile_lines * tile_samples> tile;
     for (Index top = 0; top < block.lines; top += tile_lines) {
@@ -250,6 +250,12 @@ topography::Measurement measured(const bytes::Source& source, const Raster& rast
 }
 
 }  // namespace
+
+double loaded(const char* from, Sample sample, std::endian order) {
+    double value = 0.0;
+    samples_taker(sample, order)(from, bytes_of(sample), 1, &value);
+    return value;
+}
 
 std::uint64_t bytes_of(Sample sample) {
     switch (sample) {

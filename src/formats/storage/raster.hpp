@@ -16,6 +16,8 @@ namespace setae::formats {
 enum class Sample { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 [[nodiscard]] std::uint64_t bytes_of(Sample sample);
+/// One stored value.
+[[nodiscard]] double loaded(const char* from, Sample sample, std::endian order);
 
 /// Where the samples of a map or line lie in a source, and how. A line has ny = 1.
 struct Raster {

@@ -13,7 +13,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::binary_reader_test {
 namespace {
 
 using topography::HeightMap;
@@ -359,4 +359,4 @@ TEST(NetCdf, RefusesTablesItCannotHold) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::binary_reader_test

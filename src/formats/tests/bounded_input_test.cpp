@@ -15,7 +15,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::bounded_input_test {
 namespace {
 
 std::string deflated(const std::string& content) {
@@ -153,4 +153,4 @@ TEST(Source, PartStaysInside) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::bounded_input_test

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct FormatSample {
     std::string member_format = {};  ///< of the channel, where it is that of a file inside this one
     bool may_lose_its_end = false;   ///< nothing in the format tells how long a file is: cut, it is a shorter one
 };
+
+/// As tests name it.
+inline void PrintTo(const FormatSample& sample, std::ostream* out) { *out << sample.format << ", " << sample.name; }
 
 /// The samples of all formats, in the order of formats().
 [[nodiscard]] std::vector<FormatSample> format_samples();

@@ -8,7 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 
-namespace setae::formats {
+namespace setae::formats::formats_test {
 
 void PrintTo(const tests::FormatSample& sample, std::ostream* stream) {
     *stream << sample.format << ": " << sample.name;
@@ -146,4 +146,4 @@ TEST(Formats, TableIsComplete) {
 
 }  // namespace
 }  // namespace tests
-}  // namespace setae::formats
+}  // namespace setae::formats::formats_test

@@ -14,7 +14,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::profile_file_test {
 namespace {
 
 using topography::Profile;
@@ -167,4 +167,4 @@ TEST(ProfileFormat, KeysAreInTheDocumentation) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::profile_file_test

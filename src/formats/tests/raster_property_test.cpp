@@ -13,7 +13,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::raster_property_test {
 namespace {
 
 /// A number from its bytes, most significant first, without any of the reader's helpers.
@@ -138,4 +138,4 @@ RC_GTEST_PROP(Raster, OfLongLinesIsReadInParts, ()) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::raster_property_test

@@ -15,7 +15,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::robustness_test {
 namespace {
 
 /// Opens bytes as any format and reads every channel: nothing but setae's own errors may come out.
@@ -178,4 +178,4 @@ TEST(Import, LoopFilesSurviveFlippedBits) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::robustness_test

@@ -14,7 +14,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::round_trip_property_test {
 namespace {
 
 Array1D to_array(const std::vector<double>& values) {
@@ -108,4 +108,4 @@ RC_GTEST_PROP(Npy, KeepsEveryFiniteHeight, ()) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::round_trip_property_test

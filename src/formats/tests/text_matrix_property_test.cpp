@@ -15,7 +15,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::text_matrix_property_test {
 namespace {
 
 rc::Gen<double> any_number() {
@@ -132,4 +132,4 @@ RC_GTEST_PROP(TextLine, KeepsHeightsToTheBitAndItsSize, ()) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::text_matrix_property_test

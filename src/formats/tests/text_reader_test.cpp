@@ -11,7 +11,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::text_reader_test {
 namespace {
 
 using topography::HeightMap;
@@ -201,4 +201,4 @@ TEST(TwoColumns, WithoutHeaderTakeAUnitEach) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::text_reader_test

@@ -18,7 +18,7 @@
 
 using namespace setae::tests;
 
-namespace setae::formats::tests {
+namespace setae::formats::tests::write_read_property_test {
 namespace {
 
 using topography::HeightMap;
@@ -193,4 +193,4 @@ TEST(WriteRead, LeavesWhatWasThereWhereWritingFails) {
 }
 
 }  // namespace
-}  // namespace setae::formats::tests
+}  // namespace setae::formats::tests::write_read_property_test

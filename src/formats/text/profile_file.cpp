@@ -63,7 +63,7 @@ void require_entry(std::string_view key, const std::string& value) {
 }
 
 /// What stands in the head of a file.
-struct Head {
+struct ProfileHead {
     std::map<std::string, std::string> entries;
     std::map<std::string, std::size_t> line;  ///< of each key, from 1
 
@@ -77,8 +77,8 @@ struct Head {
     }
 };
 
-Head read_head(const std::string& text, const std::string& name) {
-    Head head;
+ProfileHead read_head(const std::string& text, const std::string& name) {
+    ProfileHead head;
     std::size_t number = 0;
     for (const auto raw : bytes::split_lines(text)) {
         ++number;
@@ -108,7 +108,7 @@ Head read_head(const std::string& text, const std::string& name) {
 
 constexpr std::array<const char*, 4> response_keys{"blur", "smoothing_length", "step", "noise_density"};
 
-std::optional<TraceResponse> response_of(const Head& head, const std::string& name) {
+std::optional<TraceResponse> response_of(const ProfileHead& head, const std::string& name) {
     const char *given = nullptr, *missing = nullptr;
     for (const auto* key : response_keys) (head.text(key) ? given : missing) = key;
     if (!given) return std::nullopt;
@@ -122,7 +122,7 @@ std::optional<TraceResponse> response_of(const Head& head, const std::string& na
                          *head.number("noise_density")};
 }
 
-topography::Metadata metadata_of(const Head& head, const bytes::Source& source) {
+topography::Metadata metadata_of(const ProfileHead& head, const bytes::Source& source) {
     topography::Metadata metadata;
     metadata.name = head.text("name").value_or("");
     metadata.file = source.name;

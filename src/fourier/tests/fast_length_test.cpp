@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::fourier {
+namespace setae::fourier::fast_length_test {
 namespace {
 
 TEST(FastLength, IsTheLeastProductOfTwoThreeAndFive) {
@@ -17,4 +17,4 @@ TEST(FastLength, IsTheLeastProductOfTwoThreeAndFive) {
 }
 
 }  // namespace
-}  // namespace setae::fourier
+}  // namespace setae::fourier::fast_length_test

@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/fourier/map_transform.hpp"
 
-namespace {
+namespace inverse_map_transform_test {
 
 using namespace setae;
 using fourier::Complex;
@@ -87,4 +87,4 @@ TEST(InverseMapTransform, RefusesMapsWithoutPoints) {
     EXPECT_THROW(fourier::inverse_transform_map([](Index, Complex*) {}, none, {1}), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace inverse_map_transform_test

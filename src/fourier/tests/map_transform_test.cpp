@@ -14,7 +14,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/fourier/buffer.hpp"
 
-namespace {
+namespace map_transform_test {
 
 using namespace setae;
 using fourier::Complex;
@@ -150,4 +150,4 @@ TEST(ComplexTransform, ForwardThenBackwardIsNTimesTheInput) {
 
 TEST(RealTransform, RefusesNoPoints) { EXPECT_THROW(fourier::RealTransform(0), InvalidArgument); }
 
-}  // namespace
+}  // namespace map_transform_test

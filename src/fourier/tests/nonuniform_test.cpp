@@ -9,7 +9,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace nonuniform_test {
 
 using namespace setae;
 using fourier::nonuniform_transform;
@@ -101,4 +101,4 @@ TEST(NonuniformTransform, RefusesSizesThatDifferAndNaN) {
                  InvalidArgument);
 }
 
-}  // namespace
+}  // namespace nonuniform_test

@@ -15,7 +15,7 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined_radius = std::numeric_limits<double>::quiet_NaN();
 
 /// Reason of each frame of the source that is left out.
 std::vector<const std::string*> exclusions(const FrameSource& source, const std::vector<ExcludedFrame>& excluded) {
@@ -39,8 +39,9 @@ ContactFrame no_measurement(FrameState state, std::string reason) {
     frame.state = state;
     frame.reason = std::move(reason);
     frame.radius = frame.radius_standard_error = frame.roundness = frame.roundness_standard_error =
-        frame.contrast_to_noise = frame.edge_width = undefined;
-    frame.ellipse = {undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined};
+        frame.contrast_to_noise = frame.edge_width = undefined_radius;
+    frame.ellipse = {undefined_radius, undefined_radius, undefined_radius, undefined_radius,
+                     undefined_radius, undefined_radius, undefined_radius, undefined_radius};
     return frame;
 }
 
@@ -137,7 +138,7 @@ ContactRadii measure_contact_radii(const FrameSource& source, const RadiusOption
 Table as_table(const ContactRadii& radii) {
     const double pixel = radii.pixel_size;
     const auto seen = [](double value, const ContactRadius& f) {
-        return f.contact.state == FrameState::measured ? value : undefined;
+        return f.contact.state == FrameState::measured ? value : undefined_radius;
     };
     Table table;
     table.columns = {

@@ -13,10 +13,10 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double arc_a_ray = 6.0;                 // px of perimeter
-constexpr double narrowest = 0.3, widest = 12.0;  // widths of edges [px]; a pixel's own area makes 0.29
-constexpr double bin = 0.5;                       // px of distance, of profiles
-constexpr double least_contrast = 0.3;            // of the median ray's
+constexpr double arc_a_ray = 6.0;                         // px of perimeter
+constexpr double narrowest_ray = 0.3, widest_ray = 12.0;  // widths of edges [px]; a pixel's own area makes 0.29
+constexpr double bin = 0.5;                               // px of distance, of profiles
+constexpr double least_contrast = 0.3;                    // of the median ray's
 constexpr int most_rounds = 10, rounds_before_polish = 6, rounds_of_search = 4;
 constexpr double nearly_at_rest = 0.03, at_rest = 0.003, restless = 0.2;  // px
 
@@ -159,7 +159,7 @@ void refine(const Profile& profile, StepFit& fit, bool width_free, double farthe
         fit.level += change[0];
         fit.contrast += change[1];
         fit.place = std::clamp(fit.place + change[2], -farthest, farthest);
-        fit.width = std::clamp(fit.width + change[3], narrowest, widest);
+        fit.width = std::clamp(fit.width + change[3], narrowest_ray, widest_ray);
         fit.inverse = factors.solve(Eigen::Matrix4d::Identity());
         if (std::abs(change[2]) + std::abs(change[3]) < 1e-3) return;
     }
@@ -363,7 +363,7 @@ EdgeFit fit_edge(const FramePixels& pixels, const Outline& start, double sign, d
         linear_part(mean, step);
         refine(mean, step, true, 0.8 * std::min(window.inside, window.outside), 12);
         const double previous = width;
-        if (step.good) width = std::clamp(step.width, narrowest, widest);
+        if (step.good) width = std::clamp(step.width, narrowest_ray, widest_ray);
         if (fringes && step.good) {
             // over a whole fringe brightness averages out; where it does not turn, the window stays
             const double turn = std::clamp(2 * first_fringe(mean, step, sign, reach), 3.0, reach);

@@ -11,14 +11,14 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double narrowest = 0.29, widest = 4.0;  // px; a pixel's own area makes 0.29
+constexpr double narrowest_edge = 0.29, widest_edge = 4.0;  // px; a pixel's own area makes 0.29
 constexpr double narrowest_fringe = 0.8, widest_fringe = 10.0;
-constexpr double least_gain = 30.0;     // of χ² by which a fringe stands out
-constexpr double farthest = 3.0;        // px between the place a fit begins at and the edge
-constexpr double least_scatter = 1e-3;  // of a profile's range: pixels are squares
-constexpr double least_fringe = 0.05;   // of the step
-constexpr double least_spread = 1.7;    // of the fringe over the step's width
-constexpr double bin = 0.25;            // px
+constexpr double least_fringe_gain = 30.0;  // of χ² by which a fringe stands out
+constexpr double farthest = 3.0;            // px between the place a fit begins at and the edge
+constexpr double least_scatter = 1e-3;      // of a profile's range: pixels are squares
+constexpr double least_fringe = 0.05;       // of the step
+constexpr double least_spread = 1.7;        // of the fringe over the step's width
+constexpr double bin = 0.25;                // px
 constexpr int most_steps = 60;
 
 using Parameters = Eigen::Matrix<double, 6, 1>;  // level, step, place, ln width, fringe, ln fringe width
@@ -81,7 +81,7 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
             damped.diagonal() *= 1 + damping;
             damped.diagonal().array() += 1e-12 * normal.trace();
             Parameters next = fit.parameters + damped.ldlt().solve(right);
-            next[3] = std::clamp(next[3], std::log(narrowest), std::log(widest));
+            next[3] = std::clamp(next[3], std::log(narrowest_edge), std::log(widest_edge));
             next[2] = std::clamp(next[2], -profile.reach, profile.reach);
             next[5] = std::clamp(next[5], std::log(narrowest_fringe), std::log(widest_fringe));
             const double squares = squares_of(profile, weights, next);
@@ -144,12 +144,13 @@ EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
         from[5] = std::log(width);
         from[4] = 0.01 * std::abs(from[1]);
         auto with_fringe = least_squares(profile, weights, from, 6);
-        if (with_fringe.squares < best.squares - least_gain && is_fringe(shape_of(with_fringe.parameters)) &&
+        if (with_fringe.squares < best.squares - least_fringe_gain && is_fringe(shape_of(with_fringe.parameters)) &&
             same_edge(shape_of(with_fringe.parameters), start))
             best = with_fringe;
     }
     auto shape = shape_of(best.parameters);
-    if (shape.fringe_rules()) shape.width = std::clamp(shape.fringe_width / std::numbers::sqrt3, narrowest, widest);
+    if (shape.fringe_rules())
+        shape.width = std::clamp(shape.fringe_width / std::numbers::sqrt3, narrowest_edge, widest_edge);
     return shape;
 }
 

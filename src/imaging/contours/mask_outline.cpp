@@ -11,7 +11,7 @@ namespace setae::imaging {
 namespace {
 
 /// Directions of a walk along corners of pixels: right, down, left, up.
-constexpr std::array<long, 4> step_x{1, 0, -1, 0}, step_y{0, 1, 0, -1};
+constexpr std::array<long, 4> side_x{1, 0, -1, 0}, side_y{0, 1, 0, -1};
 
 /// Walks with vacuum on the left hand; a corner (x, y) is the upper left one of pixel (row y, column x).
 class Walk {
@@ -62,7 +62,7 @@ private:
     [[nodiscard]] bool begins_at_side(long x, long y, int) const {
         if (!at_side(x, y, columns_, rows_)) return false;
         for (int d = 0; d < 4; ++d) {
-            const long from_x = x - step_x[d], from_y = y - step_y[d];
+            const long from_x = x - side_x[d], from_y = y - side_y[d];
             if (from_x >= 0 && from_y >= 0 && from_x <= columns_ && from_y <= rows_ && is_border(from_x, from_y, d))
                 return false;
         }
@@ -77,7 +77,7 @@ private:
         const int first = direction;
         while (true) {
             walked_(y, x) = static_cast<std::uint8_t>(walked_(y, x) | (1 << direction));
-            x += step_x[direction], y += step_y[direction];
+            x += side_x[direction], y += side_y[direction];
             int next = -1;
             for (const int turn : {1, 0, 3}) {  // right first: parts of the sample that touch at a corner stay apart
                 const int candidate = (direction + turn) % 4;

@@ -21,7 +21,7 @@ constexpr long coarse_cells = 48;    // across the shorter side, where levels ar
 constexpr double border_cost = 2.0;  // of a side of a square, in units of ln likelihood
 constexpr double most_cost =
     8.0;  // of a level or structure far from a phase's: squares on the border, glare and dust belong to neither
-constexpr double least_share =
+constexpr double least_phase_share =
     1e-3;  // of the range of levels: what is less is rounding and the tails of blur, not structure
 constexpr double least_squares_of_a_phase = 20;
 constexpr int first_turns = 2, most_turns = 10;  // cut and levels in turns: of every start, and of the best ones
@@ -294,8 +294,8 @@ TwoPhases divide(const FramePixels& pixels, const PixelMask& hidden, Vacuum vacu
     long side = 1;
     while (std::min(pixels.rows(), pixels.cols()) / (2 * side) >= coarse_cells) side *= 2;
     auto coarse = cells_of(pixels, hidden, side, 0, 0, pixels.rows() / side, pixels.cols() / side);
-    const double least_level =
-        std::max(std::numeric_limits<double>::min(), least_share * (coarse.mean.maxCoeff() - coarse.mean.minCoeff()));
+    const double least_level = std::max(std::numeric_limits<double>::min(),
+                                        least_phase_share * (coarse.mean.maxCoeff() - coarse.mean.minCoeff()));
     coarse.log_variance = coarse.log_variance.max(2 * std::log(least_level));
     const LeastScatter least{least_level, side > 1 ? 0.7 * std::sqrt(2.0 / static_cast<double>(side * side - 1)) : 1.0};
     const auto best = best_division(coarse, least);

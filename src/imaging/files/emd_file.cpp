@@ -17,9 +17,9 @@
 namespace setae::imaging {
 namespace {
 
-constexpr int deepest_group = 8;
+constexpr int deepest_emd_group = 8;
 constexpr std::size_t most_members = 10'000;
-constexpr std::uint64_t most_metadata = 1 << 20, longest_text = 1 << 12;
+constexpr std::uint64_t most_metadata = 1 << 20, longest_emd_text = 1 << 12;
 constexpr std::uint64_t cache_bytes_a_pixel = 16;  // of a chunk, against most_pixels
 
 using Handle = bytes::Hdf5Handle;
@@ -44,7 +44,7 @@ std::string text_attribute(hid_t object, const char* name) {
         H5free_memory(text);
         return copied;
     }
-    std::string text(std::min<std::size_t>(H5Tget_size(type), longest_text), '\0');
+    std::string text(std::min<std::size_t>(H5Tget_size(type), longest_emd_text), '\0');
     if (text.size() < H5Tget_size(type) || H5Aread(attribute, type, text.data()) < 0) return {};
     return bytes::field_text(text);
 }
@@ -79,7 +79,7 @@ std::vector<std::string> members_of(hid_t group) {
     if (H5Gget_info(group, &info) < 0) return names;
     for (hsize_t i = 0; i < std::min<hsize_t>(info.nlinks, most_members); ++i) {
         const auto length = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0, H5P_DEFAULT);
-        if (length <= 0 || static_cast<std::uint64_t>(length) > longest_text) continue;
+        if (length <= 0 || static_cast<std::uint64_t>(length) > longest_emd_text) continue;
         std::string name(static_cast<std::size_t>(length) + 1, '\0');
         H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(), H5P_DEFAULT);
         name.pop_back();
@@ -101,7 +101,7 @@ bool is_ncem_image(hid_t group) {
 void find_ncem_images(hid_t group, const std::string& path, int depth, std::vector<std::string>& found,
                       std::size_t& visited) {
     if (is_ncem_image(group)) found.push_back(path);
-    if (depth > deepest_group) return;
+    if (depth > deepest_emd_group) return;
     for (const auto& name : members_of(group)) {
         if (++visited > most_members) return;
         if (!exists(group, name)) continue;

@@ -19,7 +19,7 @@
 namespace setae::imaging {
 namespace {
 
-namespace tag {
+namespace stack_tag {
 constexpr std::uint16_t width = 256, height = 257, bits = 258, compression = 259, photometric = 262, description = 270,
                         strip_offsets = 273, samples = 277, rows_a_strip = 278, strip_bytes = 279, x_resolution = 282,
                         y_resolution = 283, planar = 284, resolution_unit = 296, tile_width = 322, tile_height = 323,
@@ -64,7 +64,7 @@ std::uint64_t memory_for(const bytes::TiffPieces& pieces, std::uint64_t file_byt
 
 TiffStack::TiffStack(const bytes::Source& source)
     : file_(bytes::open_tiff(source, "TIFF", most_pages, bytes::Damage::noted)), pages_(file_.pages.size()) {
-    if (auto text = file_.text(file_.pages.front(), tag::description); text.starts_with("ImageJ="))
+    if (auto text = file_.text(file_.pages.front(), stack_tag::description); text.starts_with("ImageJ="))
         description_ = "\n" + std::move(text);
     count_pages_without_directory();
 }
@@ -74,7 +74,7 @@ std::uint64_t TiffStack::picture_bytes() const {
     const auto& page = file_.pages.front();
     const auto size = size_of(0);
     return static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
-           number(page, tag::samples).value_or(1) * number(page, tag::bits).value_or(1) / 8;
+           number(page, stack_tag::samples).value_or(1) * number(page, stack_tag::bits).value_or(1) / 8;
 }
 
 void TiffStack::count_pages_without_directory() {
@@ -82,8 +82,8 @@ void TiffStack::count_pages_without_directory() {
     const auto count = images ? parsed(*images) : std::nullopt;
     if (!count || *count <= static_cast<double>(pages_) || *count > static_cast<double>(most_pages)) return;
     const auto& first = file_.pages.front();
-    if (pages_ == 1 && number(first, tag::compression).value_or(1) == 1 && picture_bytes() > 0)
-        first_pixel_ = file_.number(first, tag::strip_offsets);
+    if (pages_ == 1 && number(first, stack_tag::compression).value_or(1) == 1 && picture_bytes() > 0)
+        first_pixel_ = file_.number(first, stack_tag::strip_offsets);
     pages_ = static_cast<std::size_t>(std::ceil(*count));
 }
 
@@ -91,19 +91,19 @@ const bytes::TiffPage& TiffStack::page(std::size_t index) const {
     return file_.pages[index < file_.pages.size() ? index : 0];
 }
 
-std::optional<std::uint64_t> TiffStack::number(const bytes::TiffPage& page, std::uint16_t tag) const {
-    const auto value = file_.number(page, tag);
+std::optional<std::uint64_t> TiffStack::number(const bytes::TiffPage& page, std::uint16_t stack_tag) const {
+    const auto value = file_.number(page, stack_tag);
     return value && *value >= 0 && *value < 0x1p63 ? std::optional(static_cast<std::uint64_t>(*value)) : std::nullopt;
 }
 
-std::optional<double> TiffStack::real(const bytes::TiffPage& page, std::uint16_t tag) const {
-    const auto value = file_.number(page, tag);
+std::optional<double> TiffStack::real(const bytes::TiffPage& page, std::uint16_t stack_tag) const {
+    const auto value = file_.number(page, stack_tag);
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 PictureSize TiffStack::size_of(std::size_t index) const {
-    const auto width = number(page(index), tag::width).value_or(0),
-               height = number(page(index), tag::height).value_or(0);
+    const auto width = number(page(index), stack_tag::width).value_or(0),
+               height = number(page(index), stack_tag::height).value_or(0);
     if (width > longest_side || height > longest_side) return {};
     return {static_cast<long>(width), static_cast<long>(height)};
 }
@@ -117,14 +117,14 @@ std::optional<std::string> TiffStack::description(const std::string& key) const 
 
 std::optional<double> TiffStack::pixel_size() const {
     const auto& page = file_.pages.front();
-    const auto resolution = [&](std::uint16_t tag) {
-        const auto value = real(page, tag);
+    const auto resolution = [&](std::uint16_t stack_tag) {
+        const auto value = real(page, stack_tag);
         return value && *value > 0 ? value : std::nullopt;
     };
-    const auto x = resolution(tag::x_resolution), y = resolution(tag::y_resolution);
+    const auto x = resolution(stack_tag::x_resolution), y = resolution(stack_tag::y_resolution);
     if (!x) return std::nullopt;
     const auto stated = description("unit");
-    const auto tag_unit = number(page, tag::resolution_unit).value_or(2);
+    const auto tag_unit = number(page, stack_tag::resolution_unit).value_or(2);
     std::optional<double> unit = stated          ? metres_of(*stated)
                                  : tag_unit == 2 ? std::optional(0.0254)
                                  : tag_unit == 3 ? std::optional(0.01)
@@ -162,9 +162,10 @@ std::vector<TiffStack::Part> TiffStack::parts(std::size_t index, std::string& fa
         parts.push_back({*first_pixel_ + index * picture_bytes(), picture_bytes()});
     } else {
         const auto& page = file_.pages[index];
-        const bool tiled = page.find(tag::tile_offsets) != nullptr;
-        const auto offsets = file_.integers(page, tiled ? tag::tile_offsets : tag::strip_offsets, most_parts),
-                   counts = file_.integers(page, tiled ? tag::tile_bytes : tag::strip_bytes, most_parts);
+        const bool tiled = page.find(stack_tag::tile_offsets) != nullptr;
+        const auto offsets =
+                       file_.integers(page, tiled ? stack_tag::tile_offsets : stack_tag::strip_offsets, most_parts),
+                   counts = file_.integers(page, tiled ? stack_tag::tile_bytes : stack_tag::strip_bytes, most_parts);
         if (offsets.empty() || counts.size() < offsets.size())
             fault = offsets.empty() || counts.empty() ? "damaged: its directory names no pixels"
                                                       : "damaged: its directory is incomplete";
@@ -202,13 +203,14 @@ FrameRead TiffStack::read(std::size_t index) const {
     if (size.width <= 0 || size.height <= 0) return {{}, "damaged: its directory states no size"};
     const auto places = parts(index, fault);
     if (!fault.empty()) return {{}, fault};
-    const auto channels = number(page, tag::samples).value_or(1), bits = number(page, tag::bits).value_or(1),
-               photometric = number(page, tag::photometric).value_or(1);
-    const bool tiled = page.find(tag::tile_offsets) != nullptr,
-               raw = number(page, tag::compression).value_or(1) == 1 && !tiled;
-    const auto type = sample_type(bits, number(page, tag::sample_format).value_or(1));
+    const auto channels = number(page, stack_tag::samples).value_or(1),
+               bits = number(page, stack_tag::bits).value_or(1),
+               photometric = number(page, stack_tag::photometric).value_or(1);
+    const bool tiled = page.find(stack_tag::tile_offsets) != nullptr,
+               raw = number(page, stack_tag::compression).value_or(1) == 1 && !tiled;
+    const auto type = sample_type(bits, number(page, stack_tag::sample_format).value_or(1));
     const bool interleaved =
-        channels >= 1 && channels <= 4 && (channels == 1 || number(page, tag::planar).value_or(1) == 1);
+        channels >= 1 && channels <= 4 && (channels == 1 || number(page, stack_tag::planar).value_or(1) == 1);
     RawPixels layout{.big_endian = file_.order == std::endian::big, .size = size};
     std::string values;
     if (raw && type && interleaved && photometric <= 2) {
@@ -219,9 +221,9 @@ FrameRead TiffStack::read(std::size_t index) const {
                                  .nx = static_cast<std::uint64_t>(size.width),
                                  .ny = static_cast<std::uint64_t>(size.height),
                                  .tiled = tiled};
-        pieces.piece_nx = tiled ? number(page, tag::tile_width).value_or(0) : pieces.nx;
-        pieces.piece_ny = tiled ? number(page, tag::tile_height).value_or(0)
-                                : std::min(number(page, tag::rows_a_strip).value_or(pieces.ny), pieces.ny);
+        pieces.piece_nx = tiled ? number(page, stack_tag::tile_width).value_or(0) : pieces.nx;
+        pieces.piece_ny = tiled ? number(page, stack_tag::tile_height).value_or(0)
+                                : std::min(number(page, stack_tag::rows_a_strip).value_or(pieces.ny), pieces.ny);
         if (pieces.piece_nx == 0 || pieces.piece_ny == 0 ||
             (tiled && (pieces.piece_nx > most_tile_pixels || pieces.piece_ny > most_tile_pixels / pieces.piece_nx)))
             return {{}, fmt::format("damaged: tiles of {} × {} pixels", pieces.piece_nx, pieces.piece_ny)};

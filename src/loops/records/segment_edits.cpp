@@ -15,7 +15,7 @@ namespace {
 
 std::string described(const IndexRange& range) { return fmt::format("samples {} to {}", range.first, range.last); }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+[[noreturn]] void refuse_edit(const std::string& name, const std::string& why) {
     throw InvalidArgument(fmt::format("{}: {}", name, why));
 }
 
@@ -34,16 +34,16 @@ void fit_together(std::vector<Part>& parts) {
         if (!part.range) continue;
         if (before != nullptr && before->range->last > part.range->first) {
             if (before->given && part.given)
-                refuse(part.name, fmt::format("{} overlap those of {}, {}", described(*part.range), before->name,
-                                              described(*before->range)));
+                refuse_edit(part.name, fmt::format("{} overlap those of {}, {}", described(*part.range), before->name,
+                                                   described(*before->range)));
             if (part.given) before->range->last = part.range->first;
             else part.range->first = before->range->last;
             for (Part* shortened : {before, &part}) {
                 if (shortened->range->first <= shortened->range->last) continue;
                 if (shortened->needed)
-                    refuse(part.given ? part.name : before->name,
-                           fmt::format("{} leave nothing of {}; give that range, too",
-                                       described(part.given ? *part.range : *before->range), shortened->name));
+                    refuse_edit(part.given ? part.name : before->name,
+                                fmt::format("{} leave nothing of {}; give that range, too",
+                                            described(part.given ? *part.range : *before->range), shortened->name));
                 shortened->range.reset();
             }
         }
@@ -80,7 +80,7 @@ std::vector<Cycle> cycles_between(const std::vector<Index>& cuts, const ContactS
     };
     for (const Index cut : cuts) {
         if (cut <= start || cut >= end)
-            refuse(name, fmt::format("{} does not lie between samples {} and {}, in this order", cut, start, end));
+            refuse_edit(name, fmt::format("{} does not lie between samples {} and {}, in this order", cut, start, end));
         add(cut, false);
     }
     add(end, true);
@@ -128,8 +128,8 @@ void edit_contact(ContactSegments& contact, const ContactEdits& edits, const Loo
     const IndexRange pressed{contact.loading.first, contact.unloading ? contact.unloading->last : contact.loading.last};
     if (const auto hold = given(edits.hold, "hold" + suffix)) {
         if (!pressed.contains(hold->first) || !pressed.contains(hold->last))
-            refuse("hold" + suffix,
-                   fmt::format("{} do not lie within loading and unloading, {}", described(*hold), described(pressed)));
+            refuse_edit("hold" + suffix, fmt::format("{} do not lie within loading and unloading, {}", described(*hold),
+                                                     described(pressed)));
         contact.hold = hold;
     } else if (contact.hold && !(pressed.contains(contact.hold->first) && pressed.contains(contact.hold->last))) {
         contact.hold.reset();
@@ -142,9 +142,9 @@ void edit_contact(ContactSegments& contact, const ContactEdits& edits, const Loo
 void part_contacts(std::vector<ContactSegments>& contacts) {
     for (std::size_t k = 0; k + 1 < contacts.size(); ++k) {
         if (end_of(contacts[k]) >= start_of(contacts[k + 1]))
-            refuse(fmt::format("contact {}", k + 1),
-                   fmt::format("ends at sample {}, behind the start of contact {} at sample {}", end_of(contacts[k]),
-                               k + 2, start_of(contacts[k + 1])));
+            refuse_edit(fmt::format("contact {}", k + 1),
+                        fmt::format("ends at sample {}, behind the start of contact {} at sample {}",
+                                    end_of(contacts[k]), k + 2, start_of(contacts[k + 1])));
         contacts[k].extent.last =
             std::clamp(contacts[k].extent.last, end_of(contacts[k]), start_of(contacts[k + 1]) - 1);
         contacts[k + 1].extent.first = contacts[k].extent.last + 1;
@@ -158,9 +158,10 @@ IndexRange samples_of(const GivenRange& given, const Loop& loop, const std::stri
     IndexRange range;
     if (const auto* times = std::get_if<TimeRange>(&given)) {
         if (loop.time.size() != n)
-            refuse(name, fmt::format("{} s to {} s: the record has no time; give samples", times->first, times->last));
+            refuse_edit(name,
+                        fmt::format("{} s to {} s: the record has no time; give samples", times->first, times->last));
         if (!(times->first <= times->last))
-            refuse(name, fmt::format("{} s to {} s ends before it begins", times->first, times->last));
+            refuse_edit(name, fmt::format("{} s to {} s ends before it begins", times->first, times->last));
         range = {.first = n, .last = -1};
         for (Index i = 0; i < n; ++i)
             if (loop.time[i] >= times->first && loop.time[i] <= times->last) {
@@ -168,14 +169,14 @@ IndexRange samples_of(const GivenRange& given, const Loop& loop, const std::stri
                 range.last = i;
             }
         if (range.last < 0)
-            refuse(name, fmt::format("{} s to {} s holds no sample; the record runs from {} s to {} s", times->first,
-                                     times->last, loop.time[0], loop.time[n - 1]));
+            refuse_edit(name, fmt::format("{} s to {} s holds no sample; the record runs from {} s to {} s",
+                                          times->first, times->last, loop.time[0], loop.time[n - 1]));
         return range;
     }
     range = std::get<IndexRange>(given);
-    if (range.last < range.first) refuse(name, described(range) + " end before they begin");
+    if (range.last < range.first) refuse_edit(name, described(range) + " end before they begin");
     if (range.first < 0 || range.last >= n)
-        refuse(name, fmt::format("{} leave the record, which has samples 0 to {}", described(range), n - 1));
+        refuse_edit(name, fmt::format("{} leave the record, which has samples 0 to {}", described(range), n - 1));
     return range;
 }
 
@@ -208,16 +209,16 @@ Segments apply(const SegmentEdits& edits, Segments segments, const Loop& loop) {
     for (const IgnoredSamples& ignored : edits.ignored) {
         segments.ignored.push_back(samples_of(ignored.range, loop, "ignore"));
         if (ignored.reason.empty())
-            refuse("ignore",
-                   described(segments.ignored.back()) + " need a reason, such as ignore=30:35 (door slammed)");
+            refuse_edit("ignore",
+                        described(segments.ignored.back()) + " need a reason, such as ignore=30:35 (door slammed)");
     }
     const auto& after = edits.baseline_after;
     if (after && segments.after->range->first <= end_of(segments.contacts.back()))
-        refuse("baseline_after", fmt::format("{} begin before contact ends at sample {}",
-                                             described(*segments.after->range), end_of(segments.contacts.back())));
+        refuse_edit("baseline_after", fmt::format("{} begin before contact ends at sample {}",
+                                                  described(*segments.after->range), end_of(segments.contacts.back())));
     if (edits.baseline_before && segments.before.range->last > start_of(segments.contacts.front()))
-        refuse("baseline", fmt::format("{} reach into contact, which begins at sample {}",
-                                       described(*segments.before.range), start_of(segments.contacts.front())));
+        refuse_edit("baseline", fmt::format("{} reach into contact, which begins at sample {}",
+                                            described(*segments.before.range), start_of(segments.contacts.front())));
     return segments;
 }
 

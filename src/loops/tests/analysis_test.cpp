@@ -12,7 +12,7 @@
 #include "setae/loops/reference_loop.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::analysis_test {
 namespace {
 
 using tests::rubber_on_diamond;
@@ -237,4 +237,4 @@ TEST(ReferenceLoop, OfASmoothSphereLosesItsJumpsOnly) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::analysis_test

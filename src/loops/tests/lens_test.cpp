@@ -9,7 +9,7 @@
 #include "setae/loops/rubber.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::lens_test {
 namespace {
 
 /// Points on an arc of a circle about (1, −2) mm.
@@ -71,4 +71,4 @@ TEST(RubberModulus, IsDensityTimesGasConstantTimesTemperatureOverMolarMass) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::lens_test

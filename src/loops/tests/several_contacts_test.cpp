@@ -7,7 +7,7 @@
 #include "setae/loops/analysis.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::several_contacts_test {
 namespace {
 
 using tests::rubber_on_diamond;
@@ -57,4 +57,4 @@ TEST(TwoContacts, AreBothAnalysed) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::several_contacts_test

@@ -10,7 +10,7 @@
 
 #include "setae/core/constants.hpp"
 
-namespace {
+namespace random_numbers_test {
 
 using namespace setae;
 using namespace setae::numerics;
@@ -103,4 +103,4 @@ TEST(Substreams, AreUnrelatedToEachOtherAndToTheirParent) {
         }
 }
 
-}  // namespace
+}  // namespace random_numbers_test

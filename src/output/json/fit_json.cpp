@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/output/fit_json.hpp"
 
+#include <nlohmann/json.hpp>
 #include "json_support.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/study/study_result.hpp"
 
 namespace setae::output {
 namespace {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_support.hpp"
+#include "setae/processing/processed.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace setae::output {
 

@@ -3,8 +3,10 @@
 
 #include <string>
 
+#include "setae/loops/analysis.hpp"
 #include "setae/output/json.hpp"
 #include "setae/statistics/replicate_data.hpp"
+#include "setae/study/study_result.hpp"
 
 namespace setae::output {
 

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "json_support.hpp"
+#include "setae/roughness/spectral_moments.hpp"
+#include "setae/study/surface_analysis.hpp"
 
 namespace setae::output {
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
 #include "json_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/output/fit_json.hpp"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "markup.hpp"
 #include "setae/core/text.hpp"
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <regex>
 
+#include <nlohmann/json.hpp>
 #include "setae/core/text.hpp"
 #include "setae/figures/typesetting.hpp"
 

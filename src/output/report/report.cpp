@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "assets.hpp"
 #include "figures.hpp"
 #include "markup.hpp"

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "markup.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"

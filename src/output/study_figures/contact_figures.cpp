@@ -20,7 +20,7 @@ using study::ExperimentResult;
 using study::StudyResult;
 
 constexpr double mN = 1e3, um = 1e6, nJ = 1e9;  ///< per SI unit
-constexpr Index symbols_a_branch = 24, points_a_loop = 400, points_a_fit = 120;
+constexpr Index few_symbols_a_branch = 24, few_points_a_loop = 400, few_points_a_fit = 120;
 
 using Loops = std::vector<const ExperimentResult*>;
 using Wanted = std::function<bool(const ExperimentResult&)>;
@@ -56,7 +56,7 @@ Series branch(const LoopAnalysis& loop, const loops::IndexRange& range, const Lo
     for (Index i = range.first; i <= range.last; ++i)
         if (std::isfinite(record.contact_radius[i])) frames.push_back(i);
     const Array1D force = taken(record.force, frames), radius = taken(record.contact_radius, frames);
-    for (const Index i : thinned(force, radius, 0, force.size() - 1, symbols_a_branch))
+    for (const Index i : thinned(force, radius, 0, force.size() - 1, few_symbols_a_branch))
         samples.push_back(frames[static_cast<std::size_t>(i)]);
     return {.label = look.label + (loading ? ", loading" : ", unloading"),
             .x = taken(record.force, samples) * mN,
@@ -74,7 +74,7 @@ Curve jkr_curve(double radius, double modulus, double work, double most) {
     const double least = contact::jkr::pull_off_at_fixed_load(contact).force;
     if (!(most > least)) return {};
     // even steps of the square root, because a(F) is vertical at pull-off
-    const Array1D root = Array1D::LinSpaced(points_a_fit, 0.0, std::sqrt(most - least));
+    const Array1D root = Array1D::LinSpaced(few_points_a_fit, 0.0, std::sqrt(most - least));
     const Array1D force = (least + root.square()).max(least);
     return {force * mN, contact::jkr::contact_radius_at_force(force, contact) * um};
 }
@@ -200,7 +200,7 @@ double zero_of_displacement(const LoopAnalysis& loop) {
 Curve closed_loop(const LoopAnalysis& loop) {
     const auto& record = loop.corrected;
     const auto& extent = loop.segments.contacts.front().extent;
-    const auto samples = thinned(record.displacement, record.force, extent.first, extent.last, points_a_loop - 100);
+    const auto samples = thinned(record.displacement, record.force, extent.first, extent.last, few_points_a_loop - 100);
     return {(taken(record.displacement, samples) - zero_of_displacement(loop)) * um, taken(record.force, samples) * mN};
 }
 
@@ -315,7 +315,7 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
                   " Shaded: the closed loop on {}, which loses {}; ± is one standard error (noise, drift, sampling).",
                   shaded->input.surface, with_error(shaded->analysis->loop->estimate(), nJ, "nJ"))
             : "",
-        symbols_a_branch, points_a_loop);
+        few_symbols_a_branch, few_points_a_loop);
 }
 
 void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn) {

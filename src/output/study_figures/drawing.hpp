@@ -14,6 +14,7 @@ namespace colour {
 inline constexpr int blue = 0, vermilion = 1, green = 2, pink = 3, black = 4, orange = 5, sky = 6;
 }
 
+inline constexpr double MPa = 1e-6, mJ = 1e3;  ///< per SI unit
 inline constexpr double column_mm = 85.0, page_mm = 178.0;
 
 [[nodiscard]] inline bool wide(const FigureRequest& request) {

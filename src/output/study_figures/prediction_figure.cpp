@@ -14,8 +14,6 @@ using figures::Panel;
 using study::PairResult;
 using study::StudyResult;
 
-constexpr double MPa = 1e-6, mJ = 1e3;
-
 /// Measured pairs on a surface for which (7) speaks.
 std::vector<const PairResult*> pairs_on(const StudyResult& result, const std::string& surface) {
     std::vector<const PairResult*> pairs;

@@ -18,7 +18,6 @@ using figures::Place;
 using figures::Series;
 using loops::RangeFit;
 
-constexpr double MPa = 1e-6, mJ = 1e3;  ///< per SI unit
 constexpr double one_standard_error =
     0.3934693402873666;  ///< 1 − e^(−1/2): the ellipse whose shadow on each axis is one standard error
 

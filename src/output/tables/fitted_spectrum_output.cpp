@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
 #include "json/json_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/study/study_result.hpp"
 #include "table_support.hpp"
 
 namespace setae::output {

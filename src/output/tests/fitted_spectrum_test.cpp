@@ -17,7 +17,7 @@
 #include "setae/output/study_tables.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::output {
+namespace setae::output::fitted_spectrum_test {
 namespace {
 
 /// Random walks, whose C1D falls like q⁻², as files.
@@ -227,4 +227,4 @@ TEST_F(FittedSpectrum, IsTheSameBytesForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::output
+}  // namespace setae::output::fitted_spectrum_test

@@ -12,7 +12,7 @@
 namespace setae::processing {
 namespace {
 
-constexpr Index columns_per_block = 128;
+constexpr Index regression_columns_per_block = 128;
 constexpr std::size_t most_terms = 6;
 /// A pivot below this share of its diagonal: the points near lie on a curve on which the polynomial vanishes.
 constexpr double smallest_pivot = 1e-9;
@@ -190,24 +190,28 @@ void fit_planes(const Smoothing& smoothing, const MomentField& moments, Regressi
     const Levers along_x(smoothing.ones_x, smoothing.along_x.coordinate, smoothing.fits_x),
         along_y(smoothing.ones_y, smoothing.along_y.coordinate, smoothing.fits_y);
     const auto& terms = moments.powers();
-    parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * columns_per_block,
-                    count = std::min(columns_per_block, ny - first);
-        Array1D sum(count), moment(count), value(count);
-        for (Index i = 0; i < nx; ++i) {
-            moments.moments(i, first, count, 0, sum.data());
-            value = sum;
-            for (std::size_t p = 1; p < terms.size(); ++p) {
-                moments.moments(i, first, count, p, moment.data());
-                if (terms[p].x == 1) value += along_x.lever[i] * (moment - along_x.mean[i] * sum);
-                else value += along_y.lever.segment(first, count) * (moment - along_y.mean.segment(first, count) * sum);
+    parallel::for_each_index(
+        extent((ny + regression_columns_per_block - 1) / regression_columns_per_block), threads,
+        [&](std::size_t block) {
+            const Index first = static_cast<Index>(block) * regression_columns_per_block,
+                        count = std::min(regression_columns_per_block, ny - first);
+            Array1D sum(count), moment(count), value(count);
+            for (Index i = 0; i < nx; ++i) {
+                moments.moments(i, first, count, 0, sum.data());
+                value = sum;
+                for (std::size_t p = 1; p < terms.size(); ++p) {
+                    moments.moments(i, first, count, p, moment.data());
+                    if (terms[p].x == 1) value += along_x.lever[i] * (moment - along_x.mean[i] * sum);
+                    else
+                        value +=
+                            along_y.lever.segment(first, count) * (moment - along_y.mean.segment(first, count) * sum);
+                }
+                value = smoothing.known.centre + value * (along_x.inverse[i] * along_y.inverse.segment(first, count));
+                auto row = result.row(i).segment(first, count);
+                if (kind == Regression::value) row = value.transpose();
+                else row = smoothing.heights.row(i).segment(first, count) - value.transpose();
             }
-            value = smoothing.known.centre + value * (along_x.inverse[i] * along_y.inverse.segment(first, count));
-            auto row = result.row(i).segment(first, count);
-            if (kind == Regression::value) row = value.transpose();
-            else row = smoothing.heights.row(i).segment(first, count) - value.transpose();
-        }
-    });
+        });
 }
 
 }  // namespace
@@ -224,34 +228,37 @@ void local_regression(const ArrayView2D& heights, const Array2D& weights, const 
     if (!smoothing.separable) of_weights.push_back(smoothing.weight_moments(threads));
     const Index nx = heights.rows(), ny = heights.cols();
     const std::size_t terms = smoothing.fit.terms().size(), sums = smoothing.fit.sums().size();
-    parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * columns_per_block,
-                    count = std::min(columns_per_block, ny - first);
-        Array2D height(static_cast<Index>(terms), count), weight(static_cast<Index>(sums), count);
-        for (Index i = 0; i < nx; ++i) {
-            for (std::size_t p = 0; p < terms; ++p)
-                of_heights.moments(i, first, count, p, &height(static_cast<Index>(p), 0));
-            for (std::size_t p = 0; p < sums; ++p) {
-                const Powers power = smoothing.fit.sums()[p];
-                if (!smoothing.separable) of_weights[0].moments(i, first, count, p, &weight(static_cast<Index>(p), 0));
-                else
-                    weight.row(static_cast<Index>(p)) =
-                        smoothing.ones_x(power.x, i) * smoothing.ones_y.row(power.y).segment(first, count);
+    parallel::for_each_index(
+        extent((ny + regression_columns_per_block - 1) / regression_columns_per_block), threads,
+        [&](std::size_t block) {
+            const Index first = static_cast<Index>(block) * regression_columns_per_block,
+                        count = std::min(regression_columns_per_block, ny - first);
+            Array2D height(static_cast<Index>(terms), count), weight(static_cast<Index>(sums), count);
+            for (Index i = 0; i < nx; ++i) {
+                for (std::size_t p = 0; p < terms; ++p)
+                    of_heights.moments(i, first, count, p, &height(static_cast<Index>(p), 0));
+                for (std::size_t p = 0; p < sums; ++p) {
+                    const Powers power = smoothing.fit.sums()[p];
+                    if (!smoothing.separable)
+                        of_weights[0].moments(i, first, count, p, &weight(static_cast<Index>(p), 0));
+                    else
+                        weight.row(static_cast<Index>(p)) =
+                            smoothing.ones_x(power.x, i) * smoothing.ones_y.row(power.y).segment(first, count);
+                }
+                const double x = smoothing.along_x.coordinate[i];
+                double* row = result.data() + i * result.outerStride() + first;
+                const double* original = heights.data() + i * heights.outerStride() + first;
+                if (smoothing.order == 0) height.row(0) /= weight.row(0);
+                for (Index j = 0; j < count; ++j) {
+                    const double value =
+                        smoothing.known.centre + (smoothing.order == 0
+                                                      ? height(0, j)
+                                                      : smoothing.fit.value(&weight(0, j), &height(0, j), count, x,
+                                                                            smoothing.along_y.coordinate[first + j]));
+                    row[j] = kind == Regression::value ? value : original[j] - value;
+                }
             }
-            const double x = smoothing.along_x.coordinate[i];
-            double* row = result.data() + i * result.outerStride() + first;
-            const double* original = heights.data() + i * heights.outerStride() + first;
-            if (smoothing.order == 0) height.row(0) /= weight.row(0);
-            for (Index j = 0; j < count; ++j) {
-                const double value =
-                    smoothing.known.centre + (smoothing.order == 0
-                                                  ? height(0, j)
-                                                  : smoothing.fit.value(&weight(0, j), &height(0, j), count, x,
-                                                                        smoothing.along_y.coordinate[first + j]));
-                row[j] = kind == Regression::value ? value : original[j] - value;
-            }
-        }
-    });
+        });
 }
 
 }  // namespace setae::processing

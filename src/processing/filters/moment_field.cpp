@@ -8,7 +8,7 @@
 namespace setae::processing {
 namespace {
 
-constexpr Index columns_per_block = 128;
+constexpr Index moment_columns_per_block = 128;
 constexpr std::size_t rows_at_once = 4;
 
 constexpr std::array<std::array<double, 5>, 5> binomials{
@@ -77,30 +77,31 @@ void MomentField::share_rows(const LoadValues& load, parallel::Threads threads) 
     const GaussianAxis& axis = *along_x_;
     const Index ny = along_y_->points;
     for (Index m = 0; m <= most_x_; ++m) shared_.emplace_back(axis.coarse, ny);
-    parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * columns_per_block,
-                    count = std::min(columns_per_block, ny - first);
-        for (Array2D& field : shared_) field.middleCols(first, count).setZero();
-        std::vector<double> values(rows_at_once * extent(count), 0.0);
-        const std::array<const double*, rows_at_once> sources{values.data(), values.data() + count,
-                                                              values.data() + 2 * count, values.data() + 3 * count};
-        for (Index i = 0; i < axis.points; i += Index{rows_at_once}) {
-            const Index rows = std::min(Index{rows_at_once}, axis.points - i);
-            for (Index r = 0; r < rows; ++r) load(i + r, first, count, values.data() + r * count);
-            const Index last = axis.first_share[extent(i + rows - 1)] + axis.shares;
-            for (Index number = axis.first_share[extent(i)]; number < last; ++number) {
-                const Index c = axis.place(number);
-                if (c < 0) continue;
-                for (Index m = 0; m <= most_x_; ++m) {
-                    std::array<double, rows_at_once> weights{};
-                    for (Index r = 0; r < rows; ++r)
-                        if (const Index s = number - axis.first_share[extent(i + r)]; s >= 0 && s < axis.shares)
-                            weights[extent(r)] = axis.share[extent(m)](i + r, s);
-                    add_four(&shared_[extent(m)](c, first), count, sources, weights);
+    parallel::for_each_index(
+        extent((ny + moment_columns_per_block - 1) / moment_columns_per_block), threads, [&](std::size_t block) {
+            const Index first = static_cast<Index>(block) * moment_columns_per_block,
+                        count = std::min(moment_columns_per_block, ny - first);
+            for (Array2D& field : shared_) field.middleCols(first, count).setZero();
+            std::vector<double> values(rows_at_once * extent(count), 0.0);
+            const std::array<const double*, rows_at_once> sources{values.data(), values.data() + count,
+                                                                  values.data() + 2 * count, values.data() + 3 * count};
+            for (Index i = 0; i < axis.points; i += Index{rows_at_once}) {
+                const Index rows = std::min(Index{rows_at_once}, axis.points - i);
+                for (Index r = 0; r < rows; ++r) load(i + r, first, count, values.data() + r * count);
+                const Index last = axis.first_share[extent(i + rows - 1)] + axis.shares;
+                for (Index number = axis.first_share[extent(i)]; number < last; ++number) {
+                    const Index c = axis.place(number);
+                    if (c < 0) continue;
+                    for (Index m = 0; m <= most_x_; ++m) {
+                        std::array<double, rows_at_once> weights{};
+                        for (Index r = 0; r < rows; ++r)
+                            if (const Index s = number - axis.first_share[extent(i + r)]; s >= 0 && s < axis.shares)
+                                weights[extent(r)] = axis.share[extent(m)](i + r, s);
+                        add_four(&shared_[extent(m)](c, first), count, sources, weights);
+                    }
                 }
             }
-        }
-    });
+        });
 }
 
 void MomentField::gather_columns(const LoadValues& load, parallel::Threads threads) {

@@ -25,7 +25,7 @@ void require_valid(const RobustGaussianFilter& filter, const topography::Metadat
 }
 
 /// @returns how often the weights were found.
-int filter_in_place(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept keep, parallel::Threads threads) {
+int filter_robustly(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept keep, parallel::Threads threads) {
     Array2D smooth(heights.rows(), heights.cols()), weights;
     RobustScale scale;
     do local_regression(heights, weights, near, Regression::value, smooth, threads);
@@ -37,18 +37,18 @@ int filter_in_place(Eigen::Ref<Array2D> heights, const Neighbourhood& near, Kept
 }
 
 /// In place; returns how often the weights were found.
-int filter_in_place(topography::HeightMap& map, const RobustGaussianFilter& filter, parallel::Threads threads) {
+int filter_robustly(topography::HeightMap& map, const RobustGaussianFilter& filter, parallel::Threads threads) {
     require_valid(filter, map.metadata);
     const auto pixel = map.pixel_size();
     const double deviation = gaussian_deviation(filter.cutoff, filter.order);
-    return filter_in_place(map.heights, {{deviation / pixel[0], deviation / pixel[1]}, map.periodic, filter.order},
+    return filter_robustly(map.heights, {{deviation / pixel[0], deviation / pixel[1]}, map.periodic, filter.order},
                            filter.keep, threads);
 }
 
-int filter_in_place(topography::LineScan& scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
+int filter_robustly(topography::LineScan& scan, const RobustGaussianFilter& filter, parallel::Threads threads) {
     require_valid(filter, scan.metadata);
     Eigen::Map<Array2D> row(scan.heights.data(), 1, scan.heights.size());
-    return filter_in_place(
+    return filter_robustly(
         row, {{0.0, gaussian_deviation(filter.cutoff, filter.order) / scan.pixel_size()}, scan.periodic, filter.order},
         filter.keep, threads);
 }
@@ -57,19 +57,19 @@ int filter_in_place(topography::LineScan& scan, const RobustGaussianFilter& filt
 
 topography::HeightMap filtered(topography::HeightMap map, const RobustGaussianFilter& filter,
                                parallel::Threads threads) {
-    filter_in_place(map, filter, threads);
+    filter_robustly(map, filter, threads);
     return map;
 }
 
 topography::LineScan filtered(topography::LineScan scan, const RobustGaussianFilter& filter,
                               parallel::Threads threads) {
-    filter_in_place(scan, filter, threads);
+    filter_robustly(scan, filter, threads);
     return scan;
 }
 
 Processed apply(const RobustGaussianFilter& filter, topography::Measurement measurement, parallel::Threads threads) {
     return filtered_in_place(
-        filter, std::move(measurement), [&](auto& data) { return filter_in_place(data, filter, threads); }, true);
+        filter, std::move(measurement), [&](auto& data) { return filter_robustly(data, filter, threads); }, true);
 }
 
 }  // namespace setae::processing

@@ -16,7 +16,7 @@
 namespace setae::processing {
 namespace {
 
-constexpr Index columns_per_block = 64;
+constexpr Index spline_columns_per_block = 64;
 
 void require_valid(const SplineFilter& filter, double pixel_size, const topography::Metadata& metadata) {
     require_cutoff(filter.cutoff, "spline filter", metadata);
@@ -67,9 +67,9 @@ Array2D smooth_map(const Array2D& heights, const Array2D& factors, const std::ar
     if (nx > 1) {
         const LineSmoother smoother(nx, stiff[0], periodic);
         parallel::for_each_index(
-            extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-                const Index first = static_cast<Index>(block) * columns_per_block,
-                            count = std::min(columns_per_block, ny - first);
+            extent((ny + spline_columns_per_block - 1) / spline_columns_per_block), threads, [&](std::size_t block) {
+                const Index first = static_cast<Index>(block) * spline_columns_per_block,
+                            count = std::min(spline_columns_per_block, ny - first);
                 Array2D lines = heights.middleCols(first, count).transpose(), weights;
                 if (factors.size() > 0) weights = factors.middleCols(first, count).transpose();
                 for (Index j = 0; j < count; ++j)

@@ -12,7 +12,7 @@
 namespace setae::processing {
 namespace {
 
-constexpr Index columns_per_block = 16;
+constexpr Index fourier_columns_per_block = 16;
 
 void require_points(Index n, const topography::Metadata& metadata) {
     if (n < 1)
@@ -65,14 +65,15 @@ topography::HeightMap fourier_interpolated(const topography::HeightMap& map, Ind
         rows.resample(&map.heights(static_cast<Index>(row), 0), &along_y(static_cast<Index>(row), 0));
     });
     topography::HeightMap result{Array2D(nx, ny), map.size, true, map.metadata};
-    parallel::for_each_index(extent((ny + columns_per_block - 1) / columns_per_block), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * columns_per_block,
-                    count = std::min(columns_per_block, ny - first);
-        const Array2D lines = along_y.middleCols(first, count).transpose();
-        Array2D resampled(count, nx);
-        for (Index j = 0; j < count; ++j) columns.resample(&lines(j, 0), &resampled(j, 0));
-        result.heights.middleCols(first, count) = resampled.transpose();
-    });
+    parallel::for_each_index(extent((ny + fourier_columns_per_block - 1) / fourier_columns_per_block), threads,
+                             [&](std::size_t block) {
+                                 const Index first = static_cast<Index>(block) * fourier_columns_per_block,
+                                             count = std::min(fourier_columns_per_block, ny - first);
+                                 const Array2D lines = along_y.middleCols(first, count).transpose();
+                                 Array2D resampled(count, nx);
+                                 for (Index j = 0; j < count; ++j) columns.resample(&lines(j, 0), &resampled(j, 0));
+                                 result.heights.middleCols(first, count) = resampled.transpose();
+                             });
     return result;
 }
 

@@ -7,7 +7,7 @@
 namespace setae::processing {
 namespace {
 
-constexpr double outside = std::numeric_limits<double>::quiet_NaN();
+constexpr double linear_outside = std::numeric_limits<double>::quiet_NaN();
 
 /// Weight times height; a height of weight zero is not asked.
 double share(double weight, double height) { return weight == 0.0 ? 0.0 : weight * height; }
@@ -19,7 +19,7 @@ double LinearInterpolator::operator()(double x, double y) const {
     const auto pixel = map_->pixel_size();
     const auto along_x = grid_place(x / pixel[0], heights.rows(), map_->periodic),
                along_y = grid_place(y / pixel[1], heights.cols(), map_->periodic);
-    if (!along_x || !along_y) return outside;
+    if (!along_x || !along_y) return linear_outside;
     const double u = along_x->fraction, v = along_y->fraction;
     const double lower_upper = heights(along_x->lower, along_y->upper),
                  upper_lower = heights(along_x->upper, along_y->lower);
@@ -31,7 +31,7 @@ double LinearInterpolator::operator()(double x, double y) const {
 
 double LinearLineInterpolator::operator()(double x) const {
     const auto place = grid_place(x / scan_->pixel_size(), scan_->heights.size(), scan_->periodic);
-    if (!place) return outside;
+    if (!place) return linear_outside;
     return share(1.0 - place->fraction, scan_->heights[place->lower]) +
            share(place->fraction, scan_->heights[place->upper]);
 }

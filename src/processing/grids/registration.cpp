@@ -28,8 +28,8 @@ constexpr int most_steps = 40;
 /// Common points without which a shift is not looked at.
 constexpr Index fewest_points = 16;
 constexpr std::size_t most_peaks = 8;
-/// A shift settled to this share of a pixel.
-constexpr double settled = 1e-5;
+/// A shift settled_shift to this share of a pixel.
+constexpr double settled_shift = 1e-5;
 /// Standard deviation [pixels] of the Gaussian that keeps noise of single pixels out of the phase correlation.
 constexpr double blur = 1.0;
 
@@ -181,13 +181,13 @@ Refined refined(const HeightMap& fixed, const HeightMap& moved, const BicubicInt
         Comparison there;
         for (;;) {
             there = compare(fixed, moved, height, {shift.x + next[0], shift.y + next[1]});
-            if ((there.points >= fewest_points && there.square <= here.square) || next.norm() < settled) break;
+            if ((there.points >= fewest_points && there.square <= here.square) || next.norm() < settled_shift) break;
             next *= 0.5;
         }
         if (there.points < fewest_points || there.square > here.square) break;
         shift = {shift.x + next[0], shift.y + next[1]};
         here = there;
-        if (next.norm() < settled) break;
+        if (next.norm() < settled_shift) break;
     }
     return {shift, here};
 }

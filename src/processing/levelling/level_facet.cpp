@@ -22,7 +22,7 @@ using topography::Profile;
 using Slope = std::array<double, 2>;
 
 constexpr double sharpness = 20.0;  // Gwyddion's constant
-constexpr double settled = 1e-6;
+constexpr double settled_facet = 1e-6;
 constexpr int most_iterations = 100;
 
 /// Σ w, Σ w v and, with it, Σ |v − b|² over facets.
@@ -128,7 +128,7 @@ Dominant dominant_slope(const Facets& facets, const topography::Metadata& metada
         if (!(weighted.weight > 0.0)) break;  // no facet is near the plane
         const Slope change{weighted.x / weighted.weight, weighted.y / weighted.weight};
         found.slope = {bx + change[0], by + change[1]};
-        found.converged = std::hypot(change[0], change[1]) <= settled * std::sqrt(variance);
+        found.converged = std::hypot(change[0], change[1]) <= settled_facet * std::sqrt(variance);
     }
     return found;
 }

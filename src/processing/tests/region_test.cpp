@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::processing {
+namespace setae::processing::region_test {
 namespace {
 
 using topography::HeightMap;
@@ -166,4 +166,4 @@ TEST(MaskOut, LeavesPointsOfAPolylineOut) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::region_test

@@ -8,7 +8,7 @@
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/self_affine.hpp"
 
-namespace setae::roughness {
+namespace setae::roughness::inverse_abel_test {
 namespace {
 
 TEST(InverseAbel, KeepsTheMomentsOfTheSurface) {
@@ -30,4 +30,4 @@ TEST(InverseAbel, KeepsTheMomentsOfTheSurface) {
 }
 
 }  // namespace
-}  // namespace setae::roughness
+}  // namespace setae::roughness::inverse_abel_test

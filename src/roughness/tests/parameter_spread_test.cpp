@@ -7,7 +7,7 @@
 #include "setae/core/statistics.hpp"
 #include "setae/roughness/parameter_spread.hpp"
 
-namespace setae::roughness {
+namespace setae::roughness::parameter_spread_test {
 namespace {
 
 SpectralParameters of_height(double height) { return {.rms_height = height}; }
@@ -103,4 +103,4 @@ TEST(ParameterSpread, HasNoIntervalWithoutAnythingToRestOn) {
 }
 
 }  // namespace
-}  // namespace setae::roughness
+}  // namespace setae::roughness::parameter_spread_test

@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::roughness {
+namespace setae::roughness::real_space_test {
 namespace {
 
 /// h = A cos(q_x x) + B cos(q_y y) with whole periods.
@@ -136,4 +136,4 @@ TEST(RealSpaceParameters, OfAPeriodicMapByBandsWrapRound) {
 }
 
 }  // namespace
-}  // namespace setae::roughness
+}  // namespace setae::roughness::real_space_test

@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::roughness {
+namespace setae::roughness::slope_distribution_test {
 namespace {
 
 bool has(const SlopeDistribution& d, const std::string& code) {
@@ -75,4 +75,4 @@ TEST(SlopeDistribution, RefusesTooFewSlopes) {
 }
 
 }  // namespace
-}  // namespace setae::roughness
+}  // namespace setae::roughness::slope_distribution_test

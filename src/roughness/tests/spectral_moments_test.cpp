@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/spectra/self_affine.hpp"
 
-namespace setae::roughness {
+namespace setae::roughness::spectral_moments_test {
 namespace {
 
 const spectra::SelfAffine model{5.000e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
@@ -127,4 +127,4 @@ TEST(CumulativeParameters, EndAtTheWholeAndGrow) {
 }
 
 }  // namespace
-}  // namespace setae::roughness
+}  // namespace setae::roughness::spectral_moments_test

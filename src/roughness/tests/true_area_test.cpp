@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::roughness {
+namespace setae::roughness::true_area_test {
 namespace {
 
 TEST(GaussianAreaRatio, OfAFlatSurfaceIsOne) {
@@ -71,4 +71,4 @@ TEST(TriangulatedArea, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::roughness
+}  // namespace setae::roughness::true_area_test

@@ -17,7 +17,7 @@ namespace setae::simulation {
 namespace {
 
 /// Which of the key's sequences draws what.
-enum Stream : std::uint64_t { step_stream, trace_stream, reentrant_stream };
+enum ViewStream : std::uint64_t { step_stream, trace_stream, reentrant_stream };
 
 void check(const SideViewOptions& options) {
     if (!(options.step > 0.0) || !(options.length >= options.step) || !(options.length / options.step < 1e8))

@@ -19,7 +19,7 @@ constexpr double texture_correlation = 2.0;  // px
 constexpr double patch_size = 60.0;          // px
 constexpr double patch_angles = 0.5;         // rad: standard deviation of the patches' angles
 
-enum Stream : std::uint64_t { noise_stream, texture_stream, patch_stream };
+enum PictureStream : std::uint64_t { noise_stream, texture_stream, patch_stream };
 
 void require(bool holds, const std::string& what) {
     if (!holds) throw InvalidArgument(what);

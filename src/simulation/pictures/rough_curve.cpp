@@ -20,7 +20,7 @@ constexpr double least_neck = 6.0, largest_neck = 9.0;      // px: half of it
 constexpr double least_fillet = 5.0, largest_fillet = 8.0;  // px
 constexpr double apart = 20.0;                              // px of level line between bulges
 
-enum Stream : std::uint64_t { height_stream, bulge_stream };
+enum CurveStream : std::uint64_t { height_stream, bulge_stream };
 
 void require(bool holds, const std::string& what) {
     if (!holds) throw InvalidArgument(what);

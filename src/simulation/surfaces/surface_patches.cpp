@@ -26,7 +26,7 @@ using numerics::RandomKey;
 using numerics::substream;
 
 /// Streams of what one measurement draws.
-enum Stream : std::uint64_t { of_heights, of_level, of_tip, of_instrument, of_session, of_references };
+enum PatchStream : std::uint64_t { of_heights, of_level, of_tip, of_instrument, of_session, of_references };
 
 constexpr parallel::Threads one_thread{1};
 

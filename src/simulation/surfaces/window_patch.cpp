@@ -16,7 +16,7 @@ namespace {
 
 using numerics::substream;
 
-enum Stream : std::uint64_t { of_short_waves, of_level, of_long_waves, of_shorter_waves };
+enum WindowStream : std::uint64_t { of_short_waves, of_window_level, of_long_waves, of_shorter_waves };
 
 /// Of a patch's narrower side; how much wider the next one is, and the last one than the window.
 constexpr double modes_below_crossover = 6.0, widening = 8.0, room = 1.25;
@@ -89,7 +89,7 @@ topography::HeightMap window_patch(const KnownSurface& surface, const PatchShape
         const Array1D noise = numerics::normal_numbers(substream(key, of_shorter_waves), 0, map.heights.size());
         map.heights.reshaped<Eigen::RowMajor>() += rms * noise;
     }
-    PatchHeights(surface, longest, substream(key, of_level))(map.heights.data(), map.heights.size());
+    PatchHeights(surface, longest, substream(key, of_window_level))(map.heights.data(), map.heights.size());
     return map;
 }
 

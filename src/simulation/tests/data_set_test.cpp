@@ -12,7 +12,7 @@
 #include "setae/formats/channel.hpp"
 #include "setae/roughness/true_area.hpp"
 
-namespace setae::simulation {
+namespace setae::simulation::data_set_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ TEST(ReadRecipe, NamesWhatContradictsItself) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::data_set_test

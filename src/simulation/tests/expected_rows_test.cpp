@@ -8,7 +8,7 @@
 #include "setae/spectral_fit/scan_kernel.hpp"
 #include "surfaces/surface_patches.hpp"
 
-namespace setae::simulation {
+namespace setae::simulation::expected_rows_test {
 namespace {
 
 constexpr double length = 1e-6;
@@ -77,4 +77,4 @@ TEST(ScansWithoutTip, HaveTheExpectedPeriodogramWithARollOffBeyondTheScan) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::expected_rows_test

@@ -14,7 +14,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/simulation/data_set.hpp"
 
-namespace setae::simulation {
+namespace setae::simulation::recipe_test {
 namespace {
 
 constexpr const char* head = R"(
@@ -194,4 +194,4 @@ TEST(RecipesOfClosure, MakeMostPairsConformWhateverTheSeed) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::recipe_test

@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/spectra/self_affine.hpp"
 
-namespace {
+namespace abel_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -123,4 +123,4 @@ TEST(SelfAffine, RefusesModelsAndMomentsThatDoNotExist) {
     EXPECT_THROW((void)self_affine_with_moments(0.0, 1.0, 1.0, 1.0), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace abel_test

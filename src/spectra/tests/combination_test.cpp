@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/spectra/bootstrap.hpp"
 
-namespace {
+namespace combination_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -202,4 +202,4 @@ TEST(Bootstrap, GivesTheSameBytesForASeedAndAnyNumberOfThreads) {
     EXPECT_THROW((void)bootstrap(members, {.resamples = 0}), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace combination_test

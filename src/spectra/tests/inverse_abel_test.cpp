@@ -11,7 +11,7 @@
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/self_affine.hpp"
 
-namespace setae::spectra {
+namespace setae::spectra::inverse_abel_test {
 namespace {
 
 Array1D decades(double from, double to, Index per_decade) {
@@ -130,4 +130,4 @@ TEST(InverseAbel, RefusesWhatIsNoSpectrum) {
 }
 
 }  // namespace
-}  // namespace setae::spectra
+}  // namespace setae::spectra::inverse_abel_test

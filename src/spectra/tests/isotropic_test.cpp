@@ -9,7 +9,7 @@
 #include "samples.hpp"
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace isotropic_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -142,4 +142,4 @@ TEST(IsotropicPowerSpectrum, OfUndefinedHeightsIsRefused) {
         EXPECT_THROW((void)isotropic_power_spectrum(map, {.trend = trend}), UndefinedDataError);
 }
 
-}  // namespace
+}  // namespace isotropic_test

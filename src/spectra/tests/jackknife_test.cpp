@@ -8,7 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/spectra/jackknife.hpp"
 
-namespace setae::spectra {
+namespace setae::spectra::jackknife_test {
 namespace {
 
 /// Measurements given by their values in three bins; NaN where one has none.
@@ -77,4 +77,4 @@ TEST(Jackknife, LeavesOutOneCopyOfAMeasurementDrawnTwice) {
 }
 
 }  // namespace
-}  // namespace setae::spectra
+}  // namespace setae::spectra::jackknife_test

@@ -7,7 +7,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace model_spectra_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -48,4 +48,4 @@ TEST(ModelSpectra, RefuseContradictions) {
     EXPECT_THROW((void)density(Bump{{1.0, 1.0, 0.5, 10.0}, 1.0, 2.0, 0.0}), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace model_spectra_test

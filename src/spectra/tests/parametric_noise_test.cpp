@@ -7,7 +7,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace setae::spectra {
+namespace setae::spectra::parametric_noise_test {
 namespace {
 
 PowerSpectrum1D three_modes() {
@@ -48,4 +48,4 @@ TEST(ParametricNoise, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace setae::spectra
+}  // namespace setae::spectra::parametric_noise_test

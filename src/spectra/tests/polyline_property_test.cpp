@@ -9,7 +9,7 @@
 
 #include "samples.hpp"
 
-namespace {
+namespace polyline_property_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -76,4 +76,4 @@ RC_GTEST_PROP(PolylinePowerSpectrumProperty, ScalesWithTheUnitOfLength, ()) {
     RC_ASSERT(deviation(expected, polyline_power_spectrum(scaled, q / unit)) < 1e-10);
 }
 
-}  // namespace
+}  // namespace polyline_property_test

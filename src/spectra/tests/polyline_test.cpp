@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace {
+namespace polyline_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -115,4 +115,4 @@ TEST(PolylinePowerSpectrum, RefusesReentrantProfilesAndRadialWindows) {
     EXPECT_THROW((void)polyline_power_spectrum(profile, q), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace polyline_test

@@ -9,7 +9,7 @@
 #include "samples.hpp"
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace power_spectrum_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -210,4 +210,4 @@ TEST(PowerSpectrum, OfAMapByBandsNamesTheLineWithAnUndefinedHeight) {
     }
 }
 
-}  // namespace
+}  // namespace power_spectrum_test

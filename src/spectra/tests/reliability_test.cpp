@@ -6,7 +6,7 @@
 #include "samples.hpp"
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace reliability_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -166,4 +166,4 @@ TEST(ReliableBand, OfAMapByBandsIsThatOfTheWholeMap) {
     EXPECT_THROW((void)reliable_band(topography::tiled(map), 8, {.percentile = 0.01}), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace reliability_test

@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/spectra/polyline.hpp"
 
-namespace {
+namespace segment_response_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -93,4 +93,4 @@ TEST(SegmentResponse, RefusesExponentsThatScatterWithoutBound) {
     EXPECT_THROW((void)response.at(Array1D::Ones(1), -0.1), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace segment_response_test

@@ -11,7 +11,7 @@
 #include "setae/spectra/spectral_density.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace setae::spectra {
+namespace setae::spectra::self_affine_fit_test {
 namespace {
 
 using spectra::SelfAffine;
@@ -145,4 +145,4 @@ TEST(SelfAffineFit, RefusesWhatItCannotFit) {
 }
 
 }  // namespace
-}  // namespace setae::spectra
+}  // namespace setae::spectra::self_affine_fit_test

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace spectral_density_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -123,4 +123,4 @@ TEST(MomentOfADensity, IsTheClosedFormOfTheModel) {
     EXPECT_THROW((void)moment(density(model), 0.0, {0.0, 1.0}), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace spectral_density_test

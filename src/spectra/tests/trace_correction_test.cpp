@@ -14,7 +14,7 @@
 #include "setae/topography/trace_response.hpp"
 #include "setae/topography/traced_curve.hpp"
 
-namespace {
+namespace trace_correction_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -231,4 +231,4 @@ TEST(TraceCorrection, OfSegmentsTakesOffTheirShareOfTheNoise) {
     EXPECT_NEAR(sum / response.noise_density, 0.0, 3.0 * 1.6 / std::sqrt(200.0 * curves));
 }
 
-}  // namespace
+}  // namespace trace_correction_test

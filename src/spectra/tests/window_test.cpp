@@ -7,7 +7,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/spectra/log_grid.hpp"
 
-namespace {
+namespace window_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -69,4 +69,4 @@ TEST(LogGrid, RefusesWavevectorsWithoutLogarithm) {
     EXPECT_THROW((void)LogGrid{}.bin_of(undefined), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace window_test

@@ -10,7 +10,7 @@
 #include "setae/statistics/mixed_model.hpp"
 #include "simulated_replicates.hpp"
 
-namespace {
+namespace mixed_model_property_test {
 
 using namespace setae;
 using namespace setae::statistics;
@@ -77,4 +77,4 @@ TEST(MixedModelProperty, AConstantMovesMeansAlone) {
     });
 }
 
-}  // namespace
+}  // namespace mixed_model_property_test

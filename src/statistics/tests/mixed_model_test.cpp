@@ -11,7 +11,7 @@
 #include "setae/core/statistics.hpp"
 #include "simulated_replicates.hpp"
 
-namespace {
+namespace mixed_model_test {
 
 using namespace setae;
 using namespace setae::statistics;
@@ -330,4 +330,4 @@ TEST(MixedModel, RefusesWhatItCannotRead) {
     expect_message(data, "twice");
 }
 
-}  // namespace
+}  // namespace mixed_model_test

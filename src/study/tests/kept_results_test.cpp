@@ -15,7 +15,7 @@
 #include "setae/output/json.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::study {
+namespace setae::study::kept_results_test {
 namespace {
 
 class KeptResults : public testing::Test {
@@ -194,4 +194,4 @@ TEST_F(KeptResults, NameEveryInputWithItsDigest) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::kept_results_test

@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/step_text.hpp"
 
-namespace setae::study {
+namespace setae::study::pipeline_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,4 +149,4 @@ TEST_F(PipelineFile, WithAliasesThatRepeatIsReadOnce) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::pipeline_file_test

@@ -14,7 +14,7 @@
 #include "setae/output/study_tables.hpp"
 #include "setae/study/replicate_reader.hpp"
 
-namespace setae::study {
+namespace setae::study::replicates_test {
 namespace {
 
 class ReplicateFiles : public testing::Test {
@@ -255,4 +255,4 @@ TEST(StudyReplicates, WithoutLabelsAreThePlainMean) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::replicates_test

@@ -15,7 +15,7 @@
 #include "setae/output/study_tables.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::study {
+namespace setae::study::run_study_test {
 namespace {
 
 namespace jkr = contact::jkr;
@@ -237,4 +237,4 @@ TEST_F(StudyOfFiles, WritesWholeTablesWithUnits) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::run_study_test

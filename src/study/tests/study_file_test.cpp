@@ -11,7 +11,7 @@
 #include "setae/study/study.hpp"
 #include "setae/study/study_keys.hpp"
 
-namespace setae::study {
+namespace setae::study::study_file_test {
 namespace {
 
 class StudyFile : public testing::Test {
@@ -161,4 +161,4 @@ TEST(StudyKeys, TellWhatTheProgramDoesWithoutThem) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::study_file_test

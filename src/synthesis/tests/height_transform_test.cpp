@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
-namespace {
+namespace height_transform_test {
 
 using namespace setae;
 using namespace setae::synthesis;
@@ -86,4 +86,4 @@ TEST(HeightTransforms, RefuseShapesThatDoNotExist) {
     EXPECT_THROW(TransformCorrelation([](double z) { return -z; }), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace height_transform_test

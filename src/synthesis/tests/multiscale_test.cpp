@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/fourier/nonuniform.hpp"
 
-namespace {
+namespace multiscale_test {
 
 using namespace setae;
 using namespace setae::synthesis;
@@ -134,4 +134,4 @@ TEST(MultiscaleSurface, RefusesWavelengthsAndWindowsThatAreNone) {
     EXPECT_THROW((void)surface().heights_at(Array1D::Zero(2), Array1D::Zero(3)), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace multiscale_test

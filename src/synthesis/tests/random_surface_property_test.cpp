@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace {
+namespace random_surface_property_test {
 
 using namespace setae;
 using namespace setae::synthesis;
@@ -46,4 +46,4 @@ RC_GTEST_PROP(NormalNumbers, AreFiniteAndTheSameWhereverTheFillBegins,
         RC_ASSERT(numbers[i] == numerics::normal_number(key, counter + static_cast<std::uint64_t>(i)));
 }
 
-}  // namespace
+}  // namespace random_surface_property_test

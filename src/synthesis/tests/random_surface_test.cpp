@@ -12,7 +12,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/fourier/map_transform.hpp"
 
-namespace {
+namespace random_surface_test {
 
 using namespace setae;
 using namespace setae::synthesis;
@@ -251,4 +251,4 @@ TEST(Cut, RefusesWindowsThatDoNotFit) {
     EXPECT_THROW((void)cut(numbered(), 0, -1, 3, 3), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace random_surface_test

@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/fourier/map_transform.hpp"
 
-namespace {
+namespace transformed_heights_test {
 
 using namespace setae;
 using namespace setae::synthesis;
@@ -140,4 +140,4 @@ TEST(TransformedHeights, ReplaceEveryHeightAndKeepUndefinedOnes) {
                  InvalidArgument);
 }
 
-}  // namespace
+}  // namespace transformed_heights_test

@@ -9,7 +9,7 @@
 
 using namespace setae::tests;
 
-namespace setae::tables::tests {
+namespace setae::tables::tests::any_table_test {
 namespace {
 
 RawTable table_of(const std::string& text, const TableOptions& options = {}) {
@@ -140,4 +140,4 @@ TEST(Spreadsheet, MistakesAreNamedByCell) {
 }
 
 }  // namespace
-}  // namespace setae::tables::tests
+}  // namespace setae::tables::tests::any_table_test

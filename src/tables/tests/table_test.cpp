@@ -14,7 +14,7 @@
 
 using namespace setae::tests;
 
-namespace setae::tables::tests {
+namespace setae::tables::tests::table_test {
 namespace {
 
 TEST(Table, ColumnsComeInSi) {
@@ -190,4 +190,4 @@ TEST(Mapping, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace setae::tables::tests
+}  // namespace setae::tables::tests::table_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/topography/dilation.hpp"
 
-namespace setae::topography {
+namespace setae::topography::blind_tip_test {
 namespace {
 
 HeightMap spikes(bool periodic) {
@@ -108,4 +108,4 @@ TEST(BlindTip, RefusesExtentsThatAreEvenOrTooLarge) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::blind_tip_test

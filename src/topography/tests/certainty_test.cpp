@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::topography {
+namespace setae::topography::certainty_test {
 namespace {
 
 HeightMap rough_map(Index nx, Index ny, bool periodic) {
@@ -81,4 +81,4 @@ TEST(Certainty, RefusesANegativeTolerance) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::certainty_test

@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::topography {
+namespace setae::topography::detrend_test {
 namespace {
 
 HeightMap paraboloid(Index nx, Index ny, double offset) {
@@ -112,4 +112,4 @@ TEST(Detrend, OfAMapWithoutDefinedHeightsIsRefused) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::detrend_test

@@ -6,7 +6,7 @@
 
 #include "samples.hpp"
 
-namespace setae::topography {
+namespace setae::topography::dilation_property_test {
 namespace {
 
 HeightMap any_map() {
@@ -72,4 +72,4 @@ TEST(Dilation, FollowsShiftsOfAPeriodicSurfaceAndMirrors) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::dilation_property_test

@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::topography {
+namespace setae::topography::dilation_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -238,4 +238,4 @@ TEST(Erosion, OfALopsidedTipUsesItsMirrorImage) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::dilation_test

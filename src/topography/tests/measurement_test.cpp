@@ -12,7 +12,7 @@
 #include "setae/topography/contour.hpp"
 #include "setae/topography/line_scans.hpp"
 
-namespace setae::topography {
+namespace setae::topography::measurement_test {
 namespace {
 
 Profile contour(std::vector<double> x, std::vector<double> h) {
@@ -126,4 +126,4 @@ TEST(ToProfile, LeavesOutUndefinedPoints) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::measurement_test

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::topography {
+namespace setae::topography::tip_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -112,4 +112,4 @@ TEST(Tip, OutsideItsDomainIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::tip_test

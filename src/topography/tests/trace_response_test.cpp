@@ -9,7 +9,7 @@
 
 #include "setae/core/constants.hpp"
 
-namespace setae::topography {
+namespace setae::topography::trace_response_test {
 namespace {
 
 TEST(SmoothingTransfer, IsThatOfAnEquidistantSmoothingSpline) {
@@ -41,4 +41,4 @@ TEST(TraceTransfer, OfBlurAloneIsAGaussian) {
 TEST(TraceBandEnd, IsNyquistWhereAllIsKept) { EXPECT_NEAR(trace_band_end({0.0, 0.0, 0.1, 1.0}), 10.0 * pi, 1e-12); }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::trace_response_test

@@ -9,7 +9,7 @@
 
 #include "setae/topography/traced_curve.hpp"
 
-namespace setae::topography {
+namespace setae::topography::traced_curve_property_test {
 namespace {
 
 /// Whether two segments have a point in common that is not the joint of neighbours.
@@ -120,4 +120,4 @@ RC_GTEST_PROP(ParametricStatistics, AreTheSameFromAnyDirection, ()) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::traced_curve_property_test

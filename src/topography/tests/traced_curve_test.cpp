@@ -14,7 +14,7 @@
 #include "setae/topography/detrend.hpp"
 #include "setae/topography/line_scans.hpp"
 
-namespace setae::topography {
+namespace setae::topography::traced_curve_test {
 namespace {
 
 Array1D array(const std::vector<double>& values) {
@@ -396,4 +396,4 @@ TEST(ErrorsOfAProfile, AreValidated) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::traced_curve_test

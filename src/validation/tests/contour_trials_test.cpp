@@ -13,7 +13,7 @@
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/validation/contour_summary.hpp"
 
-namespace setae::validation {
+namespace setae::validation::contour_trials_test {
 namespace {
 
 /// A trace of one segment.
@@ -242,4 +242,4 @@ TEST(ContourSummary, JudgesByTheWorstRunAndTheMeanSpectrum) {
 }
 
 }  // namespace
-}  // namespace setae::validation
+}  // namespace setae::validation::contour_trials_test

@@ -8,7 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/validation/summary.hpp"
 
-namespace setae::validation {
+namespace setae::validation::loop_coverage_test {
 namespace {
 
 constexpr int runs = 40;
@@ -52,4 +52,4 @@ TEST(LoopCoverage, NeedsRunsAndSamples) {
 }
 
 }  // namespace
-}  // namespace setae::validation
+}  // namespace setae::validation::loop_coverage_test

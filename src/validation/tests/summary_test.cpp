@@ -8,7 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/validation/report.hpp"
 
-namespace setae::validation {
+namespace setae::validation::summary_test {
 namespace {
 
 Comparison comparison(int run, double found, double standard_error, const char* method = "average") {
@@ -95,4 +95,4 @@ TEST(ValidationFigure, HasALineAQuantityAndASeriesAMethod) {
 }
 
 }  // namespace
-}  // namespace setae::validation
+}  // namespace setae::validation::summary_test

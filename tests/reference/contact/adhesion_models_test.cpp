@@ -9,7 +9,7 @@
 #include "setae/contact/maugis_dugdale.hpp"
 #include "setae/core/constants.hpp"
 
-namespace setae::contact {
+namespace setae::contact::adhesion_models_test {
 namespace {
 
 TEST(MaugisDugdale, GivesTheTabulatedPullOffs) {
@@ -110,4 +110,4 @@ TEST(Layer, GivesTheFactorsOfASolutionInRealSpace) {
 }
 
 }  // namespace
-}  // namespace setae::contact
+}  // namespace setae::contact::adhesion_models_test

@@ -10,7 +10,7 @@
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 
-namespace setae::contact {
+namespace setae::contact::closed_forms_test {
 namespace {
 
 constexpr jkr::Contact unit{.radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0 / pi};
@@ -97,4 +97,4 @@ TEST(Jkr, JumpsOfThePublishedReferenceLensCostFractionsOfANanojoule) {
 }
 
 }  // namespace
-}  // namespace setae::contact
+}  // namespace setae::contact::closed_forms_test

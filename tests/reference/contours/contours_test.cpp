@@ -9,7 +9,7 @@
 #include "setae/imaging/micrograph.hpp"
 #include "setae/imaging/scale_bar.hpp"
 
-namespace setae::imaging {
+namespace setae::imaging::contours_test {
 namespace {
 
 void expect_enclosed(const std::filesystem::path& path, std::size_t outlines) {
@@ -47,4 +47,4 @@ TEST(Contours, OfSootRunsBetweenFringeAndSample) {
 }
 
 }  // namespace
-}  // namespace setae::imaging
+}  // namespace setae::imaging::contours_test

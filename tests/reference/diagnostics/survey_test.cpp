@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::reference {
+namespace setae::reference::survey_test {
 namespace {
 
 TEST(DiagnosticsSurvey, FindsNoFaultInMapsWithoutAndTheirPlantedSpikes) {
@@ -20,4 +20,4 @@ TEST(DiagnosticsSurvey, FindsNoFaultInLinesWithoutAndTheirPlantedSpikes) {
 }
 
 }  // namespace
-}  // namespace setae::reference
+}  // namespace setae::reference::survey_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
 
-namespace setae::formats {
+namespace setae::formats::array_files_test {
 namespace {
 
 constexpr const char* folder = "topography/surfacetopography/";
@@ -83,4 +83,4 @@ TEST(WrongNpy, IsRefusedByItsFirstBytes) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::array_files_test

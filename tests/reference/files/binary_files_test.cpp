@@ -10,7 +10,7 @@
 #include "setae/formats/channel.hpp"
 
 // WSxM, Sensofar and Alicona files of instruments against another reader and against what their source publishes.
-namespace setae::formats {
+namespace setae::formats::binary_files_test {
 namespace {
 
 using topography::HeightMap;
@@ -64,4 +64,4 @@ TEST(NtMdt, ForceCurvesAsTextAreNoTopography) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::binary_files_test

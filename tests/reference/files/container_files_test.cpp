@@ -15,7 +15,7 @@
 #include "setae/formats/format.hpp"
 
 // The heights inside are compared in topographies_test.cpp.
-namespace setae::formats {
+namespace setae::formats::container_files_test {
 namespace {
 
 std::vector<std::string> codes(const std::vector<Alert>& alerts) {
@@ -87,4 +87,4 @@ TEST(IndexJsonContainer, CheckFindsNothing) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::container_files_test

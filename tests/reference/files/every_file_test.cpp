@@ -12,7 +12,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 
-namespace setae::formats {
+namespace setae::formats::every_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +157,4 @@ TEST(EveryFile, CutAnywhereIsRefusedWithThePlace) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::every_file_test

@@ -8,7 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
 
-namespace setae::formats {
+namespace setae::formats::exchange_files_test {
 namespace {
 
 using topography::HeightMap;
@@ -116,4 +116,4 @@ TEST(TestGwy, HoldsTheHeightsItsPackageReads) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::exchange_files_test

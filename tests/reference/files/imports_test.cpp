@@ -7,7 +7,7 @@
 #include "setae/tables/force_curve.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::formats {
+namespace setae::formats::imports_test {
 namespace {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -81,4 +81,4 @@ TEST(RealForceCurves, NtMdtAgreesWithAfmformats) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::imports_test

@@ -13,7 +13,7 @@
 
 // Files of stylus and optical profilers against another reader, a text export and what is known of the objects
 // measured.
-namespace setae::formats {
+namespace setae::formats::profiler_files_test {
 namespace {
 
 using topography::HeightMap;
@@ -152,4 +152,4 @@ TEST(TrueMapFile, UnitAssumedMakesTheCoinAsLargeAsItIs) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::profiler_files_test

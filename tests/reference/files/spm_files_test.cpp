@@ -12,7 +12,7 @@
 #include "setae/formats/channel.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::formats {
+namespace setae::formats::spm_files_test {
 namespace {
 
 using topography::HeightMap;
@@ -240,4 +240,4 @@ TEST(NanoscopeFile, AmplitudeInVoltsIsNoHeight) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::spm_files_test

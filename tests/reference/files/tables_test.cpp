@@ -10,7 +10,7 @@
 #include "setae/tables/mapping.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::formats {
+namespace setae::formats::tables_test {
 namespace {
 
 constexpr const char* mapping_path = "examples/mappings/eoh.toml";
@@ -72,4 +72,4 @@ TEST(MemsTable, WithoutForceIsNoLoop) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::tables_test

@@ -13,7 +13,7 @@
 #include "setae/formats/format.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::formats {
+namespace setae::formats::text_files_test {
 namespace {
 
 using topography::HeightMap;
@@ -186,4 +186,4 @@ TEST(TextFile, NonsenseIsRefused) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::text_files_test

@@ -15,7 +15,7 @@
 #include "setae/tables/table_file.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::formats {
+namespace setae::formats::topographies_test {
 namespace {
 
 using topography::HeightMap;
@@ -233,4 +233,4 @@ TEST(OtherFormats, AreRefusedWithOneLine) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::topographies_test

@@ -9,7 +9,7 @@
 #include "setae/formats/channel.hpp"
 #include "setae/formats/format.hpp"
 
-namespace setae::formats {
+namespace setae::formats::vendor_files_test {
 namespace {
 
 struct VendorFile {
@@ -63,4 +63,4 @@ TEST(Mnt, HeightsAreNoHundredThousandTimesTooLarge) {
 }
 
 }  // namespace
-}  // namespace setae::formats
+}  // namespace setae::formats::vendor_files_test

@@ -9,7 +9,7 @@
 #include "setae/processing/fill.hpp"
 #include "setae/processing/interpolation.hpp"
 
-namespace {
+namespace filling_and_interpolation_test {
 
 using namespace setae;
 using namespace setae::processing;
@@ -83,4 +83,4 @@ TEST_F(AnalysisCases, SlopesDoNotDependOnWhichDirectionIsCalledX) {
     EXPECT_NEAR(a.slope_y, b.slope_x, 1e-13);
 }
 
-}  // namespace
+}  // namespace filling_and_interpolation_test

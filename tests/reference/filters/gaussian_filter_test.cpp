@@ -6,7 +6,7 @@
 
 #include "setae/processing/iso_filter.hpp"
 
-namespace {
+namespace gaussian_filter_test {
 
 using namespace setae;
 using namespace setae::processing;
@@ -48,4 +48,4 @@ TEST(GaussianFilterOfScipy, AgreesAroundAHole) {
         EXPECT_NEAR(smooth(i, j), height, 1e-8) << i << ", " << j;
 }
 
-}  // namespace
+}  // namespace gaussian_filter_test

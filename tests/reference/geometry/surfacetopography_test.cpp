@@ -4,7 +4,7 @@
 
 #include "patches.hpp"
 
-namespace setae::diagnostics {
+namespace setae::diagnostics::surfacetopography_test {
 namespace {
 
 using topography::Mask;
@@ -37,4 +37,4 @@ TEST(GeometryOfSurfaceTopography, NumbersPatchesAlike) {
 }
 
 }  // namespace
-}  // namespace setae::diagnostics
+}  // namespace setae::diagnostics::surfacetopography_test

@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/loops/loop_energy.hpp"
 
-namespace setae::loops {
+namespace setae::loops::ideal_loop_test {
 namespace {
 
 constexpr contact::jkr::Contact unit{.radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0 / pi};
@@ -63,4 +63,4 @@ TEST(IdealLoop, ConvergesWithOrderThreeHalvesEvenlyInDisplacement) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::ideal_loop_test

@@ -16,7 +16,7 @@
 #include "setae/loops/machine_stiffness.hpp"
 #include "setae/tables/mapping.hpp"
 
-namespace setae::loops {
+namespace setae::loops::real_loops_test {
 namespace {
 
 constexpr const char* mapping_file = "examples/mappings/eoh.toml";
@@ -226,4 +226,4 @@ TEST(RealLoops, RefuseADriftWithoutContact) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::real_loops_test

@@ -12,7 +12,7 @@
 #include "setae/processing/pipeline.hpp"
 #include "setae/processing/step_text.hpp"
 
-namespace {
+namespace detrend_cases_test {
 
 using namespace setae;
 using namespace setae::processing;
@@ -144,4 +144,4 @@ TEST_F(DetrendCases, AlignmentOfScanLinesIsThePeersUpToAConstant) {
     }
 }
 
-}  // namespace
+}  // namespace detrend_cases_test

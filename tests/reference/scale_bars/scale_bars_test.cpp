@@ -6,7 +6,7 @@
 #include "setae/imaging/frames.hpp"
 #include "setae/imaging/scale_bar.hpp"
 
-namespace setae::imaging {
+namespace setae::imaging::scale_bars_test {
 namespace {
 
 FramePixels picture(const std::filesystem::path& path) {
@@ -49,4 +49,4 @@ TEST(ScaleBars, AreNotSeenInMasks) {
 }
 
 }  // namespace
-}  // namespace setae::imaging
+}  // namespace setae::imaging::scale_bars_test

@@ -13,7 +13,7 @@
 #include "setae/scales/scale_dependent.hpp"
 #include "setae/scales/variable_bandwidth.hpp"
 
-namespace {
+namespace analysis_cases_test {
 
 using namespace setae;
 using namespace setae::scales;
@@ -182,4 +182,4 @@ TEST_F(AnalysisCases, DifferencesOfPolylinesAgreeAtThePlacesThePackageSamples) {
     }
 }
 
-}  // namespace
+}  // namespace analysis_cases_test

@@ -14,7 +14,7 @@
 #include "setae/scales/variable_bandwidth.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace {
+namespace container_test {
 
 using namespace setae;
 using namespace setae::scales;
@@ -108,4 +108,4 @@ TEST_F(Uncd, VariableBandwidthSpansTheDecadesOfItsMembers) {
     EXPECT_GT(combined.distance.maxCoeff() / combined.distance.minCoeff(), 1e5);
 }
 
-}  // namespace
+}  // namespace container_test

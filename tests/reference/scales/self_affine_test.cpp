@@ -12,7 +12,7 @@
 #include "setae/scales/variable_bandwidth.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace {
+namespace self_affine_test {
 
 using namespace setae;
 using namespace setae::scales;
@@ -65,4 +65,4 @@ TEST(SelfAffineSurfaces, HaveTheirExponentsInEveryFunctionOfScale) {
     }
 }
 
-}  // namespace
+}  // namespace self_affine_test

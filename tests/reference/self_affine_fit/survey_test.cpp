@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::reference {
+namespace setae::reference::survey_test {
 namespace {
 
 TEST(SelfAffineSurvey, RecoversHurstExponentsOfTwins) {
@@ -14,4 +14,4 @@ TEST(SelfAffineSurvey, RecoversHurstExponentsOfTwins) {
 }
 
 }  // namespace
-}  // namespace setae::reference
+}  // namespace setae::reference::survey_test

@@ -12,7 +12,7 @@
 #include "setae/spectra/power_spectrum.hpp"
 #include "setae/spectra/reliability.hpp"
 
-namespace {
+namespace analysis_cases_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -139,4 +139,4 @@ TEST_F(AnalysisCases, TipCutoffsAgree) {
     }
 }
 
-}  // namespace
+}  // namespace analysis_cases_test

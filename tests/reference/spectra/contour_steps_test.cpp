@@ -9,7 +9,7 @@
 #include "setae/fourier/nonuniform.hpp"
 #include "setae/spectra/power_spectrum.hpp"
 
-namespace {
+namespace contour_steps_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -68,4 +68,4 @@ TEST(ContourSteps, SegmentsLoseWhatTheResponseSays) {
     EXPECT_LT(kept.back(), 0.45);
 }
 
-}  // namespace
+}  // namespace contour_steps_test

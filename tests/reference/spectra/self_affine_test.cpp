@@ -7,7 +7,7 @@
 
 #include "setae/core/constants.hpp"
 
-namespace {
+namespace self_affine_test {
 
 using namespace setae;
 using namespace setae::spectra;
@@ -54,4 +54,4 @@ TEST(SelfAffineNanodiamond, LaterModelOfNcdHasItsMoments) {
     EXPECT_NEAR(moment(model, 1.0) / (2.0 * pi), 4.374e-8, 0.0005e-8);
 }
 
-}  // namespace
+}  // namespace self_affine_test

@@ -14,7 +14,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/formats/channel.hpp"
 
-namespace {
+namespace tip_cutoff_test {
 
 using namespace setae;
 using spectra::tip_cutoff;
@@ -59,4 +59,4 @@ TEST(TipCutoffOfRealFiles, StylusScanIs1Point57Micrometres) {
     EXPECT_NEAR(tip_cutoff(formats::read(path.string()), 2.5 * units::um).value / (1.57 * units::um), 1.0, 0.01);
 }
 
-}  // namespace
+}  // namespace tip_cutoff_test

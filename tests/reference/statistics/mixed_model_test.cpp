@@ -11,7 +11,7 @@
 
 #include "setae/core/constants.hpp"
 
-namespace {
+namespace mixed_model_test {
 
 using namespace setae;
 using namespace setae::statistics;
@@ -124,4 +124,4 @@ TEST(MixedModelReference, Dyestuff2HasNoVarianceBetweenBatchesAsInLme4) {
     EXPECT_DOUBLE_EQ(rounded(model.surfaces[0].mean.standard_error, 4), 0.6784);
 }
 
-}  // namespace
+}  // namespace mixed_model_test

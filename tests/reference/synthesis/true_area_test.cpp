@@ -9,7 +9,7 @@
 #include "setae/roughness/true_area.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace {
+namespace true_area_test {
 
 using namespace setae;
 
@@ -52,4 +52,4 @@ TEST(TrueAreaOfFlatteningMaps, OfSmallSlopesIsOnePlusHalfTheSquare) {
     EXPECT_NEAR((roughness::triangulated_area(map).area_ratio - 1.0) / (0.5e-4), 1.0, 2e-4);
 }
 
-}  // namespace
+}  // namespace true_area_test

@@ -12,7 +12,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/imaging/micrograph.hpp"
 
-namespace setae::imaging {
+namespace setae::imaging::tem_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,4 +185,4 @@ TEST(TemFiles, CutAnywhereAreRefusedUnlessOnlyUnusedTagsAreLost) {
 }
 
 }  // namespace
-}  // namespace setae::imaging
+}  // namespace setae::imaging::tem_files_test

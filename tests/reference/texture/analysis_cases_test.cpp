@@ -12,7 +12,7 @@
 #include "setae/texture/material_ratio.hpp"
 #include "setae/texture/profile_parameters.hpp"
 
-namespace {
+namespace analysis_cases_test {
 
 using namespace setae;
 using namespace setae::texture;
@@ -107,4 +107,4 @@ TEST_F(TextureCases, HeightsAndSlopesOfAPolylineAgree) {
     EXPECT_NEAR(profile_slopes(profile).Rdq / expected["Rdq"].get<double>(), 1.0, 1e-10);
 }
 
-}  // namespace
+}  // namespace analysis_cases_test

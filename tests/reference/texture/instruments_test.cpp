@@ -12,7 +12,7 @@
 #include "setae/texture/profile_parameters.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace {
+namespace instruments_test {
 
 using namespace setae;
 using namespace setae::texture;
@@ -77,4 +77,4 @@ TEST(Mirrors, RmsHeightsOfDabamAgreeWithThePublishedOnes) {
     }
 }
 
-}  // namespace
+}  // namespace instruments_test

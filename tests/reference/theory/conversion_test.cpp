@@ -7,7 +7,7 @@
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/self_affine.hpp"
 
-namespace setae {
+namespace setae::conversion_test {
 namespace {
 
 /// C1D of a self-affine surface with q_s/q_r = 1000 on nodes that crowd at q_s, where it falls to zero.
@@ -47,4 +47,4 @@ INSTANTIATE_TEST_SUITE_P(HurstExponents, Eq11AgainstExact,
                                          Ratios{0.9, 1.571, 1.001, 0.855, 0.925}));
 
 }  // namespace
-}  // namespace setae
+}  // namespace setae::conversion_test

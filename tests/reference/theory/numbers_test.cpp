@@ -11,7 +11,7 @@
 #include "setae/spectra/self_affine.hpp"
 #include "setae/study/study_result.hpp"
 
-namespace setae {
+namespace setae::numbers_test {
 namespace {
 
 const study::StudyResult& published() {
@@ -167,4 +167,4 @@ TEST(LaterNcdModel, HasItsPublishedMoments) {
 }
 
 }  // namespace
-}  // namespace setae
+}  // namespace setae::numbers_test

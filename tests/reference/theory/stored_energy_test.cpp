@@ -8,7 +8,7 @@
 #include "setae/spectra/isotropic.hpp"
 #include "setae/spectra/power_spectrum.hpp"
 
-namespace setae {
+namespace setae::stored_energy_test {
 namespace {
 
 using roughness::SpectrumCurve;
@@ -45,4 +45,4 @@ TEST(StoredEnergy, OfAGratingShowsWhatIsotropyAssumes) {
 }
 
 }  // namespace
-}  // namespace setae
+}  // namespace setae::stored_energy_test

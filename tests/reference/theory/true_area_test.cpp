@@ -5,7 +5,7 @@
 #include "setae/roughness/slope_distribution.hpp"
 #include "setae/roughness/true_area.hpp"
 
-namespace setae {
+namespace setae::true_area_test {
 namespace {
 
 TEST(TrueArea, OfSelfAffineMapsFollowsTheGaussianFormula) {
@@ -32,4 +32,4 @@ TEST(SlopeDistribution, OfASelfAffineMapIsFoundGaussianAndIsotropic) {
 }
 
 }  // namespace
-}  // namespace setae
+}  // namespace setae::true_area_test

@@ -6,7 +6,7 @@
 
 #include "setae/topography/dilation.hpp"
 
-namespace setae::topography {
+namespace setae::topography::grey_dilation_test {
 namespace {
 
 HeightMap surface(bool periodic) {
@@ -66,4 +66,4 @@ TEST(GreyDilation, OfAPeriodicSurfaceIsThatOfScipy) {
 }
 
 }  // namespace
-}  // namespace setae::topography
+}  // namespace setae::topography::grey_dilation_test

@@ -11,7 +11,7 @@
 #include "setae/validation/causes.hpp"
 #include "setae/validation/summary.hpp"
 
-namespace {
+namespace causes_test {
 
 using namespace setae;
 
@@ -65,4 +65,4 @@ TEST(Causes, DoAloneWhatTheoryMeasured) {
     EXPECT_NEAR(bias("rms_height", "eq. (11)"), std::sqrt(0.5 * pi) - 1.0, 0.02);
 }
 
-}  // namespace
+}  // namespace causes_test

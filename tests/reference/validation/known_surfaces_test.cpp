@@ -12,7 +12,7 @@
 #include "setae/validation/report.hpp"
 #include "setae/validation/validation.hpp"
 
-namespace {
+namespace known_surfaces_test {
 
 using namespace setae;
 using namespace setae::validation;
@@ -104,4 +104,4 @@ TEST(KnownSurfaces, RefuseWhatIsNoRun) {
     EXPECT_THROW((void)run_validation("no_recipe.toml", {}), FileError);
 }
 
-}  // namespace
+}  // namespace known_surfaces_test

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace setae::parallel {
+namespace setae::parallel::for_each_test {
 namespace {
 
 TEST(ForEachIndex, VisitsEveryIndexOnceForAnyNumberOfThreads) {
@@ -32,4 +32,4 @@ TEST(ForEachIndex, RethrowsTheFailureOfTheLowestIndexAfterRunningAll) {
 }
 
 }  // namespace
-}  // namespace setae::parallel
+}  // namespace setae::parallel::for_each_test

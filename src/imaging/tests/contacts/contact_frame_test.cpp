@@ -6,7 +6,7 @@
 #include "rendered_contact.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::contact_frame_test {
 namespace {
 
 /// Contrast 60 over noise 12: SNR 5 of a pixel, off the grid by another fraction for each seed.
@@ -238,4 +238,4 @@ TEST(ContactFrame, RefusesOptionsOutsideTheirDomain) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::contact_frame_test

@@ -8,7 +8,7 @@
 #include "setae/tables/clocks.hpp"
 #include "setae/tables/table_file.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::contact_radius_test {
 namespace {
 
 constexpr double pixel_size = 1.82e-6;
@@ -174,4 +174,4 @@ TEST(Overlay, DrawsWhatWasFoundInColour) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::contact_radius_test

@@ -10,7 +10,7 @@
 #include "rendered_edge.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::imaging {
+namespace setae::imaging::contour_trace_test {
 namespace {
 
 using tests::EdgePicture;
@@ -278,4 +278,4 @@ TEST(ContourTrace, OfAnyMaskEnclosesItsPixelsExactly) {
 }
 
 }  // namespace
-}  // namespace setae::imaging
+}  // namespace setae::imaging::contour_trace_test

@@ -10,7 +10,7 @@
 #include "contours/plane_curve.hpp"
 #include "rendered_edge.hpp"
 
-namespace setae::imaging {
+namespace setae::imaging::edge_parts_test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -151,4 +151,4 @@ TEST(LiveWire, FollowsTheEdgeBetweenAnchors) {
 }
 
 }  // namespace
-}  // namespace setae::imaging
+}  // namespace setae::imaging::edge_parts_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::imaging {
+namespace setae::imaging::mask_outline_test {
 namespace {
 
 /// The area on the right hand of a closed curve, by the shoelace formula with y downwards: positive around the sample.
@@ -64,4 +64,4 @@ TEST(MaskOutline, OfAnUndividedPictureIsNone) {
 }
 
 }  // namespace
-}  // namespace setae::imaging
+}  // namespace setae::imaging::mask_outline_test

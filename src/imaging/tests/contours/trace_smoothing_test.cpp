@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::imaging {
+namespace setae::imaging::trace_smoothing_test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -66,4 +66,4 @@ TEST(TraceSmoothing, LongRunVarianceCountsCorrelation) {
 }
 
 }  // namespace
-}  // namespace setae::imaging
+}  // namespace setae::imaging::trace_smoothing_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "micrograph_checks.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::digital_micrograph_test {
 namespace {
 
 /// The common picture in every type of number that an image may have, each with the type of its array.
@@ -154,4 +154,4 @@ TEST(DigitalMicrograph, HasNoOtherImages) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::digital_micrograph_test

@@ -3,7 +3,7 @@
 #include "micrograph_checks.hpp"
 #include "recordings.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::emd_file_test {
 namespace {
 
 TEST(EmdFile, ReadsEveryTypeOfNumberOfNcemsLayout) {
@@ -60,4 +60,4 @@ TEST(EmdFile, RefusesHdf5OfOtherLayout) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::emd_file_test

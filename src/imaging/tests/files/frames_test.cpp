@@ -6,7 +6,7 @@
 #include "recordings.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::frames_test {
 namespace {
 
 /// Frames no two pixels of which are alike in any simple order.
@@ -270,4 +270,4 @@ TEST(FrameSource, NamesWhatIsWrongWithItsFiles) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::frames_test

@@ -5,7 +5,7 @@
 #include "micrograph_samples.hpp"
 #include "recordings.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::micrograph_test {
 namespace {
 
 TEST(Micrograph, TellsFormatsByContent) {
@@ -87,4 +87,4 @@ TEST(PlainPicture, ReadsLuminanceOfColours) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::micrograph_test

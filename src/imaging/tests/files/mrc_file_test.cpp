@@ -2,7 +2,7 @@
 #include "electron_files.hpp"
 #include "micrograph_checks.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::mrc_file_test {
 namespace {
 
 TEST(MrcFile, ReadsEveryModeInEitherOrder) {
@@ -86,4 +86,4 @@ TEST(MrcFile, RefusesOtherModes) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::mrc_file_test

@@ -4,7 +4,7 @@
 #include "recordings.hpp"
 #include "setae/imaging/micrograph.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::picture_decoders_test {
 namespace {
 
 std::string bitmap(int width, int height, int bits, int packing, const std::string& between,
@@ -157,4 +157,4 @@ TEST(Tiff, ReadsPalettesColoursOfJpegAndTiles) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::picture_decoders_test

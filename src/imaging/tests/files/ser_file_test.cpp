@@ -3,7 +3,7 @@
 #include "micrograph_checks.hpp"
 #include "recordings.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::ser_file_test {
 namespace {
 
 TEST(SerFile, ReadsEveryTypeOfNumberInEitherVersion) {
@@ -65,4 +65,4 @@ TEST(SerFile, TakesMicroscopeAndTimeOfTheEmiBesideIt) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::ser_file_test

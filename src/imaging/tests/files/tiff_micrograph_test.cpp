@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "micrograph_checks.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::tiff_micrograph_test {
 namespace {
 
 /// A page's reading with fields of an instrument.
@@ -171,4 +171,4 @@ TEST(TiffMicrograph, RefusesDirectoriesThatOverlapOrEnd) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::tiff_micrograph_test

@@ -11,7 +11,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::calibration_file_test {
 namespace {
 
 KeptCalibration example() {
@@ -131,4 +131,4 @@ TEST(CalibrationFile, ErrorsNameFileAndKey) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::calibration_file_test

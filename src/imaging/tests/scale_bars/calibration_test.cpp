@@ -8,7 +8,7 @@
 #include "rendered_bar.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::calibration_test {
 namespace {
 
 /// A picture with a bar of 120 px that says 20 nm: 1/6 nm a pixel.
@@ -182,4 +182,4 @@ TEST(Calibration, ServesPicturesOfTheSameMagnificationAlone) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::calibration_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::label_meaning_test {
 namespace {
 
 TEST(LabelMeaning, IsALengthInTheUnitsOfMicroscopes) {
@@ -39,4 +39,4 @@ TEST(LabelMeaning, OfReciprocalLengthsIsSaidToBeADiffractionPattern) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::label_meaning_test

@@ -13,7 +13,7 @@
 
 #include "rendered_bar.hpp"
 
-namespace setae::imaging::tests {
+namespace setae::imaging::tests::scale_bar_test {
 namespace {
 
 struct Style {
@@ -340,4 +340,4 @@ TEST(Annotations, AreNoneOfVacuumsMasksAndFoils) {
 }
 
 }  // namespace
-}  // namespace setae::imaging::tests
+}  // namespace setae::imaging::tests::scale_bar_test

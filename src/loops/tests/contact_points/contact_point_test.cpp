@@ -14,7 +14,7 @@
 #include "setae/loops/analysis.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::contact_point_test {
 namespace {
 
 using tests::rubber_on_diamond;
@@ -175,4 +175,4 @@ TEST(FitWithContactPoint, NeedsAPenetration) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::contact_point_test

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::loops {
+namespace setae::loops::spring_jumps_test {
 namespace {
 
 const contact::jkr::Contact rubber{.radius = 1.25e-3, .contact_modulus = 0.92e6, .work_of_adhesion = 0.040};
@@ -69,4 +69,4 @@ TEST(SpringJumps, NeedAdhesionAndAMachine) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::spring_jumps_test

@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::energy_ledger_test {
 namespace {
 
 using tests::SyntheticLoop;
@@ -160,4 +160,4 @@ TEST(EnergyCourse, NeedsADisplacement) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::energy_ledger_test

@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::loop_energy_test {
 namespace {
 
 using tests::SyntheticLoop;
@@ -112,4 +112,4 @@ TEST(LoopEnergy, NeedsAClosedLoopAndADisplacement) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::loop_energy_test

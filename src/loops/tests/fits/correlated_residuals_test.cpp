@@ -8,7 +8,7 @@
 #include "setae/loops/jkr_fits.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::correlated_residuals_test {
 namespace {
 
 using contact::jkr::Contact;
@@ -114,4 +114,4 @@ TEST(CorrelatedResiduals, OfFewSamplesAreTakenForIndependent) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::correlated_residuals_test

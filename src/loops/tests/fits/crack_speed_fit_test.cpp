@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::crack_speed_fit_test {
 namespace {
 
 constexpr contact::crack_speed::Law rubber{.threshold = 0.05, .reference_speed = 2e-7, .exponent = 0.6};
@@ -141,4 +141,4 @@ TEST(CrackSpeedFit, FindsTheLawOfAContactThatFollowsIt) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::crack_speed_fit_test

@@ -7,7 +7,7 @@
 #include "noisy_branch.hpp"
 #include "setae/loops/jkr_fits.hpp"
 
-namespace setae::loops {
+namespace setae::loops::energy_release_rates_test {
 namespace {
 
 using tests::branch_of;
@@ -79,4 +79,4 @@ TEST(EnergyReleaseRates, HaveNoBandWhereTheNoiseIsUnknown) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::energy_release_rates_test

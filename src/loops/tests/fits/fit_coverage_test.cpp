@@ -10,7 +10,7 @@
 #include "noisy_branch.hpp"
 #include "setae/loops/jkr_fits.hpp"
 
-namespace setae::loops {
+namespace setae::loops::fit_coverage_test {
 namespace {
 
 using tests::BranchShape;
@@ -77,4 +77,4 @@ std::string name_of(const testing::TestParamInfo<Case>& run) {
 INSTANTIATE_TEST_SUITE_P(Routes, FitCoverage, testing::ValuesIn(cases()), name_of);
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::fit_coverage_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::global_fit_test {
 namespace {
 
 using contact::jkr::Contact;
@@ -116,4 +116,4 @@ TEST(GlobalFit, RefusesNothingToShareAndNamesTheBranch) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::global_fit_test

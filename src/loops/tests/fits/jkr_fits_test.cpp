@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::jkr_fits_test {
 namespace {
 
 using contact::jkr::Contact;
@@ -205,4 +205,4 @@ TEST(YoungsModulus, OfRubberOnARigidCounterBodyIsThreeQuartersOfTheContactModulu
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::jkr_fits_test

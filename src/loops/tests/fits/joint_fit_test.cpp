@@ -9,7 +9,7 @@
 #include "setae/loops/jkr_fits.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::joint_fit_test {
 namespace {
 
 using contact::jkr::Contact;
@@ -160,4 +160,4 @@ TEST(JointFit, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::joint_fit_test

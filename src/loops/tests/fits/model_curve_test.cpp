@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace setae::loops {
+namespace setae::loops::model_curve_test {
 namespace {
 
 void expect_slope(double slope, double above, double below, double step, double scale, const std::string& what) {
@@ -46,4 +46,4 @@ TEST(ModelCurve, DerivativesAreThoseOfTheCurve) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::model_curve_test

@@ -10,7 +10,7 @@
 #include "setae/loops/global_fit.hpp"
 #include "setae/loops/model_fits.hpp"
 
-namespace setae::loops {
+namespace setae::loops::model_fits_property_test {
 namespace {
 
 double between(double lower, double upper) { return lower + (upper - lower) * *rc::gen::inRange(0, 1000001) * 1e-6; }
@@ -124,4 +124,4 @@ TEST(CrackSpeedFitProperties, TheLawIsRecoveredAtEveryScale) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::model_fits_property_test

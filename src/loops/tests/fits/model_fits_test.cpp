@@ -18,7 +18,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::model_fits_test {
 namespace {
 
 using contact::AdhesiveContact;
@@ -381,4 +381,4 @@ TEST(ModelFits, RefuseWhatTheyCannotFit) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::model_fits_test

@@ -11,7 +11,7 @@
 #include "noisy_branch.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::loops {
+namespace setae::loops::profile_likelihood_test {
 namespace {
 
 using tests::branch_of;
@@ -130,4 +130,4 @@ TEST(ErrorEllipse, RefusesAFitWithoutCovariance) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::profile_likelihood_test

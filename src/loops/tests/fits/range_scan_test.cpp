@@ -9,7 +9,7 @@
 #include "setae/loops/analysis.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::range_scan_test {
 namespace {
 
 using tests::rubber_on_diamond;
@@ -92,4 +92,4 @@ TEST(BranchSamples, LeaveOutWhatTheFitsIgnore) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::range_scan_test

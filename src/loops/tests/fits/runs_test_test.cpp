@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace setae::loops {
+namespace setae::loops::runs_test_test {
 namespace {
 
 Array1D signs(const std::string& text) {
@@ -74,4 +74,4 @@ TEST(RunsTest, IsUndefinedForOneSign) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::runs_test_test

@@ -14,7 +14,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::force_curve_fit_test {
 namespace {
 
 using contact::AdhesiveContact;
@@ -174,4 +174,4 @@ TEST(ForceCurve, ShapesAreNamedBothWays) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::force_curve_fit_test

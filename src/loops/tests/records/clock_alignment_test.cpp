@@ -6,7 +6,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops::tests {
+namespace setae::loops::tests::clock_alignment_test {
 namespace {
 
 /// Frames every `step` seconds of a camera that began `offset` before the time it thinks it is: t_force = t_camera +
@@ -115,4 +115,4 @@ TEST(ClockAlignment, RefusesWhatCannotBeAligned) {
 }
 
 }  // namespace
-}  // namespace setae::loops::tests
+}  // namespace setae::loops::tests::clock_alignment_test

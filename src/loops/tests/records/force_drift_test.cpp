@@ -8,7 +8,7 @@
 #include "setae/loops/analysis.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::force_drift_test {
 namespace {
 
 using tests::rubber_on_diamond;
@@ -96,4 +96,4 @@ TEST(DisplacementDrift, IsTakenOffAtAKnownRate) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::force_drift_test

@@ -12,7 +12,7 @@
 #include "setae/loops/analysis.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::machine_stiffness_test {
 namespace {
 
 using tests::SyntheticLoop;
@@ -105,4 +105,4 @@ TEST(MachineStiffness, PassesItsErrorOnToModulusAndWork) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::machine_stiffness_test

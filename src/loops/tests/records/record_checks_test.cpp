@@ -14,7 +14,7 @@
 #include "setae/loops/analysis.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::record_checks_test {
 namespace {
 
 using tests::rubber_on_diamond;
@@ -149,4 +149,4 @@ TEST(ChannelsOfDifferentLength, AreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::record_checks_test

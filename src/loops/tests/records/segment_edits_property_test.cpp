@@ -8,7 +8,7 @@
 #include "setae/loops/segments.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::segment_edits_property_test {
 namespace {
 
 GivenRange some_range(Index samples) {
@@ -68,4 +68,4 @@ RC_GTEST_PROP(SegmentEditsProperty, AreRefusedOrLeaveSegmentsInOrderWithinTheRec
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::segment_edits_property_test

@@ -12,7 +12,7 @@
 #include "setae/loops/analysis.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::segment_edits_test {
 namespace {
 
 using tests::refusal_of;
@@ -158,4 +158,4 @@ TEST(SegmentEdits, DecideTheAnalysis) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::segment_edits_test

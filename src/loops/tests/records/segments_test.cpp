@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
-namespace setae::loops {
+namespace setae::loops::segments_test {
 namespace {
 
 using tests::from;
@@ -209,4 +209,4 @@ TEST(LoopFromTable, TakesTheCanonicalColumns) {
 }
 
 }  // namespace
-}  // namespace setae::loops
+}  // namespace setae::loops::segments_test

@@ -6,12 +6,13 @@
 #include <regex>
 #include <set>
 
+#include <nlohmann/json.hpp>
 #include "markup.hpp"
 #include "pages.hpp"
 #include "setae/output/json.hpp"
 #include "table.hpp"
 
-namespace setae::report {
+namespace setae::report::report_test {
 namespace {
 
 using output::Json;
@@ -335,4 +336,4 @@ TEST(Markup, SetsUnitsAndQuantities) {
 }
 
 }  // namespace
-}  // namespace setae::report
+}  // namespace setae::report::report_test

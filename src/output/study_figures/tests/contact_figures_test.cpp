@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "small_studies.hpp"
 
-namespace setae::study_figures {
+namespace setae::study_figures::contact_figures_test {
 namespace {
 
 using study::StudyResult;
@@ -126,4 +126,4 @@ TEST(ContactFigures, LeaveOutFitsWithoutAdhesion) {
 }
 
 }  // namespace
-}  // namespace setae::study_figures
+}  // namespace setae::study_figures::contact_figures_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 
-namespace {
+namespace forest_plot_test {
 
 using namespace setae;
 using namespace setae::statistics;
@@ -91,4 +91,4 @@ TEST(ForestPlot, RefusesAModelOfOtherData) {
     EXPECT_THROW((void)forest_plot(data, mixed_model(other)), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace forest_plot_test

@@ -2,7 +2,7 @@
 #include "setae/spectra/abel.hpp"
 #include "small_studies.hpp"
 
-namespace setae::study_figures {
+namespace setae::study_figures::spectra_figures_test {
 namespace {
 
 using study::StudyResult;
@@ -161,4 +161,4 @@ TEST(MeasuredSpectra, OfSixtyMeasurementsStaySmall) {
 }
 
 }  // namespace
-}  // namespace setae::study_figures
+}  // namespace setae::study_figures::spectra_figures_test

@@ -7,7 +7,7 @@
 #include "setae/roughness/true_area.hpp"
 #include "small_studies.hpp"
 
-namespace setae::study_figures {
+namespace setae::study_figures::study_figures_test {
 namespace {
 
 using study::StudyResult;
@@ -265,4 +265,4 @@ TEST(StudyFigures, FitTheColumnAskedFor) {
 }
 
 }  // namespace
-}  // namespace setae::study_figures
+}  // namespace setae::study_figures::study_figures_test

@@ -12,7 +12,7 @@
 #include "setae/study_figures/true_area_of_maps.hpp"
 #include "small_studies.hpp"
 
-namespace setae::study_figures {
+namespace setae::study_figures::write_figures_test {
 namespace {
 
 struct Folder {
@@ -145,4 +145,4 @@ TEST(TrueAreaFigure, IsTheSameFromTheStore) {
 }
 
 }  // namespace
-}  // namespace setae::study_figures
+}  // namespace setae::study_figures::write_figures_test

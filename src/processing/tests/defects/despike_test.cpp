@@ -14,7 +14,7 @@
 #include "setae/spectra/self_affine.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace setae::processing {
+namespace setae::processing::despike_test {
 namespace {
 
 using topography::HeightMap;
@@ -187,4 +187,4 @@ TEST(Despike, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::despike_test

@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/fill.hpp"
 
-namespace setae::processing {
+namespace setae::processing::fill_test {
 namespace {
 
 using topography::HeightMap;
@@ -212,4 +212,4 @@ TEST(FillUndefined, TellsHowMuchItFilled) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::fill_test

@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::processing {
+namespace setae::processing::scars_test {
 namespace {
 
 using topography::HeightMap;
@@ -109,4 +109,4 @@ TEST(RemoveScars, GivesTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::scars_test

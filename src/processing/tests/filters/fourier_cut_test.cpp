@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/fourier_cut.hpp"
 
-namespace setae::processing {
+namespace setae::processing::fourier_cut_test {
 namespace {
 
 using topography::HeightMap;
@@ -103,4 +103,4 @@ TEST(FourierCut, RefusesDataThatWouldRing) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::fourier_cut_test

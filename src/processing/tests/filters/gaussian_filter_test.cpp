@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/iso_filter.hpp"
 
-namespace setae::processing {
+namespace setae::processing::gaussian_filter_test {
 namespace {
 
 using topography::HeightMap;
@@ -248,4 +248,4 @@ TEST(GaussianFilter, TellsWhereItsCutoffMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::gaussian_filter_test

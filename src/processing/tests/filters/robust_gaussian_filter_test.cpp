@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/iso_filter.hpp"
 
-namespace setae::processing {
+namespace setae::processing::robust_gaussian_filter_test {
 namespace {
 
 using topography::HeightMap;
@@ -160,4 +160,4 @@ TEST(RobustGaussianFilter, RefusesWhatHasNoMeaning) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::robust_gaussian_filter_test

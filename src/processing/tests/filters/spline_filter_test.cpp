@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/iso_filter.hpp"
 
-namespace setae::processing {
+namespace setae::processing::spline_filter_test {
 namespace {
 
 using topography::HeightMap;
@@ -150,4 +150,4 @@ TEST(SplineFilter, RefusesWhatHasNoMeaning) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::spline_filter_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/combine_maps.hpp"
 
-namespace setae::processing {
+namespace setae::processing::combine_maps_test {
 namespace {
 
 using topography::HeightMap;
@@ -177,4 +177,4 @@ TEST(CombineMaps, RefusesWhatDoesNotGoTogether) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::combine_maps_test

@@ -6,7 +6,7 @@
 #include "record_number.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::processing {
+namespace setae::processing::crop_test {
 namespace {
 
 using topography::HeightMap;
@@ -73,4 +73,4 @@ TEST(Crop, RefusesWindowsThatLeaveNothingAndMixedOnes) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::crop_test

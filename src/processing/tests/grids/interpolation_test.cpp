@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/interpolation.hpp"
 
-namespace setae::processing {
+namespace setae::processing::interpolation_test {
 namespace {
 
 using topography::HeightMap;
@@ -186,4 +186,4 @@ TEST(FourierInterpolation, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::interpolation_test

@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::processing {
+namespace setae::processing::line_profile_test {
 namespace {
 
 /// Heights without pattern on 40 × 30 points, pixels of 0.1 and 0.3 µm.
@@ -89,4 +89,4 @@ TEST(LineProfile, RefusesLinesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::line_profile_test

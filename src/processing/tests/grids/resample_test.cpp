@@ -11,7 +11,7 @@
 #include "setae/processing/interpolation.hpp"
 #include "setae/processing/resample.hpp"
 
-namespace setae::processing {
+namespace setae::processing::resample_test {
 namespace {
 
 using topography::HeightMap;
@@ -129,4 +129,4 @@ TEST(Resample, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::resample_test

@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/rotate.hpp"
 
-namespace setae::processing {
+namespace setae::processing::rotate_test {
 namespace {
 
 using topography::HeightMap;
@@ -108,4 +108,4 @@ TEST(Rotate, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::rotate_test

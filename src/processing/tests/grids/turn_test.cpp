@@ -6,7 +6,7 @@
 #include "record_number.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::processing {
+namespace setae::processing::turn_test {
 namespace {
 
 using topography::HeightMap;
@@ -62,4 +62,4 @@ TEST(QuarterTurns, AndTransposeNeedAMap) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::turn_test

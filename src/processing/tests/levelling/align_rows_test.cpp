@@ -11,7 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::processing {
+namespace setae::processing::align_rows_test {
 namespace {
 
 using topography::HeightMap;
@@ -151,4 +151,4 @@ TEST(AlignRows, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::align_rows_test

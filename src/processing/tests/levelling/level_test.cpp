@@ -12,7 +12,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::processing {
+namespace setae::processing::level_test {
 namespace {
 
 using topography::HeightMap;
@@ -324,4 +324,4 @@ TEST(Level, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::level_test

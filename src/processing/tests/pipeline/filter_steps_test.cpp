@@ -13,7 +13,7 @@
 #include "setae/processing/resample.hpp"
 #include "setae/processing/rotate.hpp"
 
-namespace setae::processing {
+namespace setae::processing::filter_steps_test {
 namespace {
 
 /// Notes the names of a step's parameters and gives each a value that is not its default.
@@ -81,4 +81,4 @@ TEST(FilterSteps, OfOneMapDoNotChangeAnother) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::filter_steps_test

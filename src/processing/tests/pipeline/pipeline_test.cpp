@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/processing/step_text.hpp"
 
-namespace setae::processing {
+namespace setae::processing::pipeline_test {
 namespace {
 
 using topography::HeightMap;
@@ -174,4 +174,4 @@ TEST(StepDescriptions, NameEveryStepAndParameterOnce) {
 }
 
 }  // namespace
-}  // namespace setae::processing
+}  // namespace setae::processing::pipeline_test

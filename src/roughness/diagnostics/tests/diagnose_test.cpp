@@ -13,7 +13,7 @@
 #include "setae/topography/contour.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::diagnostics {
+namespace setae::diagnostics::diagnose_test {
 namespace {
 
 TEST(Diagnose, FindsNothingInASurfaceWithoutFault) {
@@ -260,4 +260,4 @@ TEST(Diagnose, RefusesOptionsOutsideTheirDomainAndMapsWithoutHeights) {
 }
 
 }  // namespace
-}  // namespace setae::diagnostics
+}  // namespace setae::diagnostics::diagnose_test

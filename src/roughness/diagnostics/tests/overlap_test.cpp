@@ -8,7 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/diagnostics/diagnose.hpp"
 
-namespace setae::diagnostics {
+namespace setae::diagnostics::overlap_test {
 namespace {
 
 using topography::Measurement;
@@ -50,4 +50,4 @@ TEST(DiagnoseOverlap, NeedsTwoMeasurementsAndABandInCommon) {
 }
 
 }  // namespace
-}  // namespace setae::diagnostics
+}  // namespace setae::diagnostics::overlap_test

@@ -10,7 +10,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace setae::diagnostics {
+namespace setae::diagnostics::patches_test {
 namespace {
 
 using topography::Mask;
@@ -99,4 +99,4 @@ TEST(Patches, CountAnyValueButZeroAsChosen) {
 TEST(Patches, RefuseAMaskWithoutPoints) { EXPECT_THROW((void)patches(Mask(0, 5)), InvalidArgument); }
 
 }  // namespace
-}  // namespace setae::diagnostics
+}  // namespace setae::diagnostics::patches_test

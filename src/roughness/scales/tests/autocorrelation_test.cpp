@@ -9,7 +9,7 @@
 #include "samples.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::scales {
+namespace setae::scales::autocorrelation_test {
 namespace {
 
 using namespace setae::tests;
@@ -341,4 +341,4 @@ TEST(Slope, FromAutocorrelationIsThatOfTheDifferences) {
 }
 
 }  // namespace
-}  // namespace setae::scales
+}  // namespace setae::scales::autocorrelation_test

@@ -10,7 +10,7 @@
 #include "setae/scales/scale_dependent.hpp"
 #include "setae/scales/variable_bandwidth.hpp"
 
-namespace setae::scales {
+namespace setae::scales::function_of_scale_test {
 namespace {
 
 using namespace setae::tests;
@@ -179,4 +179,4 @@ TEST(Weighting, HasNames) {
 }
 
 }  // namespace
-}  // namespace setae::scales
+}  // namespace setae::scales::function_of_scale_test

@@ -8,7 +8,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/scales/autocorrelation.hpp"
 
-namespace setae::scales {
+namespace setae::scales::scale_dependent_test {
 namespace {
 
 using namespace setae::tests;
@@ -403,4 +403,4 @@ TEST(Differences, AreNamedByOrderAndStatistic) {
 }
 
 }  // namespace
-}  // namespace setae::scales
+}  // namespace setae::scales::scale_dependent_test

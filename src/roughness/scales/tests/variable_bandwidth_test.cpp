@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::scales {
+namespace setae::scales::variable_bandwidth_test {
 namespace {
 
 using namespace setae::tests;
@@ -212,4 +212,4 @@ TEST(VariableBandwidth, IsTheSameToTheByteForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::scales
+}  // namespace setae::scales::variable_bandwidth_test

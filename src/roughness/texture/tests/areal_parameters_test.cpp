@@ -13,7 +13,7 @@
 #include "setae/roughness/true_area.hpp"
 #include "setae/texture/profile_parameters.hpp"
 
-namespace setae::texture {
+namespace setae::texture::areal_parameters_test {
 namespace {
 
 using topography::HeightMap;
@@ -196,4 +196,4 @@ TEST(ArealParameters, AreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::texture
+}  // namespace setae::texture::areal_parameters_test

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::texture {
+namespace setae::texture::feature_parameters_test {
 namespace {
 
 using topography::HeightMap;
@@ -102,4 +102,4 @@ TEST(FeatureParameters, AreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::texture
+}  // namespace setae::texture::feature_parameters_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 
-namespace setae::texture {
+namespace setae::texture::functional_parameters_test {
 namespace {
 
 using topography::HeightMap;
@@ -134,4 +134,4 @@ TEST(FunctionalParameters, OfAConstantSurfaceVanish) {
 }
 
 }  // namespace
-}  // namespace setae::texture
+}  // namespace setae::texture::functional_parameters_test

@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/roughness/real_space.hpp"
 
-namespace setae::texture {
+namespace setae::texture::height_parameters_test {
 namespace {
 
 using topography::HeightMap;
@@ -163,4 +163,4 @@ TEST(HybridParameters, OfAMapTwoRowsWideHaveNoCentralDifference) {
 }
 
 }  // namespace
-}  // namespace setae::texture
+}  // namespace setae::texture::height_parameters_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 
-namespace setae::texture {
+namespace setae::texture::material_ratio_test {
 namespace {
 
 using topography::HeightMap;
@@ -248,4 +248,4 @@ TEST(MadHeight, ScalesWithTheUnit) {
 }
 
 }  // namespace
-}  // namespace setae::texture
+}  // namespace setae::texture::material_ratio_test

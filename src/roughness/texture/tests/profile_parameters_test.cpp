@@ -11,7 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::texture {
+namespace setae::texture::profile_parameters_test {
 namespace {
 
 using topography::HeightMap;
@@ -220,4 +220,4 @@ TEST(DefaultSetting, OfALineIsTheOneItsRoughnessAsksForItself) {
 }
 
 }  // namespace
-}  // namespace setae::texture
+}  // namespace setae::texture::profile_parameters_test

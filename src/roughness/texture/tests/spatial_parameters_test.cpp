@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::texture {
+namespace setae::texture::spatial_parameters_test {
 namespace {
 
 using topography::HeightMap;
@@ -129,4 +129,4 @@ TEST(SpatialParameters, AreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace setae::texture
+}  // namespace setae::texture::spatial_parameters_test

@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace afm_test {
 
 using namespace setae;
 using namespace setae::simulation;
@@ -160,4 +160,4 @@ TEST(AfmMap, RefusesWhatNoInstrumentDoes) {
     EXPECT_THROW((void)afm_map(window, options), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace afm_test

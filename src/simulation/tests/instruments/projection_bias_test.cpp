@@ -8,7 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace projection_bias_test {
 
 using namespace setae;
 using namespace setae::simulation;
@@ -121,4 +121,4 @@ TEST(WithoutProjectionBias, InterpolatesTheFactorBetweenItsWavevectors) {
     EXPECT_THROW((void)without_projection_bias(q.head(3), C1D, bias), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace projection_bias_test

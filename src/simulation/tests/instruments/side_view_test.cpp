@@ -13,7 +13,7 @@
 #include "setae/simulation/silhouette.hpp"
 #include "setae/topography/contour.hpp"
 
-namespace {
+namespace side_view_test {
 
 using namespace setae;
 using namespace setae::simulation;
@@ -187,4 +187,4 @@ TEST(SideViewContour, RefusesWhatNoTraceIs) {
     EXPECT_THROW((void)side_view_contour(map, contour_of(10.0, 0.5)), UndefinedDataError);
 }
 
-}  // namespace
+}  // namespace side_view_test

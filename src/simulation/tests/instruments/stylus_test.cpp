@@ -11,7 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/topography/artefact.hpp"
 
-namespace {
+namespace stylus_test {
 
 using namespace setae;
 using namespace setae::simulation;
@@ -170,4 +170,4 @@ TEST(StylusScan, RefusesWhatNoInstrumentDoes) {
     EXPECT_THROW((void)stylus_scan(strip, options), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace stylus_test

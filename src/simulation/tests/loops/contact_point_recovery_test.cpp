@@ -11,7 +11,7 @@
 #include "setae/simulation/loop_simulation.hpp"
 
 /// What the estimators of the contact point and the energy ledger find in loops whose every property is known.
-namespace setae::simulation {
+namespace setae::simulation::contact_point_recovery_test {
 namespace {
 
 using loops::ContactPointMethod;
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(Noise, Recovery,
                                          Case{20.0, 300.0}, Case{100.0, fixed_grips}, Case{100.0, 300.0}));
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::contact_point_recovery_test

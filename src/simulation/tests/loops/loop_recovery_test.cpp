@@ -12,7 +12,7 @@
 #include "setae/simulation/loop_simulation.hpp"
 
 /// What the analysis of a contact experiment finds in loops whose every property is known.
-namespace setae::simulation {
+namespace setae::simulation::loop_recovery_test {
 namespace {
 
 constexpr LoopSpecimen rough{
@@ -158,4 +158,4 @@ TEST(LoopRecovery, CoversThePlantedValuesWithNoiseAndDrift) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::loop_recovery_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/simulation/retraction_work.hpp"
 
-namespace setae::simulation {
+namespace setae::simulation::loop_simulation_test {
 namespace {
 
 constexpr LoopSpecimen smooth{
@@ -251,4 +251,4 @@ TEST(RetractionWork, ByPinningMeetsTheSimulatedFrontsAndIsMonotoneBetween) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::loop_simulation_test

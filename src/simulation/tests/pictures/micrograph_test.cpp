@@ -10,7 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::simulation {
+namespace setae::simulation::micrograph_test {
 namespace {
 
 PixelCurve curve_of(std::initializer_list<std::array<double, 2>> points) {
@@ -213,4 +213,4 @@ TEST(Micrograph, RefusesWhatItCannotRender) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::micrograph_test

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::simulation {
+namespace setae::simulation::rough_curve_test {
 namespace {
 
 double rms(const Array1D& values) { return std::sqrt((values - values.mean()).square().mean()); }
@@ -110,4 +110,4 @@ TEST(RoughCurve, DependsOnTheKeyAloneAndRefusesWhatIsNoCurve) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::rough_curve_test

@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace setae::simulation {
+namespace setae::simulation::line_spectrum_test {
 namespace {
 
 constexpr spectra::SelfAffine model{
@@ -86,4 +86,4 @@ TEST(SurfaceTruth, OfABandHasTheWavesOfTheBand) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::line_spectrum_test

@@ -10,7 +10,7 @@
 #include "surfaces/long_waves.hpp"
 #include "surfaces/surface_patches.hpp"
 
-namespace setae::simulation {
+namespace setae::simulation::window_patch_test {
 namespace {
 
 constexpr double length = 1e-6;
@@ -164,4 +164,4 @@ TEST(StylusStrip, OfARollOffBeyondTheScanIsMadeInLanes) {
 }
 
 }  // namespace
-}  // namespace setae::simulation
+}  // namespace setae::simulation::window_patch_test

@@ -14,7 +14,7 @@
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/trace_response.hpp"
 
-namespace {
+namespace contour_kernel_test {
 
 using namespace setae;
 using namespace setae::spectral_fit;
@@ -179,4 +179,4 @@ TEST(ContourKernel, RefusesContoursOfFewOrUndefinedPoints) {
     EXPECT_THROW((void)contour_kernel(holed, nodes), UndefinedDataError);
 }
 
-}  // namespace
+}  // namespace contour_kernel_test

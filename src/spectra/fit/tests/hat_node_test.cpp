@@ -8,7 +8,7 @@
 
 #include "setae/core/constants.hpp"
 
-namespace {
+namespace hat_node_test {
 
 using namespace setae;
 using namespace setae::spectral_fit;
@@ -69,4 +69,4 @@ TEST(HatNode, WholeLineIntegralIsPiTimesTheVariance) {
     EXPECT_NEAR(hat_node::line_integrals_of_disc(3.0).zeroth / pi, 0.5 / (2.0 * pi), 1e-12);
 }
 
-}  // namespace
+}  // namespace hat_node_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setae::spectral_fit {
+namespace setae::spectral_fit::independent_lines_test {
 namespace {
 
 // C = exp(−q² l²): lines a distance y apart have ρ = exp(−y²/4l²) at every q, so n = N²/Σ exp(−y²/2l²).
@@ -31,4 +31,4 @@ TEST(IndependentLines, AreAllOfThemInNoiseAndOneWhereNothingChanges) {
 }
 
 }  // namespace
-}  // namespace setae::spectral_fit
+}  // namespace setae::spectral_fit::independent_lines_test

@@ -11,7 +11,7 @@
 #include "setae/spectra/self_affine.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace setae::spectral_fit {
+namespace setae::spectral_fit::likelihood_spectrum_test {
 namespace {
 
 constexpr double shortest_wavelength = 20e-9;
@@ -142,4 +142,4 @@ TEST(LikelihoodSpectrum, RefusesWhatCannotBeFitted) {
 }
 
 }  // namespace
-}  // namespace setae::spectral_fit
+}  // namespace setae::spectral_fit::likelihood_spectrum_test

@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 
-namespace setae::spectral_fit {
+namespace setae::spectral_fit::line_spectrum_test {
 namespace {
 
 Array1D nodes_up_to(double shortest, Index count) {
@@ -51,4 +51,4 @@ TEST(LineSpectrum, RefusesOtherRatiosAndSizes) {
 }
 
 }  // namespace
-}  // namespace setae::spectral_fit
+}  // namespace setae::spectral_fit::line_spectrum_test

@@ -7,7 +7,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace setae::spectral_fit {
+namespace setae::spectral_fit::log_spline_test {
 namespace {
 
 constexpr double lowest = 1e4, shortest = 1.5e10;
@@ -49,4 +49,4 @@ TEST(LogSpline, RefusesWhatIsNoRange) {
 }
 
 }  // namespace
-}  // namespace setae::spectral_fit
+}  // namespace setae::spectral_fit::log_spline_test

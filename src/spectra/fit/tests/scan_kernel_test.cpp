@@ -11,7 +11,7 @@
 #include "setae/spectra/self_affine.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 
-namespace {
+namespace scan_kernel_test {
 
 using namespace setae;
 using namespace setae::spectral_fit;
@@ -100,4 +100,4 @@ TEST(ScanKernel, RefusesShapesWithoutModes) {
     EXPECT_THROW((void)scan_periodogram(Array2D::Constant(64, 1, undefined), 1.0, 1), UndefinedDataError);
 }
 
-}  // namespace
+}  // namespace scan_kernel_test

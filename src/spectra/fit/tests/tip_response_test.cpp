@@ -11,7 +11,7 @@
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/dilation.hpp"
 
-namespace setae::spectral_fit {
+namespace setae::spectral_fit::tip_response_test {
 namespace {
 
 /// Flat below 2π/1 µm, falling as q^-5 above, with a given rms slope.
@@ -171,4 +171,4 @@ TEST(SimulationStep, IsTheFinerOfWaveAndTipButNoFinerThanAsked) {
 }
 
 }  // namespace
-}  // namespace setae::spectral_fit
+}  // namespace setae::spectral_fit::tip_response_test

@@ -10,7 +10,7 @@
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/trace_response.hpp"
 
-namespace setae::spectral_fit {
+namespace setae::spectral_fit::trace_likelihood_test {
 namespace {
 
 constexpr double nm = 1e-9, shortest_wavelength = 2.5 * nm;
@@ -105,4 +105,4 @@ TEST(LikelihoodOfTraces, AreBiasedByManyErrorsWithoutTheirResponse) {
 }
 
 }  // namespace
-}  // namespace setae::spectral_fit
+}  // namespace setae::spectral_fit::trace_likelihood_test

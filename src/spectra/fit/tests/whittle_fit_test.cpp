@@ -8,7 +8,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace setae::spectral_fit {
+namespace setae::spectral_fit::whittle_fit_test {
 namespace {
 
 const LogSpline& spline() {
@@ -126,4 +126,4 @@ TEST(SplineMoment, IsTheIntegralWithItsDerivative) {
 }
 
 }  // namespace
-}  // namespace setae::spectral_fit
+}  // namespace setae::spectral_fit::whittle_fit_test

@@ -11,7 +11,7 @@
 
 #include "setae/cache/key.hpp"
 
-namespace setae::cache {
+namespace setae::cache::store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ TEST(DefaultFolder, FollowsTheVariables) {
 }
 
 }  // namespace
-}  // namespace setae::cache
+}  // namespace setae::cache::store_test

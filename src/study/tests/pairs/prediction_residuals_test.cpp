@@ -9,7 +9,7 @@
 #include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
 
-namespace setae::study {
+namespace setae::study::prediction_residuals_test {
 namespace {
 
 /// Three surfaces by their moments and three elastomers, every input uncertain.
@@ -128,4 +128,4 @@ TEST(PredictionCurve, RunsThroughThePredictionsOfPairs) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::prediction_residuals_test

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/output/study_tables.hpp"
 
-namespace setae::study {
+namespace setae::study::prediction_test {
 namespace {
 
 constexpr double contact_radius = 1e-4;
@@ -114,4 +114,4 @@ TEST(Prediction, StandsInTablesByEachMethod) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::prediction_test

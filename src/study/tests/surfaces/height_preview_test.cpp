@@ -7,7 +7,7 @@
 
 #include "setae/core/constants.hpp"
 
-namespace setae::study {
+namespace setae::study::height_preview_test {
 namespace {
 
 TEST(HeightPreviewOf, AShortLineIsTheLine) {
@@ -66,4 +66,4 @@ TEST(HeightPreviewOf, AMapAveragesDefinedPixels) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::height_preview_test

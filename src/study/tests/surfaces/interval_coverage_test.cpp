@@ -18,7 +18,7 @@
 #include "setae/spectra/bootstrap.hpp"
 #include "setae/spectra/jackknife.hpp"
 
-namespace setae::study {
+namespace setae::study::interval_coverage_test {
 namespace {
 
 using roughness::SpectralParameters;
@@ -243,4 +243,4 @@ TEST(IntervalCoverage, OfEveryMethodIsTabulated) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::interval_coverage_test

@@ -8,7 +8,7 @@
 #include "setae/study/surface_analysis.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace setae::study {
+namespace setae::study::large_map_test {
 namespace {
 
 constexpr Index nx = 200, ny = 150;
@@ -68,4 +68,4 @@ TEST_F(LargeMap, SaysThatItWasReadByBands) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::large_map_test

@@ -8,7 +8,7 @@
 #include "setae/synthesis/random_surface.hpp"
 #include "surfaces/average_spectrum.hpp"
 
-namespace setae::study {
+namespace setae::study::single_measurement_test {
 namespace {
 
 constexpr double rolloff = 2.0 * pi / 1e-6, shortest = 2.0 * pi / 50e-9;
@@ -81,4 +81,4 @@ TEST(SingleMeasurement, CountsTheLinesOfAMapThatAreIndependent) {
 }
 
 }  // namespace
-}  // namespace setae::study
+}  // namespace setae::study::single_measurement_test

@@ -9,7 +9,7 @@
 
 using namespace setae::tests;
 
-namespace setae::tables::tests {
+namespace setae::tables::tests::force_curve_test {
 namespace {
 
 Table curve(const std::string& content, const ForceCurveOptions& options = {}) {
@@ -148,4 +148,4 @@ TEST(IgorForce, SplitsAtTheTurnWithoutANote) {
 }
 
 }  // namespace
-}  // namespace setae::tables::tests
+}  // namespace setae::tables::tests::force_curve_test

@@ -9,7 +9,7 @@
 
 using namespace setae::tests;
 
-namespace setae::tables::tests {
+namespace setae::tables::tests::clocks_test {
 namespace {
 
 const double undefined_cell = std::nan("");
@@ -91,4 +91,4 @@ TEST(OneClock, ChannelsOfDifferentLengthAreNamed) {
 }
 
 }  // namespace
-}  // namespace setae::tables::tests
+}  // namespace setae::tables::tests::clocks_test

@@ -9,7 +9,7 @@
 
 using namespace setae::tests;
 
-namespace setae::tables::tests {
+namespace setae::tables::tests::column_guess_test {
 namespace {
 
 ColumnGuess guess_of(const std::string& text) {
@@ -185,4 +185,4 @@ TEST(MappedTable, TextAndEmptyColumnsAreRefused) {
 }
 
 }  // namespace
-}  // namespace setae::tables::tests
+}  // namespace setae::tables::tests::column_guess_test

@@ -13,7 +13,7 @@
 
 using namespace setae::tests;
 
-namespace setae::tables::tests {
+namespace setae::tables::tests::loop_file_test {
 namespace {
 
 Table small_loop() {
@@ -115,4 +115,4 @@ TEST(LoopFile, KeysStandInTheDocument) {
 }
 
 }  // namespace
-}  // namespace setae::tables::tests
+}  // namespace setae::tables::tests::loop_file_test

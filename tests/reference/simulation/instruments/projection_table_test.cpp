@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace projection_table_test {
 
 using namespace setae;
 
@@ -55,4 +55,4 @@ TEST(ProjectionTable, HasARowForEachOfItsCases) {
             << row.hurst_exponent << ' ' << row.rolloff_wavelength << ' ' << row.thickness;
 }
 
-}  // namespace
+}  // namespace projection_table_test

@@ -6,7 +6,7 @@
 
 #include "setae/simulation/projection_bias.hpp"
 
-namespace {
+namespace silhouette_test {
 
 using namespace setae;
 using namespace setae::simulation;
@@ -47,4 +47,4 @@ TEST(Silhouette, OfWhiteNoiseHasTheMomentsOfTheHighestOfNormalNumbers) {
     }
 }
 
-}  // namespace
+}  // namespace silhouette_test

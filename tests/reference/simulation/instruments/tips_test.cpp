@@ -12,7 +12,7 @@
 #include "setae/spectra/reliability.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace {
+namespace tips_test {
 
 using namespace setae;
 using namespace setae::simulation;
@@ -88,4 +88,4 @@ TEST(StylusScan, OfABallLowersThePlateauThatADiscAlongALineRaises) {
     EXPECT_GT(disc / surface, 1.0);
 }
 
-}  // namespace
+}  // namespace tips_test

@@ -4,15 +4,31 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
+#include "setae/core/arrays.hpp"
 #include "setae/core/quantity.hpp"
-#include "setae/loops/analysis.hpp"
-#include "setae/study/study_result.hpp"
+
+namespace setae::loops {
+struct LoopAnalysis;
+}
+namespace setae::processing {
+struct StepRecord;
+}
+namespace setae::roughness {
+enum class Conversion;
+}
+namespace setae::study {
+struct MeasurementResult;
+struct SpectrumResult;
+struct StudyResult;
+struct SurfaceResult;
+}  // namespace setae::study
 
 namespace setae::output {
 
-/// Keys keep the order in which they are written.
+/// Keys keep the order in which they are written. Whoever does more with it than hand it on includes
+/// <nlohmann/json.hpp>.
 using Json = nlohmann::ordered_json;
 
 /// {"quantity", "symbol", "value", "unit"} and, where they exist, "standard_error", "interval" (lower, upper, level),

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "setae/core/arrays.hpp"
+#include "setae/core/table.hpp"
+#include "setae/figures/figure.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::study_figures {
@@ -46,5 +48,11 @@ struct MeanArea {
 
 /// Means over the maps, in order of Hurst exponent and slope.
 [[nodiscard]] std::vector<MeanArea> means(const std::vector<AreaOfMap>& areas);
+
+/// A row for each map at each slope.
+[[nodiscard]] Table area_table(const std::vector<AreaOfMap>& areas);
+/// Excess area over rms slope beside (9) and its limits; its deviation from (9).
+/// Source: [D19] Fig. S7.
+[[nodiscard]] figures::Figure area_figure(const std::vector<MeanArea>& areas);
 
 }  // namespace setae::study_figures
