@@ -8,13 +8,8 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 
-namespace setae::formats::formats_test {
+namespace setae::formats::tests::formats_test {
 
-void PrintTo(const tests::FormatSample& sample, std::ostream* stream) {
-    *stream << sample.format << ": " << sample.name;
-}
-
-namespace tests {
 namespace {
 
 class FormatSamples : public testing::TestWithParam<FormatSample> {};
@@ -145,5 +140,4 @@ TEST(Formats, TableIsComplete) {
 }
 
 }  // namespace
-}  // namespace tests
-}  // namespace setae::formats::formats_test
+}  // namespace setae::formats::tests::formats_test

@@ -8,7 +8,7 @@
 #include "byte_builder.hpp"
 #include "format_samples.hpp"
 #include "setae/core/constants.hpp"
-#include "vk_samples.hpp"
+#include "profilers/vk_samples.hpp"
 
 using namespace setae::tests;
 
