@@ -56,12 +56,4 @@ double OrderStatistics::quantile(double probability) const {
     return lower + share * (at(below + 1) - lower);
 }
 
-double median_in_place(double* values, Index n) {
-    double* const middle = values + n / 2;
-    std::nth_element(values, middle, values + n);
-    if (n % 2 == 1) return *middle;
-    const double below = *std::max_element(values, middle);
-    return below + 0.5 * (*middle - below);
-}
-
 }  // namespace setae::processing

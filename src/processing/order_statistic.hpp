@@ -29,7 +29,4 @@ private:
     Index defined_ = 0;
 };
 
-/// Median of n > 0 defined numbers, which are put in another order.
-[[nodiscard]] double median_in_place(double* values, Index n);
-
 }  // namespace setae::processing

@@ -7,19 +7,17 @@
 #include <vector>
 
 #include "setae/core/constants.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::spectra {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The p-quantile of the defined values, p = 0 the smallest; NaN of none. Reorders the values.
-double quantile(std::vector<double>& values, double percentile) {
+/// The p-quantile of the defined values, p = 0 the smallest; NaN of none.
+double quantile(std::vector<double> values, double percentile) {
     std::erase_if(values, [](double value) { return std::isnan(value); });
-    if (values.empty()) return undefined;
-    const auto rank = static_cast<std::ptrdiff_t>(percentile * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return values[static_cast<std::size_t>(rank)];
+    return values.empty() ? undefined : lower_quantile(std::move(values), percentile);
 }
 
 /// Half a stencil in steps, `whole` + `fraction`.
@@ -112,7 +110,7 @@ CurvatureAtScale curvature_on_grid(const CurvatureGrid& grid, double percentile,
         if (percentile > 0.0) {
             std::vector<double> joined;
             for (const auto& part : all) joined.insert(joined.end(), part.begin(), part.end());
-            value = quantile(joined, percentile);
+            value = quantile(std::move(joined), percentile);
         } else if (value == infinite) {
             value = undefined;
         }
@@ -141,7 +139,7 @@ CurvatureAtScale curvature_of_profile(const topography::Profile& profile, double
                                  (half * half));
             }
         }
-        return quantile(values, percentile);
+        return quantile(std::move(values), percentile);
     };
 }
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "order_statistic.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -59,7 +59,7 @@ void take_illumination_off(Grey& grey) {
             grey(row, column) -= static_cast<float>(terms(row, column).dot(coefficients));
 }
 
-float lower_quartile(const std::vector<float>& values) { return order_statistic(values, 0.25); }
+float lower_quartile(const std::vector<float>& values) { return upper_quantile(values, 0.25); }
 
 /// Standard deviation of one pixel's noise from a mask that is blind to planes, of pixels far enough apart for noise
 /// that a camera has blurred; by the lower quartile of magnitudes, as structure may fill half of a frame. Source:

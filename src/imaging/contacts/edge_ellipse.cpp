@@ -8,7 +8,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "order_statistic.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -20,7 +20,7 @@ constexpr int reweightings = 6;
 double median_magnitude(const std::vector<double>& values) {
     std::vector<double> magnitudes(values.size());
     std::transform(values.begin(), values.end(), magnitudes.begin(), [](double v) { return std::abs(v); });
-    return order_statistic(std::move(magnitudes), 0.5);
+    return upper_median(std::move(magnitudes));
 }
 
 /// (1 + ρ)/(1 − ρ), the variance of a mean over that of independent residuals where ρ is the correlation of neighbours

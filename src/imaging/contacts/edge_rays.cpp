@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
-#include "order_statistic.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -178,8 +178,6 @@ StepFit searched(const Profile& profile, double width, double sign, double farth
     return best;
 }
 
-double median_of(const std::vector<double>& values) { return values.empty() ? 0 : order_statistic(values, 0.5); }
-
 /// Pixels a sector would have where it lies wholly within the frame.
 double whole_sector(const Outline& outline, std::size_t rays, const Window& window) {
     return 2 * std::numbers::pi * outline.mean_radius / static_cast<double>(rays) * (window.inside + window.outside);
@@ -221,7 +219,7 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
         squares += own, freedom += fit.count - 3;
     }
     // the median keeps rays over dust out
-    noise = std::sqrt(std::max(median_of(squares_a_pixel), 0.0));
+    noise = std::sqrt(std::max(upper_median(squares_a_pixel), 0.0));
     const double floor = freedom > 0 ? 1e-4 * std::sqrt(squares / freedom) : 0;
     noise = std::max({noise, floor, 1e-9});
     for (auto& ray : rays) ray.variance *= noise * noise, ray.contrast_deviation *= noise;
@@ -280,8 +278,8 @@ OutlineRays comparable_rays(const std::vector<EdgeRay>& rays, double sign) {
         if (ray.fitted && sign * ray.contrast > 0)
             contrasts.push_back(sign * ray.contrast),
                 significances.push_back(sign * ray.contrast / ray.contrast_deviation);
-    OutlineRays found{.significance = median_of(significances)};
-    const double typical = median_of(contrasts);
+    OutlineRays found{.significance = upper_median(significances)};
+    const double typical = upper_median(contrasts);
     for (std::size_t k = 0; k < rays.size(); ++k) {
         if (!rays[k].fitted || sign * rays[k].contrast < least_contrast * typical) continue;
         found.offsets.push_back({rays[k].angle, rays[k].place, rays[k].variance});
@@ -302,7 +300,7 @@ void take_agreement(EdgeFit& fit, const OutlineRays& used, const OutlineCorrecti
     const auto visible =
         std::count_if(fit.rays.begin(), fit.rays.end(), [](const EdgeRay& ray) { return ray.visible; });
     fit.agreeing_share = visible > 0 ? static_cast<double>(contrasts.size()) / static_cast<double>(visible) : 0.0;
-    fit.contrast = median_of(std::move(contrasts));
+    fit.contrast = upper_median(std::move(contrasts));
     fit.significance = used.significance;
     fit.covariance = correction.covariance;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "setae/core/statistics.hpp"
 #include "setae/imaging/png_writer.hpp"
 
 namespace setae::imaging {
@@ -28,12 +29,9 @@ Range shown_range(const FramePixels& pixels) {
     for (long i = 0; i < pixels.size(); i += stride)
         if (std::isfinite(pixels.data()[i])) values.push_back(pixels.data()[i]);
     if (values.empty()) return {0, 1};
-    std::sort(values.begin(), values.end());
-    const auto at = [&](double share) {
-        return static_cast<double>(values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))]);
-    };
+    const auto at = [&](double share) { return static_cast<double>(lower_quantile(values, share)); };
     Range range{at(0.005), at(0.995)};
-    if (!(range.high > range.low)) range = {static_cast<double>(values.front()), static_cast<double>(values.back())};
+    if (!(range.high > range.low)) range = {at(0.0), at(1.0)};
     if (!(range.high > range.low)) range.high = range.low + 1;
     return range;
 }

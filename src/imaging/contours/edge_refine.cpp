@@ -8,7 +8,7 @@
 
 #include <Eigen/Sparse>
 
-#include "order_statistic.hpp"
+#include "setae/core/statistics.hpp"
 #include "trace_smoothing.hpp"
 
 namespace setae::imaging {
@@ -249,7 +249,7 @@ private:
 
     /// The move that nineteen points in twenty do not exceed.
     [[nodiscard]] static double most_of(const Array1D& moves) {
-        return order_statistic(std::vector<double>(moves.begin(), moves.end()), 0.95);
+        return upper_quantile(std::vector<double>(moves.begin(), moves.end()), 0.95);
     }
 
     /// Anchors draw the place nearest to them, between two points, along the normal there.

@@ -8,7 +8,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "order_statistic.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -32,7 +32,7 @@ LiveWire::LiveWire(const FramePixels& pixels, Vacuum vacuum)
     std::vector<float> rises;
     const long stride = std::max(1L, pixels.size() / 200'000);
     for (long i = 0; i < pixels.size(); i += stride) rises.push_back(std::hypot(rise_x_.data()[i], rise_y_.data()[i]));
-    const float strong = order_statistic(std::move(rises), 0.99);
+    const float strong = upper_quantile(std::move(rises), 0.99);
     const float unit = strong > 0 ? 1.0F / strong : 0.0F;
     rise_x_ *= unit, rise_y_ *= unit;
 }

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
-#include "order_statistic.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -37,7 +37,7 @@ long fill_undefined(PreparedPicture& picture) {
     std::vector<float> defined;
     for (long i = 0; i < picture.pixels.size(); ++i)
         if (std::isfinite(picture.pixels.data()[i])) defined.push_back(picture.pixels.data()[i]);
-    const float median = order_statistic(std::move(defined), 0.5);
+    const float median = upper_median(std::move(defined));
     for (long i = 0; i < picture.pixels.size(); ++i)
         if (!std::isfinite(picture.pixels.data()[i])) picture.pixels.data()[i] = median, picture.hidden.data()[i] = 1;
     return count;
@@ -63,7 +63,7 @@ double noise_of(const FramePixels& pixels) {
     for (long i = 1; i < pixels.size(); i += stride)
         differences.push_back(std::abs(pixels.data()[i] - pixels.data()[i - 1]));
     constexpr double to_deviation = 1.4826 / 1.4142135623730951;  // of a normal variate, and of a difference of two
-    return to_deviation * static_cast<double>(order_statistic(std::move(differences), 0.5));
+    return to_deviation * static_cast<double>(upper_median(std::move(differences)));
 }
 
 long remove_spikes(FramePixels& pixels) {

@@ -9,8 +9,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "order_statistic.hpp"
 #include "phase_cut.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -269,7 +269,7 @@ void name_phases(TwoPhases& result, const FramePixels& pixels, const PixelMask& 
     std::array<double, 2> level{}, noise{};
     for (int label : {0, 1}) {
         if (levels[label].empty()) continue;
-        level[label] = order_statistic(std::move(levels[label]), 0.5);
+        level[label] = upper_median(std::move(levels[label]));
         noise[label] = side > 1 ? std::exp(0.5 * model.structure[label]) : model.scatter[label];
     }
     const double ratio = noise[1] > 0 && noise[0] > 0 ? noise[1] / noise[0] : 1.0;

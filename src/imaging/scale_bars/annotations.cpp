@@ -9,6 +9,7 @@
 #include "drawn_bars.hpp"
 #include "found_bars.hpp"
 #include "letter_lines.hpp"
+#include "setae/core/statistics.hpp"
 #include "setae/imaging/scale_bar.hpp"
 
 namespace setae::imaging {
@@ -78,8 +79,7 @@ bool is_text(const LetterLine& line) {
     if (line.letters.size() < 3 || line.box.height < least_letter) return false;
     std::vector<int> bottoms;
     for (const auto& letter : line.letters) bottoms.push_back(letter.br().y);
-    std::sort(bottoms.begin(), bottoms.end());
-    const int baseline = bottoms[bottoms.size() / 2];
+    const int baseline = upper_median(bottoms);
     const auto aligned = std::count_if(bottoms.begin(), bottoms.end(), [&](int bottom) {
         return std::abs(bottom - baseline) <= 0.08 * line.box.height;
     });

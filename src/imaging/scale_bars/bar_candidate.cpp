@@ -4,15 +4,13 @@
 #include <cmath>
 #include <vector>
 
-#include "order_statistic.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
 
 constexpr double least_aspect = 1.5;  // length over thickness
 constexpr int most_outline = 8;       // px
-
-double median(const std::vector<double>& values) { return values.empty() ? 0 : order_statistic(values, 0.5); }
 
 struct Moments {
     double mean = 0, deviation = 0;
@@ -92,7 +90,7 @@ private:
                 differences.push_back(
                     std::max(sign * (bar.level - at(edge + way, x)), sign * (bar.level - at(edge + 2 * way, x))));
             }
-        bar.contrast = sign * median(std::move(differences));
+        bar.contrast = sign * upper_median(std::move(differences));
         const auto core = moments_of(levels_, {bar.left + 1, bar.top, bar.length() - 2, bar.thickness()});
         bar.deviation = core.deviation;
         // ends that are blurred belong to the bar as far as they are like it by its contrast
@@ -150,7 +148,7 @@ private:
                 sum += difference * difference;
             }
         if (squares.empty()) return 0;
-        return std::sqrt(robust ? median(std::move(squares)) / 0.4549 / 2
+        return std::sqrt(robust ? upper_median(std::move(squares)) / 0.4549 / 2
                                 : sum / static_cast<double>(squares.size()) / 2);  // 0.4549: median of χ² with 1
     }
 
@@ -214,7 +212,7 @@ private:
                 ring.push_back(at(top, x));
                 ring.push_back(at(bottom, x));
             }
-            const double level = median(ring);
+            const double level = upper_median(ring);
             const auto off = std::count_if(ring.begin(), ring.end(),
                                            [&](double value) { return std::abs(value - level) > tolerance; });
             const bool one_level = static_cast<double>(off) <= 0.1 * static_cast<double>(ring.size());

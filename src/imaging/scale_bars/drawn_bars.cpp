@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "bar_candidate.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -240,12 +241,8 @@ cv::Mat1f scaled_levels(const FramePixels& pixels) {
     if (!(most > least)) return levels;
     double low = static_cast<double>(least), high = static_cast<double>(most);
     if (sample.size() > 1) {
-        const auto quantile = [&](double share) {
-            const auto place = sample.begin() + static_cast<long>(share * static_cast<double>(sample.size() - 1));
-            std::nth_element(sample.begin(), place, sample.end());
-            return static_cast<double>(*place);
-        };
-        const double lower = quantile(0.001), upper = quantile(0.999);
+        const auto lower = static_cast<double>(lower_quantile(sample, 0.001)),
+                   upper = static_cast<double>(lower_quantile(std::move(sample), 0.999));
         if (upper > lower) {
             low = lower;
             high = upper;

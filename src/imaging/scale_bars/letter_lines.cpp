@@ -6,7 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "order_statistic.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -113,7 +113,7 @@ std::vector<LetterLine> letter_lines(const cv::Mat1b& mask, const std::vector<cv
                 bottoms.push_back(letters[i].box.br().y);
             }
         if (line.letters.size() < 2) continue;
-        const int baseline = order_statistic(bottoms, 0.5);
+        const int baseline = upper_median(bottoms);
         for (const auto& part : parts) {
             if (std::find(kept.begin(), kept.end(), part.label) != kept.end() || (part.box & line.box).empty())
                 continue;

@@ -12,7 +12,7 @@
 
 #include "label_meaning.hpp"
 #include "letter_lines.hpp"
-#include "order_statistic.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -107,7 +107,7 @@ double median_level(const cv::Mat1f& patch) {
     std::vector<float> values;
     for (int y = 0; y < patch.rows; ++y)
         values.insert(values.end(), patch.ptr<float>(y), patch.ptr<float>(y) + patch.cols);
-    return static_cast<double>(order_statistic(std::move(values), 0.5));
+    return static_cast<double>(upper_median(std::move(values)));
 }
 
 cv::Mat1b mask_near(const cv::Mat1f& patch, double level, double tolerance) {

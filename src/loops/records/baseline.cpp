@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "baseline.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::loops {
 namespace {
@@ -54,13 +54,7 @@ Baseline given_baseline(const Loop& loop, const GivenRange& given, const std::st
     return baseline_over(loop, range);
 }
 
-double median(Array1D values) {
-    const Index half = values.size() / 2;
-    std::nth_element(values.begin(), values.begin() + half, values.end());
-    const double upper = values[half];
-    if (values.size() % 2 == 1) return upper;
-    return 0.5 * (upper + *std::max_element(values.begin(), values.begin() + half));
-}
+double median_of(Array1D values) { return median({values.data(), static_cast<std::size_t>(values.size())}); }
 
 double white_noise(const ArrayView1D& series) {
     const Array1D differences = second_differences(series);
@@ -69,7 +63,7 @@ double white_noise(const ArrayView1D& series) {
 
 Baseline baseline_over(const Loop& loop, const IndexRange& range) {
     const Array1D force = loop.force.segment(range.first, range.count());
-    Baseline baseline{.range = range, .force = median(force), .force_noise = white_noise(force)};
+    Baseline baseline{.range = range, .force = median_of(force), .force_noise = white_noise(force)};
     baseline.force_scatter = std::sqrt((force - baseline.force).square().mean());
     // the median of n normal values: σ √(π/2n)
     baseline.force_standard_error = baseline.force_scatter * std::sqrt(0.5 * pi / static_cast<double>(range.count()));

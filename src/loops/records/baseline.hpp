@@ -7,7 +7,8 @@
 
 namespace setae::loops {
 
-[[nodiscard]] double median(Array1D values);
+/// As setae::median, of a copy.
+[[nodiscard]] double median_of(Array1D values);
 
 /// σ of independent noise [unit of the series] on a smooth course: √⟨(x_{i−1} − 2x_i + x_{i+1})²/6⟩; 0 for fewer than
 /// three samples.

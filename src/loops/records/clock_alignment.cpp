@@ -11,6 +11,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 #include "setae/loops/segments.hpp"
 
 namespace setae::loops {
@@ -46,19 +47,12 @@ struct Frames {
     double interval = 0.0;
 };
 
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Three standard deviations of the noise of radii, from their second differences: what is below counts as no contact.
 double least_radius(const std::vector<double>& radii) {
     std::vector<double> differences;
     for (std::size_t i = 2; i < radii.size(); ++i)
         differences.push_back(std::abs(radii[i] - 2.0 * radii[i - 1] + radii[i - 2]));
-    return 3.0 * 1.4826 * median_of(std::move(differences)) /
+    return 3.0 * 1.4826 * upper_median(std::move(differences)) /
            std::sqrt(6.0);  // 1.4826: median of normal deviates to standard deviation
 }
 
@@ -75,7 +69,7 @@ Frames usable_frames(const CameraRecord& camera) {
         throw UndefinedDataError(
             fmt::format("{} frames with a contact radius, expected {} at least to align clocks by", n, fewest_frames));
     Frames frames{Eigen::Map<const Array1D>(time.data(), n), Eigen::Map<const Array1D>(radius.data(), n), 0.0};
-    frames.interval = median_of(std::move(steps));
+    frames.interval = upper_median(std::move(steps));
     const double largest = frames.radius.abs().maxCoeff();
     if (!(largest > 0.0) || frames.radius.maxCoeff() == frames.radius.minCoeff())
         throw UndefinedDataError("the contact radius never changes: nothing to align clocks by");

@@ -66,7 +66,7 @@ Line robust_line(const Branch& branch) {
         slope = (weight * (stage - mean_stage) * (branch.force - mean_force)).sum() / spread;
         level = mean_force - slope * mean_stage;
         const Array1D distance = (branch.force - level - slope * stage).abs();
-        const double limit = bend * scatter_over_median_deviation * median(distance);
+        const double limit = bend * scatter_over_median_deviation * median_of(distance);
         if (!(limit > 0.0)) break;
         weight = (distance <= limit).select(1.0, limit / distance.max(limit));
     }

@@ -37,8 +37,8 @@ Index leading_free_samples(const Array1D& contact_radius) {
 /// median that no noise takes them there, the scatter being that of the middle half. All of them where there are none.
 Index samples_before_contact(const ArrayView1D& force) {
     constexpr double far = 8.0, scatter_over_median_deviation = 1.4826;
-    const double zero = median(force);
-    const double limit = far * scatter_over_median_deviation * median((force - zero).abs());
+    const double zero = median_of(force);
+    const double limit = far * scatter_over_median_deviation * median_of((force - zero).abs());
     const auto is_far = [&](Index i) { return i == force.size() || std::abs(force[i] - zero) > limit; };
     for (Index i = 0; i < force.size() && limit > 0.0; ++i)
         if (is_far(i) && is_far(i + 1)) return i;

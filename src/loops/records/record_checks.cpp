@@ -46,7 +46,7 @@ void find_gaps(const Array1D& radius, RecordFaults& faults) {
     Array1D steps(static_cast<Index>(frames.size()) - 1);
     for (Index k = 0; k < steps.size(); ++k)
         steps[k] = static_cast<double>(frames[static_cast<std::size_t>(k) + 1] - frames[static_cast<std::size_t>(k)]);
-    const double usual = median(steps);
+    const double usual = median_of(steps);
     faults.frames = static_cast<Index>(frames.size());
     for (Index k = 0; k < steps.size(); ++k) {
         const IndexRange gap{.first = frames[static_cast<std::size_t>(k)] + 1,

@@ -56,7 +56,7 @@ double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Inde
             values[static_cast<std::size_t>(n++)] =
                 rise - static_cast<double>(a - i) * tilt.down - static_cast<double>(b - j) * tilt.along;
         }
-    return n > 0 ? median_in_place(values.data(), n) : undefined;
+    return n > 0 ? median({values.data(), static_cast<std::size_t>(n)}) : undefined;
 }
 
 /// Medians of the differences of neighbours; `scratch` has the field's shape.

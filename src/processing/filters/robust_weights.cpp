@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robust_weights.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "setae/core/statistics.hpp"
 
 namespace setae::processing {
 namespace {
@@ -17,10 +18,7 @@ double median_size(const Array2D& residuals) {
     sizes.reserve(static_cast<std::size_t>(residuals.size()));
     for (const double residual : residuals.reshaped<Eigen::RowMajor>())
         if (!std::isnan(residual)) sizes.push_back(std::abs(residual));
-    if (sizes.empty()) return 0.0;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return sizes.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(sizes.begin(), middle));
+    return sizes.empty() ? 0.0 : median(sizes);
 }
 
 }  // namespace

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "line_polynomial.hpp"
-#include "order_statistic.hpp"
 #include "pipeline/step_record.hpp"
 #include "row_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::processing {
 namespace {
@@ -31,7 +31,7 @@ double level_of(LineBand& band, Index line, RowAlignment method, std::vector<dou
         values.push_back(differences ? heights[i] - before[i] : heights[i]);
     }
     if (values.empty()) return undefined;
-    if (method != RowAlignment::mean) return median_in_place(values.data(), static_cast<Index>(values.size()));
+    if (method != RowAlignment::mean) return median(values);
     const double origin = values.front();
     for (auto& value : values) value -= origin;
     return origin + Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size())).mean();

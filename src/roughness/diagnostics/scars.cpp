@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/processing/scars.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "evidence.hpp"
 #include "patches.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::diagnostics {
 namespace {
@@ -23,10 +23,7 @@ topography::HeightMap aligned(topography::HeightMap map) {
         std::vector<double> line;
         for (Index i = 0; i < map.heights.rows(); ++i)
             if (!std::isnan(map.heights(i, j))) line.push_back(map.heights(i, j));
-        if (line.empty()) continue;
-        const auto middle = line.begin() + static_cast<std::ptrdiff_t>(line.size() / 2);
-        std::nth_element(line.begin(), middle, line.end());
-        map.heights.col(j) -= *middle;
+        map.heights.col(j) -= upper_median(std::move(line));
     }
     return map;
 }

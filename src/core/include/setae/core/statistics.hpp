@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "setae/core/arrays.hpp"
 #include "setae/core/estimate.hpp"
@@ -44,6 +48,43 @@ struct VarianceTerm {
 /// p-quantile of numbers in increasing order, linear between them: order (n − 1) p (type 7 of Hyndman and Fan 1996).
 /// @throws InvalidArgument for an empty list or p outside [0, 1].
 [[nodiscard]] double sorted_quantile(std::span<const double> increasing, double probability);
+
+/// The number in the middle of n > 0 in any order, the mean of the two there where n is even. Puts them in another
+/// order.
+[[nodiscard]] inline double median(std::span<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+/// The number with `rank` smaller ones.
+template <class Value>
+[[nodiscard]] Value number_of_rank(std::vector<Value> values, std::size_t rank) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// p-quantile of n > 0 numbers in any order as one of them, the lower of two: rank ⌊(n − 1) p⌋.
+template <class Value>
+[[nodiscard]] Value lower_quantile(std::vector<Value> values, double probability) {
+    const auto rank = static_cast<std::size_t>(probability * static_cast<double>(values.size() - 1));
+    return number_of_rank(std::move(values), rank);
+}
+
+/// The same, the upper of two: rank ⌊n p⌋, the largest for p = 1.
+template <class Value>
+[[nodiscard]] Value upper_quantile(std::vector<Value> values, double probability) {
+    const auto rank = static_cast<std::size_t>(probability * static_cast<double>(values.size()));
+    const auto last = values.size() - 1;
+    return number_of_rank(std::move(values), std::min(rank, last));
+}
+
+/// The upper of the two numbers in the middle; 0 of none.
+template <class Value>
+[[nodiscard]] Value upper_median(std::vector<Value> values) {
+    return values.empty() ? Value(0) : upper_quantile(std::move(values), 0.5);
+}
 
 /// A function's value by linear propagation of its inputs' covariance.
 ///
