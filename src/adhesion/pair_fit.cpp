@@ -12,10 +12,10 @@
 
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "floored_least_squares.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -80,10 +80,7 @@ std::size_t fewest_groups(const Pairs& pairs) {
 double scatter_for(const std::function<double(double)>& chi_squared, int degrees_of_freedom, double largest) {
     const auto misfit = [&](double tau) { return chi_squared(tau) - degrees_of_freedom; };
     if (misfit(0.0) <= 0.0) return 0.0;
-    std::uintmax_t iterations = 200;
-    const auto [a, b] = boost::math::tools::toms748_solve(misfit, 0.0, largest,
-                                                          boost::math::tools::eps_tolerance<double>(40), iterations);
-    return 0.5 * (a + b);
+    return numerics::bracketed_root(misfit, 0.0, largest, 40);
 }
 
 double largest_scatter(const Pairs& pairs) {
@@ -149,12 +146,7 @@ std::optional<Estimate> profile_likelihood(const Pairs& pairs, double start) {
         double outer = best.first;
         for (int i = 0; i < 60; ++i) {
             outer *= factor;
-            if (excess(outer) <= 0.0) continue;
-            std::uintmax_t iterations = 100;
-            const auto [a, b] =
-                boost::math::tools::toms748_solve(excess, std::min(outer, best.first), std::max(outer, best.first),
-                                                  boost::math::tools::eps_tolerance<double>(30), iterations);
-            return 0.5 * (a + b);
+            if (excess(outer) > 0.0) return numerics::bracketed_root(excess, best.first, outer, 30);
         }
         return std::nullopt;
     };

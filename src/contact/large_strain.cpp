@@ -10,7 +10,7 @@
 #include "mapped.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/numerics/bracketed_root.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::contact::large_strain {
 namespace {

@@ -11,7 +11,7 @@
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/numerics/bracketed_root.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::contact::layer {
 namespace {

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <boost/math/tools/roots.hpp>
 
 #include "checks.hpp"
 #include "second_differences.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::spectra {
 namespace {
@@ -70,11 +70,8 @@ TipCutoff cutoff(const Direction& direction, double tip_radius) {
     for (;;) {
         const double below = std::max(shortest, 0.5 * above), at_below = excess(below);
         if (at_below < 0.0) {
-            std::uintmax_t rounds = 100;
-            const auto close = [](double a, double b) { return std::abs(b - a) <= 1e-9 * std::abs(b); };
-            const auto root =
-                boost::math::tools::toms748_solve(excess, below, above, at_below, at_above, close, rounds);
-            result.value = 0.5 * (root.first + root.second);
+            constexpr int bits = 31;  // 1e-9
+            result.value = numerics::bracketed_root(excess, below, above, at_below, at_above, bits);
             return result;
         }
         if (below == shortest) return {0.0, CutoffStatus::all_reliable, 0.0, {}};

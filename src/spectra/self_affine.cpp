@@ -5,10 +5,10 @@
 #include <functional>
 
 #include <fmt/format.h>
-#include <boost/math/tools/roots.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 #include "setae/spectra/abel.hpp"
 
 namespace setae::spectra {
@@ -32,14 +32,6 @@ double reduced_moment(double order, double hurst_exponent, double ratio) {
     const double exponent = order - 2.0 * hurst_exponent, span = std::log(ratio);
     const double fall = std::abs(exponent * span) < 1e-12 ? span : std::expm1(exponent * span) / exponent;
     return 1.0 / (order + 2.0) + fall;
-}
-
-/// Root of a function that changes sign between lower and upper.
-double root(const std::function<double(double)>& function, double lower, double upper) {
-    std::uintmax_t rounds = 200;
-    const auto bracket = boost::math::tools::toms748_solve(function, lower, upper,
-                                                           boost::math::tools::eps_tolerance<double>(50), rounds);
-    return 0.5 * (bracket.first + bracket.second);
 }
 
 }  // namespace
@@ -89,7 +81,8 @@ SelfAffine self_affine_with_moments(double rms_height, double rms_slope, double 
         constexpr double lowest = 1e-9, highest = largest_exponent - 1e-9;
         if (curvature_excess(lowest, ratio) <= 0.0) return lowest;
         if (curvature_excess(highest, ratio) >= 0.0) return highest;
-        return root([&](double hurst) { return curvature_excess(hurst, ratio); }, lowest, highest);
+        return numerics::bracketed_root([&](double hurst) { return curvature_excess(hurst, ratio); }, lowest, highest,
+                                        50);
     };
     const auto height_excess = [&](double log_ratio) {
         const double ratio = std::exp(log_ratio), hurst = hurst_at(ratio);
@@ -98,7 +91,7 @@ SelfAffine self_affine_with_moments(double rms_height, double rms_slope, double 
     };
     const double narrowest = std::log(1.1), widest = std::log(1e9);
     const bool bracketed = height_excess(narrowest) * height_excess(widest) <= 0.0;
-    const double log_ratio = bracketed ? root(height_excess, narrowest, widest) : narrowest;
+    const double log_ratio = bracketed ? numerics::bracketed_root(height_excess, narrowest, widest, 50) : narrowest;
     const double hurst = hurst_at(std::exp(log_ratio));
     if (!bracketed || std::abs(curvature_excess(hurst, std::exp(log_ratio))) > 1e-9)
         throw InvalidArgument(

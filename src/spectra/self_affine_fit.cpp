@@ -12,6 +12,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/bracketing.hpp"
 #include "setae/numerics/dense.hpp"
 
 namespace setae::spectra {
@@ -249,12 +250,9 @@ double profile_end(const Problem& problem, const Optimum& best, Index place, dou
         const double outside = inside + sign * step;
         if ((outside - end) * sign >= 0.0) return sign * unbounded;
         if (excess(outside) > 0.0) {
-            double outer = outside;
-            for (int k = 0; k < 12; ++k) {
-                const double middle = 0.5 * (inside + outer);
-                (excess(middle) > 0.0 ? outer : inside) = middle;
-            }
-            return 0.5 * (inside + outer);
+            const auto [within, beyond] =
+                numerics::bisected([&](double value) { return !(excess(value) > 0.0); }, inside, outside, 12);
+            return 0.5 * (within + beyond);
         }
         inside = outside;
         step *= 1.6;

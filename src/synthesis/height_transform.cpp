@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <boost/math/tools/roots.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::synthesis {
 namespace {
@@ -25,14 +25,6 @@ double normal_mean(const Function& function, double step) {
         sum += function(z) * std::exp(-0.5 * z * z);
     }
     return sum * step / std::sqrt(2.0 * pi);
-}
-
-template <class Function>
-double root(const Function& function, double lower, double upper) {
-    std::uintmax_t rounds = 200;
-    const auto bracket = boost::math::tools::toms748_solve(function, lower, upper,
-                                                           boost::math::tools::eps_tolerance<double>(50), rounds);
-    return 0.5 * (bracket.first + bracket.second);
 }
 
 struct Moments {
@@ -79,7 +71,7 @@ template <class Family>
 double shift_for(double skewness, double delta) {
     const auto excess = [&](double shift) { return Family::moments(shift, delta).skewness - skewness; };
     if (skewness == 0.0) return 0.0;
-    return excess(largest_shift) <= 0.0 ? largest_shift : root(excess, 0.0, largest_shift);
+    return excess(largest_shift) <= 0.0 ? largest_shift : numerics::bracketed_root(excess, 0.0, largest_shift, 50);
 }
 
 template <class Family>
@@ -98,7 +90,8 @@ HeightTransform curve(const HeightShape& shape, double longest_delta) {
     const auto excess = [&](double log_delta) {
         return kurtosis_at<Family>(shape.skewness, std::exp(log_delta)) - shape.kurtosis;
     };
-    const double delta = std::exp(root(excess, std::log(smallest_delta), std::log(longest_delta)));
+    const double delta =
+        std::exp(numerics::bracketed_root(excess, std::log(smallest_delta), std::log(longest_delta), 50));
     const double shift = shift_for<Family>(shape.skewness, delta);
     const auto moments = Family::moments(shift, delta);
     const double mean = moments.mean, deviation = std::sqrt(moments.variance);
@@ -196,7 +189,8 @@ double TransformCorrelation::slope(double correlation) const {
 double TransformCorrelation::parent(double transformed_correlation) const {
     if (!(transformed_correlation > transformed(-1.0))) return -1.0;
     if (!(transformed_correlation < 1.0)) return 1.0;
-    return root([&](double correlation) { return transformed(correlation) - transformed_correlation; }, -1.0, 1.0);
+    return numerics::bracketed_root(
+        [&](double correlation) { return transformed(correlation) - transformed_correlation; }, -1.0, 1.0, 50);
 }
 
 }  // namespace setae::synthesis

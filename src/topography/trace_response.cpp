@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "setae/core/constants.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::topography {
 namespace {
@@ -29,12 +30,7 @@ double trace_band_end(const TraceResponse& response) {
     const double least = response.jumps ? least_trace_power_with_jumps : least_trace_power;
     const auto inside = [&](double q) { return std::pow(kept(response, Array1D::Constant(1, q))[0], 2) >= least; };
     if (inside(nyquist)) return nyquist;
-    double below = 0.0, above = nyquist;  // T falls all the way to π/step
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (below + above);
-        (inside(middle) ? below : above) = middle;
-    }
-    return below;
+    return numerics::bisected(inside, 0.0, nyquist, 60).first;  // T falls all the way to π/step
 }
 
 }  // namespace setae::topography

@@ -11,6 +11,7 @@
 #include "data_sets.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/combination.hpp"
 #include "setae/spectra/segment_response.hpp"
@@ -38,13 +39,12 @@ PlantedDensities densities_of(const simulation::KnownSurface& surface) {
     PlantedDensities planted{surface.C_iso, spectra::profile_density(surface.C_iso, {0.01 * band.lower, band.upper}),
                              band.upper, 0.0};
     const double total = spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, band.upper});
-    double lower = std::log(0.01 * band.lower), upper = std::log(band.upper);
-    for (int i = 0; i < 40; ++i) {
-        const double middle = 0.5 * (lower + upper);
-        (spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, std::exp(middle)}) < 0.5 * total ? lower : upper) =
-            middle;
-    }
-    planted.median_wavelength = 2.0 * pi / std::exp(upper);
+    const auto below_half = [&](double log_q) {
+        return spectra::moment(surface.C_iso, 0.0, {1e-3 * band.lower, std::exp(log_q)}) < 0.5 * total;
+    };
+    planted.median_wavelength =
+        2.0 * pi /
+        std::exp(numerics::bisected(below_half, std::log(0.01 * band.lower), std::log(band.upper), 40).second);
     return planted;
 }
 

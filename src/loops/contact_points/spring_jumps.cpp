@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/numerics/bracketed_root.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::loops {
 

@@ -7,6 +7,7 @@
 #include "records/jump.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::loops {
 namespace {
@@ -102,12 +103,8 @@ double half_width(double deviation, const std::array<double, 2>& limits) {
     const double smallest = std::max(deviation, least);
     const std::array<double, 2> ends{std::max(limits[0], least), std::max(limits[1], least)};
     constexpr int halvings = 40;
-    double lower = 0.0, upper = 4.0 * smallest + ends[0] + ends[1];
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (lower + upper);
-        (probability_within(middle, smallest, ends) < 0.95 ? lower : upper) = middle;
-    }
-    return upper;
+    const auto too_narrow = [&](double width) { return probability_within(width, smallest, ends) < 0.95; };
+    return numerics::bisected(too_narrow, 0.0, 4.0 * smallest + ends[0] + ends[1], halvings).second;
 }
 
 }  // namespace setae::loops

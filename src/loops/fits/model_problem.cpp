@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include "setae/core/constants.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::loops {
 namespace {
@@ -25,11 +26,8 @@ Array1D every(const Array1D& series, Index step) {
 
 /// t where the displacement stops falling, between two t that enclose it.
 double fold_between(const ModelCurve& curve, const FitParameters& at, double lower, double upper) {
-    for (int round = 0; round < 60; ++round) {
-        const double middle = 0.5 * (lower + upper);
-        (curve.at(middle, at.head<3>()).displacement_slope < 0.0 ? lower : upper) = middle;
-    }
-    return upper;
+    const auto falls = [&](double t) { return curve.at(t, at.head<3>()).displacement_slope < 0.0; };
+    return numerics::bisected(falls, lower, upper, 60).second;
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include "setae/numerics/bracketing.hpp"
+
 namespace setae::diagnostics {
 namespace {
 
@@ -71,19 +73,8 @@ double best_exponent(Fit fit) {
         const double candidate = least_exponent + k * width, at = fit(candidate);
         if (at < loss) best = candidate, loss = at;
     }
-    double lower = std::max(least_exponent, best - width), upper = std::min(largest_exponent, best + width);
-    constexpr double golden = 0.6180339887498949;
-    double a = upper - golden * (upper - lower), b = lower + golden * (upper - lower), at_a = fit(a), at_b = fit(b);
-    for (int k = 0; k < 25; ++k) {
-        if (at_a < at_b) {
-            upper = b, b = a, at_b = at_a;
-            a = upper - golden * (upper - lower), at_a = fit(a);
-        } else {
-            lower = a, a = b, at_a = at_b;
-            b = lower + golden * (upper - lower), at_b = fit(b);
-        }
-    }
-    return at_a < at_b ? a : b;
+    return numerics::golden_section(fit, std::max(least_exponent, best - width),
+                                    std::min(largest_exponent, best + width), 25);
 }
 
 struct Candidate {

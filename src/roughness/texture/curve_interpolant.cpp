@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "setae/numerics/bracketing.hpp"
+
 namespace setae::texture {
 namespace {
 
@@ -95,12 +97,8 @@ double CurveInterpolant::height(double ratio) const {
     if (below == 0) return heights_.front();
     if (below == static_cast<std::ptrdiff_t>(ratios_.size())) return heights_.back();
     const auto k = static_cast<std::size_t>(below - 1);
-    double lower = 0.0, upper = 1.0;
-    for (int halving = 0; halving < 54; ++halving) {
-        const double middle = 0.5 * (lower + upper);
-        (ratio_in(k, middle) >= ratio ? lower : upper) = middle;
-    }
-    return heights_[k] + lower * (heights_[k + 1] - heights_[k]);
+    const double place = numerics::bisected([&](double s) { return ratio_in(k, s) >= ratio; }, 0.0, 1.0, 54).first;
+    return heights_[k] + place * (heights_[k + 1] - heights_[k]);
 }
 
 double CurveInterpolant::volume(double height) const {

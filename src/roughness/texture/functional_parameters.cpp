@@ -8,6 +8,7 @@
 
 #include "curve_interpolant.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::texture {
 namespace {
@@ -37,20 +38,15 @@ double flattest_start(const CurveInterpolant& curve) {
             best = k;
         }
     }
-    // golden section between the neighbours
-    constexpr double golden = 0.618033988749894848;
-    double lower = (1.0 - central_share) * std::max(0, best - 1) / steps,
-           upper = (1.0 - central_share) * std::min(steps, best + 1) / steps;
+    // refined between the neighbours
     double best_place = (1.0 - central_share) * best / steps;
-    for (int k = 0; k < 40; ++k) {
-        const double left = upper - golden * (upper - lower), right = lower + golden * (upper - lower);
-        const double at_left = fall(left), at_right = fall(right);
-        if (std::min(at_left, at_right) < least - noise) {
-            best_place = at_left < at_right ? left : right;
-            least = std::min(at_left, at_right);
-        }
-        (at_left < at_right ? upper : lower) = at_left < at_right ? right : left;
-    }
+    const auto noted_fall = [&](double p) {
+        const double value = fall(p);
+        if (value < least - noise) best_place = p, least = value;
+        return value;
+    };
+    (void)numerics::golden_section(noted_fall, (1.0 - central_share) * std::max(0, best - 1) / steps,
+                                   (1.0 - central_share) * std::min(steps, best + 1) / steps, 40);
     return best_place;
 }
 

@@ -9,6 +9,7 @@
 #include "curve_sums.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::texture {
 namespace {
@@ -32,11 +33,7 @@ Index last_with(const CurveSums& sums, double ratio) {
 /// Where a falling function of x, at least `target` at lower and below it at upper, passes it.
 template <class Function>
 double crossing(double lower, double upper, double target, Function function) {
-    for (;;) {
-        const double middle = lower + 0.5 * (upper - lower);
-        if (!(middle > lower && middle < upper)) return lower;
-        (function(middle) >= target ? lower : upper) = middle;
-    }
+    return numerics::bisected([&](double x) { return function(x) >= target; }, lower, upper).first;
 }
 
 /// Places of the finite heights, so that they increase.

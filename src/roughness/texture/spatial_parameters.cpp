@@ -13,6 +13,7 @@
 #include "autocorrelation_of_products.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 #include "setae/texture/height_parameters.hpp"
 
 namespace setae::texture {
@@ -38,12 +39,7 @@ double passage(double before, double at_0, double at_1, double after, double lev
         return (t - 1.0) * (t - 2.0) * (-t * before + 3.0 * (t + 1.0) * at_0) / 6.0 +
                (t + 1.0) * t * (-3.0 * (t - 2.0) * at_1 + (t - 1.0) * after) / 6.0;
     };
-    double lower = 0.0, upper = 1.0;
-    for (int k = 0; k < 50; ++k) {
-        const double middle = 0.5 * (lower + upper);
-        (value(middle) > level ? lower : upper) = middle;
-    }
-    return lower;
+    return numerics::bisected([&](double t) { return value(t) > level; }, 0.0, 1.0, 50).first;
 }
 
 /// The rim of the part around lag 0 where f > level, found by filling that part from the middle.

@@ -2,11 +2,9 @@
 #include "machine.hpp"
 
 #include <cmath>
-#include <cstdint>
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "setae/core/constants.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::simulation {
 namespace {
@@ -16,14 +14,11 @@ using contact::jkr::State;
 
 /// Root of a function that is < 0 at `lower` and > 0 at `upper`, or the end where it is not.
 template <class Function>
-double bracketed_root(const Function& function, double lower, double upper) {
+double root_or_end(const Function& function, double lower, double upper) {
     const double at_lower = function(lower), at_upper = function(upper);
     if (!(at_lower < 0.0)) return lower;
     if (!(at_upper > 0.0)) return upper;
-    std::uintmax_t rounds = 100;
-    const auto root = boost::math::tools::toms748_solve(function, lower, upper, at_lower, at_upper,
-                                                        boost::math::tools::eps_tolerance<double>(52), rounds);
-    return 0.5 * (root.first + root.second);
+    return numerics::bracketed_root(function, lower, upper, at_lower, at_upper, 52);
 }
 
 }  // namespace
@@ -40,13 +35,13 @@ double Machine::instability_radius(const Contact& contact) const {
         return 2.0 * a / R - std::sqrt(pi * W / (2.0 * E * a)) +
                compliance_ * (4.0 * E * a * a / R - 1.5 * std::sqrt(8.0 * pi * E * W * a));
     };
-    return bracketed_root(slope, contact::jkr::pull_off_at_fixed_grips(contact).contact_radius,
-                          contact::jkr::pull_off_at_fixed_load(contact).contact_radius);
+    return root_or_end(slope, contact::jkr::pull_off_at_fixed_grips(contact).contact_radius,
+                       contact::jkr::pull_off_at_fixed_load(contact).contact_radius);
 }
 
 double Machine::stable_radius(double motor_position, const Contact& contact, double largest) const {
     const auto excess = [&](double a) { return motor(equilibrium(a, contact)) - motor_position; };
-    return bracketed_root(excess, std::min(largest, instability_radius(contact)), largest);
+    return root_or_end(excess, std::min(largest, instability_radius(contact)), largest);
 }
 
 State Machine::pinned(const State& turning_point, double motor_position, double contact_modulus) const {

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 
 #include <fmt/format.h>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::simulation {
 namespace {
@@ -58,14 +57,9 @@ double work_retraction_for_loss(LoopSpecimen specimen, const LoadingProtocol& pr
         return loop_truth(specimen, protocol).energy_loss() - energy_loss;
     };
     const double lower = specimen.work_approach;
-    const double at_lower = least.energy_loss() - energy_loss;
-    if (at_lower == 0.0) return lower;
     // the edge alone then loses all of it, and the jump apart adds
     const double upper = lower + energy_loss / least.largest_contact_area();
-    std::uintmax_t rounds = 100;
-    const auto root = boost::math::tools::toms748_solve(excess, lower, upper, at_lower, excess(upper),
-                                                        boost::math::tools::eps_tolerance<double>(50), rounds);
-    return 0.5 * (root.first + root.second);
+    return numerics::bracketed_root(excess, lower, upper, 50);
 }
 
 }  // namespace setae::simulation

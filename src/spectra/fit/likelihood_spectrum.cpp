@@ -14,6 +14,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/estimate.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/bracketing.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
@@ -145,11 +146,11 @@ private:
 
     [[nodiscard]] double median_wavelength() const {
         const double total = spline_moment(spline_, fit_.theta, 1.0, spline_.shortest()).value;
-        double lower = std::log(std::exp(spline_.position(1)) * 0.1), upper = std::log(spline_.shortest());
-        for (int i = 0; i < 40; ++i) {
-            const double middle = 0.5 * (lower + upper);
-            (spline_moment(spline_, fit_.theta, 1.0, std::exp(middle)).value < 0.5 * total ? lower : upper) = middle;
-        }
+        const auto below_half = [&](double log_q) {
+            return spline_moment(spline_, fit_.theta, 1.0, std::exp(log_q)).value < 0.5 * total;
+        };
+        const auto [lower, upper] = numerics::bisected(below_half, std::log(std::exp(spline_.position(1)) * 0.1),
+                                                       std::log(spline_.shortest()), 40);
         return 2.0 * pi / std::exp(0.5 * (lower + upper));
     }
 
