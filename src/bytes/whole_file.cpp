@@ -18,6 +18,7 @@
 
 #include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 
 namespace setae::bytes {
 namespace {
@@ -80,7 +81,7 @@ std::optional<pid_t> writer_of(const std::string& name) {
     static const std::regex pattern(R"(.+\.([0-9]{1,9})\.[0-9]+\.part)");
     std::smatch match;
     if (!std::regex_match(name, match, pattern)) return std::nullopt;
-    return static_cast<pid_t>(std::stol(match[1]));
+    return spelled<pid_t>(match[1].str());
 }
 
 }  // namespace

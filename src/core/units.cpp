@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/core/units.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/display_unit.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 
 namespace setae {
@@ -139,11 +139,9 @@ Unit parse_factor(std::string_view factor, std::string_view whole) {
     auto digits = factor.substr(split);
     if (digits.starts_with('^')) digits.remove_prefix(1);
     if (digits.starts_with('+')) digits.remove_prefix(1);
-    int exponent = 1;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    const bool well_formed = !digits.empty() && error == std::errc{} && end == digits.data() + digits.size();
+    const auto exponent = spelled<int>(digits).value_or(99);
     const auto base = lookup(factor.substr(0, split));
-    if (!base || !well_formed || std::abs(exponent) > 9)
+    if (!base || std::abs(exponent) > 9)
         throw InvalidArgument(
             fmt::format("'{}' is not a unit setae knows; write it as nm, um, mJ/m2, MPa, 1/m, m3", whole));
     Unit power;
@@ -165,12 +163,11 @@ struct NumberAndRest {
 NumberAndRest leading_number(std::string_view text, std::string_view whole) {
     auto body = trimmed(text);
     if (body.starts_with('+')) body.remove_prefix(1);
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(body.data(), body.data() + body.size(), number);
-    if (error != std::errc{})
+    const auto number = leading<double>(body);
+    if (!number)
         throw InvalidArgument(
             fmt::format("'{}' does not begin with a number; write number and unit, such as 37 mJ/m2", whole));
-    return {number, trimmed(body.substr(static_cast<std::size_t>(end - body.data())))};
+    return {*number, trimmed(body)};
 }
 
 double in_si(double number, std::string_view unit, const Dimension& expected, std::string_view whole) {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "setae/bytes/number_text.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 
 namespace setae::tables {
@@ -13,7 +13,7 @@ template <class Number>
 std::optional<Number> whole(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('+')) text.remove_prefix(1);
-    return bytes::spelled<Number>(text);
+    return spelled<Number>(text);
 }
 
 }  // namespace

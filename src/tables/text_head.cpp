@@ -2,13 +2,13 @@
 #include "setae/tables/text_head.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 
 namespace setae::tables {
@@ -39,10 +39,9 @@ double header_number(std::string_view text, std::string_view key, const bytes::S
 
 std::uint64_t header_count(std::string_view text, std::string_view key, const bytes::Source& source,
                            const std::string& format) {
-    const auto digits = trimmed(text);
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || value == 0 || value > (1u << 31))
+    auto digits = trimmed(text);
+    const auto value = leading<std::uint32_t>(digits).value_or(0);
+    if (value == 0 || value > (1u << 31))
         throw FormatError(
             source.name, {.offset = 0},
             fmt::format("{}: '{}' is '{:.40}' in the header that begins here, expected a positive integer", format, key,

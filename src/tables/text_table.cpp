@@ -2,21 +2,16 @@
 #include "setae/tables/text_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
+#include "setae/bytes/text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 
 namespace setae::tables {
 namespace {
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 /// Lines of cells; a quoted cell may go on over lines.
 std::vector<TextTable::Row> rows_of(std::string_view text, char separator, std::size_t line) {
@@ -69,7 +64,7 @@ TextTable::Column column_of(const std::string& heading) {
 std::optional<std::size_t> TextTable::find(const std::vector<std::string>& wanted) const {
     for (const auto& name : wanted)
         for (std::size_t i = 0; i < columns.size(); ++i)
-            if (lower(columns[i].name) == lower(name)) return i;
+            if (bytes::lowered(columns[i].name) == bytes::lowered(name)) return i;
     return std::nullopt;
 }
 

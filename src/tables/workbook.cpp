@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/tables/workbook.hpp"
 
-#include <charconv>
 #include <cstring>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
 #include "setae/bytes/archive.hpp"
-#include "setae/bytes/number_text.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 
 namespace setae::tables {
 namespace {
@@ -89,13 +88,11 @@ std::vector<std::string> shared_strings(const bytes::Archive& archive, const byt
 
 /// Row and column of a reference such as "AB12", from 0; false for anything else.
 bool parse_reference(std::string_view text, std::size_t& row, std::size_t& column) {
-    std::size_t at = 0, letters = 0, number = 0;
+    std::size_t at = 0, letters = 0;
     for (; at < text.size() && text[at] >= 'A' && text[at] <= 'Z' && at < 4; ++at)
         letters = 26 * letters + static_cast<std::size_t>(text[at] - 'A' + 1);
-    const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size() || letters < 1 || letters > most_columns ||
-        number < 1 || number > most_rows)
-        return false;
+    const auto number = spelled<std::size_t>(text.substr(at)).value_or(0);
+    if (letters < 1 || letters > most_columns || number < 1 || number > most_rows) return false;
     row = number - 1;
     column = letters - 1;
     return true;
@@ -116,7 +113,7 @@ struct Workbook::Content {
         const std::string value = child(cell, "v").child_value();
         if (type == "e") return {};  // #N/A, #DIV/0!
         if (type != "s") return value;
-        const auto index = bytes::spelled<std::size_t>(value);
+        const auto index = spelled<std::size_t>(value);
         if (!index || *index >= strings.size())
             throw FormatError(source.name, {},
                               fmt::format("sheet '{}', cell {}: shared string '{}' is not among the {} there are",

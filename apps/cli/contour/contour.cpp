@@ -11,9 +11,9 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
-#include "setae/bytes/number_text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/imaging/calibration_file.hpp"
 #include "setae/output/contour_file.hpp"
@@ -124,7 +124,7 @@ std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) 
         for (std::size_t i = 0; i < count; ++i) chosen.push_back(i);
         return chosen;
     }
-    const auto number = bytes::spelled<std::size_t>(a.segment).value_or(0);
+    const auto number = spelled<std::size_t>(a.segment).value_or(0);
     if (number == 0 || number > count)
         throw InvalidArgument(fmt::format(
             "--segment {}: expected all or a number from 1 to {}, that of the segments found", a.segment, count));

@@ -10,6 +10,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/formats/container_draft.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/study/provenance.hpp"
@@ -69,11 +70,10 @@ formats::StoredMeasurement stored(const std::string& file, const Arguments& argu
     options.as = arguments.as;
     formats::StoredMeasurement measurement{.path = file, .options = options.read_options()};
     if (const auto channel = value_for(file, arguments.channels); !channel.empty()) {
-        const bool counts = channel.size() < 6 && channel.find_first_not_of("0123456789") == std::string::npos;
-        if (!counts)
+        measurement.channel = channel.size() < 6 ? spelled<std::size_t>(channel) : std::nullopt;
+        if (!measurement.channel)
             throw InvalidArgument(
                 fmt::format("--channel '{}': expected a number counted from 0, as `setae info` lists them", channel));
-        measurement.channel = std::stoul(channel);
     }
     if (const auto trend = value_for(file, arguments.trends); !trend.empty())
         measurement.trend = topography::trend_from_name(trend);

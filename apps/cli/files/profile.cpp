@@ -12,6 +12,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/table.hpp"
 #include "setae/core/units.hpp"
 #include "setae/processing/line_profile.hpp"
@@ -42,17 +43,9 @@ std::array<double, 2> unit_lengths(const std::string& unit, const topography::He
 
 /// "1,2".
 std::array<double, 2> parsed_point(const std::string& text, const char* option, const std::array<double, 2>& unit) {
-    const auto comma = text.find(',');
-    try {
-        if (comma == std::string::npos) throw std::invalid_argument("no comma");
-        std::size_t first = 0, second = 0;
-        const auto x = text.substr(0, comma), y = text.substr(comma + 1);
-        const std::array<double, 2> point{std::stod(x, &first) * unit[0], std::stod(y, &second) * unit[1]};
-        if (first != x.size() || second != y.size()) throw std::invalid_argument("more than numbers");
-        return point;
-    } catch (const std::logic_error&) {
-        throw InvalidArgument(fmt::format("{} '{}'; expected two numbers, such as 1.5,2", option, text));
-    }
+    const auto point = spelled_list<double, 2>(text, ',');
+    if (!point) throw InvalidArgument(fmt::format("{} '{}'; expected two numbers, such as 1.5,2", option, text));
+    return {(*point)[0] * unit[0], (*point)[1] * unit[1]};
 }
 
 /// "5px" or "300 nm"; the pixel is that across the line.

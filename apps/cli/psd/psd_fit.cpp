@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/output/json.hpp"
 #include "setae/spectra/combination.hpp"
@@ -14,18 +15,10 @@ namespace {
 
 /// "1e5:1e8".
 Band parsed_range(const std::string& text) {
-    const auto colon = text.find(':');
-    Band band;
-    try {
-        if (colon == std::string::npos) throw std::invalid_argument("no colon");
-        std::size_t lower_end = 0, upper_end = 0;
-        const auto lower = text.substr(0, colon), upper = text.substr(colon + 1);
-        band = {std::stod(lower, &lower_end), std::stod(upper, &upper_end)};
-        if (lower_end != lower.size() || upper_end != upper.size()) throw std::invalid_argument("more than numbers");
-    } catch (const std::logic_error&) {
+    const auto ends = spelled_list<double, 2>(text, ':');
+    if (!ends)
         throw InvalidArgument(fmt::format("--fit-range '{}'; expected two wavevectors in 1/m, such as 1e5:1e8", text));
-    }
-    return band;
+    return {(*ends)[0], (*ends)[1]};
 }
 
 const char* text(spectra::ScaleStatus status) {

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/number_text.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 
 namespace setae::formats {
 namespace {
@@ -21,8 +21,8 @@ json scalar(const YAML::Node& node) {
     if (node.Tag() == "!") return text;  // quoted
     if (text == "true" || text == "false") return text == "true";
     if (text == "null" || text == "~" || text.empty()) return nullptr;
-    if (const auto whole = bytes::spelled<std::int64_t>(text)) return *whole;
-    if (const auto number = bytes::spelled<double>(text); number && std::isfinite(*number)) return *number;
+    if (const auto whole = spelled<std::int64_t>(text)) return *whole;
+    if (const auto number = spelled<double>(text); number && std::isfinite(*number)) return *number;
     return text;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -16,6 +15,7 @@
 #include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/tables/header.hpp"
 #include "storage/raster.hpp"
 
@@ -129,12 +129,11 @@ struct Key {
 };
 
 std::optional<Key> parsed_key(std::string_view name) {
-    Key key;
     if (!name.starts_with('/')) return std::nullopt;
-    const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), key.channel);
-    if (error != std::errc{} || end == name.data() + name.size() || *end != '/') return std::nullopt;
-    key.rest = name.substr(static_cast<std::size_t>(end - name.data()) + 1);
-    return key;
+    name.remove_prefix(1);
+    const auto channel = leading<std::uint32_t>(name);
+    if (!channel || !name.starts_with('/')) return std::nullopt;
+    return Key{*channel, name.substr(1)};
 }
 
 std::map<std::uint32_t, GwyParts> channel_parts(const bytes::Source& source, const Part& container) {

@@ -11,8 +11,8 @@
 #include <fmt/ranges.h>
 
 #include "setae/bytes/cursor.hpp"
-#include "setae/bytes/number_text.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 
 namespace setae::formats {
@@ -67,7 +67,7 @@ void parse_shape(std::string_view text, StoredArray& array, const bytes::Source&
     while (!trimmed(body).empty()) {
         const auto comma = body.find(',');
         const auto number = trimmed(body.substr(0, comma));
-        const auto extent = bytes::spelled<Index>(number);
+        const auto extent = spelled<Index>(number);
         if (!extent || *extent < 0 || array.shape.size() == most_dimensions_of_npy)
             broken_npy(source, npy_array_magic.size(), fmt::format("'{:.40}' in the header's shape", number));
         array.shape.push_back(*extent);

@@ -2,13 +2,13 @@
 #include "x3p_document.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/xml_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 
 namespace setae::formats {
@@ -45,9 +45,9 @@ X3pAxis parse_axis(const pugi::xml_node& node, const char* name, const bytes::So
 
 Index extent(const pugi::xml_node& node, const char* name, const bytes::Source& source) {
     const auto text = trimmed(node.child_value());
-    Index value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || value < 1 || value > most_points_of_x3p)
+    auto digits = text;
+    const auto value = leading<Index>(digits).value_or(0);
+    if (value < 1 || value > most_points_of_x3p)
         broken_document(source, fmt::format("<{}> is '{:.40}', expected a positive integer", name, text));
     return value;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "probe_channels.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/header.hpp"
 #include "setae/tables/text_head.hpp"
@@ -89,9 +89,9 @@ const std::string& required(const NanoscopeSection& section, std::string_view ke
 
 std::uint64_t integer(const NanoscopeSection& section, std::string_view key, const bytes::Source& source) {
     const auto& text = required(section, key, source);
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || value == 0 || value > (std::uint64_t{1} << 40))
+    std::string_view digits = text;
+    const auto value = leading<std::uint64_t>(digits).value_or(0);
+    if (value == 0 || value > (std::uint64_t{1} << 40))
         throw FormatError(source.name, {},
                           fmt::format("Nanoscope: '{}' is '{:.40}', expected a positive integer", key, text));
     return value;
@@ -105,11 +105,9 @@ struct Value {
 
 std::optional<Value> leading_value(std::string_view text) {
     text = trimmed(text);
-    Value value;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value.number);
-    if (error != std::errc{}) return std::nullopt;
-    value.unit = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
-    return value;
+    const auto number = leading<double>(text);
+    if (!number) return std::nullopt;
+    return Value{*number, std::string(trimmed(text))};
 }
 
 /// What one unit of raw data stands for: in SI, and the unit it is written in; the factor of a unit setae does not know

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "probe_channels.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/text_head.hpp"
 #include "storage/raster.hpp"
@@ -57,13 +57,12 @@ struct Place {
 };
 
 std::optional<Place> place_of(const std::string& key, const std::string& section) {
-    Place place{.section = section};
     if (!key.starts_with("Gr")) return std::nullopt;
-    const char* end = key.data() + key.size();
-    const auto group = std::from_chars(key.data() + 2, end, place.group);
-    if (group.ec != std::errc{} || !std::string_view(group.ptr, end).starts_with("-Ch")) return std::nullopt;
-    const auto channel = std::from_chars(group.ptr + 3, end, place.channel);
-    return channel.ec == std::errc{} && channel.ptr == end ? std::optional(place) : std::nullopt;
+    auto rest = std::string_view(key).substr(2);
+    const auto group = leading<std::uint32_t>(rest);
+    if (!group || !rest.starts_with("-Ch")) return std::nullopt;
+    const auto channel = spelled<std::uint32_t>(rest.substr(3));
+    return channel ? std::optional(Place{*group, *channel, section}) : std::nullopt;
 }
 
 std::vector<Place> places(const TextSection& dataset, const bytes::Source& source) {

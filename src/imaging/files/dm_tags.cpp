@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "micrograph_building.hpp"
-#include "setae/bytes/number_text.hpp"
 #include "setae/bytes/stored_numbers.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -225,7 +225,7 @@ const DmTag* DmTag::find(std::string_view path) const {
     const auto slash = path.find('/');
     const auto first = path.substr(0, slash);
     const DmTag* member = nullptr;
-    if (const auto index = bytes::spelled<std::size_t>(first)) {
+    if (const auto index = spelled<std::size_t>(first)) {
         if (*index < tags.size()) member = &tags[*index];
     } else {
         const auto found = std::find_if(tags.begin(), tags.end(), [&](const DmTag& tag) { return tag.name == first; });

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/number_text.hpp"
 #include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 
@@ -128,7 +128,7 @@ void choose_image(Micrograph& micrograph, std::uint64_t images, const Micrograph
 }
 
 std::optional<double> number_of(std::string_view text) {
-    const auto value = bytes::spelled<double>(trimmed(text));
+    const auto value = spelled<double>(trimmed(text));
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 

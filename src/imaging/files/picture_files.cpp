@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "tiff_stack.hpp"
 
 namespace setae::imaging {
@@ -93,14 +93,14 @@ FrameNumbers numbers_of(const std::vector<std::string>& paths) {
         if (last == std::string::npos) return counted("");
         auto begin = last;
         while (begin > 0 && is_digit(name[begin - 1])) --begin;
-        long number = 0;
-        if (std::from_chars(name.data() + begin, name.data() + last + 1, number).ec != std::errc()) return counted("");
+        const auto number = spelled<long>(std::string_view(name).substr(begin, last + 1 - begin));
+        if (!number) return counted("");
         if (&path == &paths.front()) before = name.substr(0, begin), after = name.substr(last + 1);
         if (name.substr(0, begin) != before || name.substr(last + 1) != after)
             return counted("names differ by more than a number; frames are counted from 1");
-        if (!found.numbers.empty() && number <= found.numbers.back())
-            return counted(fmt::format("number {} comes twice or out of order; frames are counted from 1", number));
-        found.numbers.push_back(number);
+        if (!found.numbers.empty() && *number <= found.numbers.back())
+            return counted(fmt::format("number {} comes twice or out of order; frames are counted from 1", *number));
+        found.numbers.push_back(*number);
     }
     const long span = found.numbers.back() - found.numbers.front() + 1;
     if (span / most_missing > static_cast<long>(paths.size()))

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -14,6 +13,7 @@
 #include "raw_pixels.hpp"
 #include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 
 namespace setae::imaging {
@@ -32,10 +32,8 @@ constexpr std::uint64_t longest_side = 1U << 30;
 constexpr std::uint64_t most_tile_pixels = 1U << 20;  // the decoder takes memory for a whole tile
 
 std::optional<double> parsed(std::string_view text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || !(value > 0) || !std::isfinite(value)) return std::nullopt;
-    return value;
+    const auto value = leading<double>(text);
+    return value && *value > 0 && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<SampleType> sample_type(std::uint64_t bits, std::uint64_t format) {

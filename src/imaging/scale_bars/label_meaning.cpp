@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "setae/bytes/number_text.hpp"
+#include "setae/core/number_text.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -55,7 +55,7 @@ LabelMeaning meaning_of_label(std::string_view reading) {
     }
     const auto* unit =
         std::find_if(units.begin(), units.end(), [&](const LengthUnit& known) { return known.spelling == unit_text; });
-    const auto number = bytes::spelled<double>(number_text).value_or(0);
+    const auto number = spelled<double>(number_text).value_or(0);
     const bool is_number = number > 0 && number_text.front() != '.';
     const bool leading_zero = number_text.size() > 1 && number_text[0] == '0' && number_text[1] != '.';
     if (!is_number || unit == units.end()) {

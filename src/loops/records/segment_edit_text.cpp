@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <charconv>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/segment_edits.hpp"
@@ -17,18 +17,11 @@ namespace {
         why));
 }
 
-std::optional<Index> sample_from(std::string_view text) {
-    Index value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 GivenRange range_from(std::string_view range, std::string_view whole) {
     const auto colon = range.find(':');
     if (colon == std::string_view::npos) refuse(whole, "a range is FIRST:LAST");
     const std::string_view first = trimmed(range.substr(0, colon)), last = trimmed(range.substr(colon + 1));
-    const auto first_sample = sample_from(first), last_sample = sample_from(last);
+    const auto first_sample = spelled<Index>(first), last_sample = spelled<Index>(last);
     if (first_sample && last_sample) return IndexRange{*first_sample, *last_sample};
     if (first_sample || last_sample) refuse(whole, "one end is a sample, the other a time");
     try {
@@ -80,7 +73,7 @@ void add_segment_edit(SegmentEdits& edits, std::string_view text) {
     std::size_t contact = 1;
     if (const auto at = name.find('@'); at != std::string_view::npos) {
         constexpr Index most = 10000;
-        const auto number = sample_from(name.substr(at + 1));
+        const auto number = spelled<Index>(name.substr(at + 1));
         if (!number || *number < 1 || *number > most) refuse(text, "contacts count from 1");
         contact = static_cast<std::size_t>(*number);
         name = name.substr(0, at);
@@ -92,7 +85,7 @@ void add_segment_edit(SegmentEdits& edits, std::string_view text) {
                fmt::format(
                    "'{}' is none of baseline, baseline_after, jump_in, loading, hold, unloading, pull_off, cut, ignore",
                    name));
-    const auto sample = cut ? sample_from(value) : std::nullopt;
+    const auto sample = cut ? spelled<Index>(value) : std::nullopt;
     if (cut && !sample) refuse(text, "a cut is one sample");
     const auto range = cut ? std::nullopt : std::optional(range_from(value, text));
     if (edits.contacts.size() < contact) edits.contacts.resize(contact);

@@ -2,13 +2,13 @@
 #include "value_text.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 
@@ -63,20 +63,16 @@ void refuse_choice(std::string_view text, std::string_view values) {
 
 double parsed_number(std::string_view text) {
     const auto whole = trimmed(text);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), value);
-    if (error != std::errc() || end != whole.data() + whole.size() || !std::isfinite(value))
-        throw InvalidArgument(fmt::format("'{}' is no number", whole));
-    return value;
+    const auto value = spelled<double>(whole);
+    if (!value || !std::isfinite(*value)) throw InvalidArgument(fmt::format("'{}' is no number", whole));
+    return *value;
 }
 
 long long parsed_count(std::string_view text) {
     const auto whole = trimmed(text);
-    long long value = 0;
-    const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), value);
-    if (error != std::errc() || end != whole.data() + whole.size())
-        throw InvalidArgument(fmt::format("'{}' is no whole number", whole));
-    return value;
+    const auto value = spelled<long long>(whole);
+    if (!value) throw InvalidArgument(fmt::format("'{}' is no whole number", whole));
+    return *value;
 }
 
 }  // namespace setae::processing

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "setae/bytes/text.hpp"
 #include "setae/bytes/toml_reader.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -99,10 +99,8 @@ Places places_of(const tables::TextTable& table, const ReplicateColumns& wanted,
 /// NaN where the cell holds no number.
 double number_in(std::string cell, char separator) {
     if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
-    if (cell.empty()) return undefined;
-    char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
-    return end == cell.c_str() + cell.size() ? value : undefined;
+    double value = undefined;
+    return bytes::parse_cell(cell, '.', value) ? value : undefined;
 }
 
 /// Levels of the tables, where the user names none: those of surface, lens and spot that every table has.

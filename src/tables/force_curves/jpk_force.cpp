@@ -8,9 +8,9 @@
 #include <fmt/ranges.h>
 
 #include "setae/bytes/archive.hpp"
-#include "setae/bytes/number_text.hpp"
 #include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/dialect.hpp"
 #include "setae/tables/force_curve_formats.hpp"
@@ -77,7 +77,7 @@ struct Segment {
     }
 
     [[nodiscard]] double number(const std::string& text, const std::string& key) const {
-        const auto value = bytes::spelled<double>(text);
+        const auto value = spelled<double>(text);
         if (!value || !std::isfinite(*value)) fail(fmt::format("{} = '{:.40}' is no number", key, text));
         return *value;
     }
@@ -207,7 +207,7 @@ std::vector<std::string> segment_folders(const bytes::Archive& archive) {
         constexpr std::string_view begin = "segments/", end = "/segment-header.properties";
         if (!name.starts_with(begin) || !name.ends_with(end) || name.size() < begin.size() + end.size()) continue;
         const auto digits = std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size());
-        if (const auto number = bytes::spelled<long>(digits))
+        if (const auto number = spelled<long>(digits))
             folders.emplace(*number, name.substr(0, name.size() - end.size() + 1));
     }
     std::vector<std::string> result;

@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "setae/bytes/number_text.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/header.hpp"
 #include "setae/tables/spreadsheet.hpp"
@@ -202,7 +202,7 @@ std::string labels(const ColumnGuess& guess, const RoleGuess& role) {
     return text;
 }
 
-std::string spelled(const TableOptions& file) {
+std::string dialect_text(const TableOptions& file) {
     if (!file.separator) return "of a sheet";
     const char separator = *file.separator;
     return fmt::format("between {}, decimal {}",
@@ -237,7 +237,7 @@ ColumnGuess guess_columns(const std::string& path, const TableOptions& file) {
 }
 
 std::string describe(const ColumnGuess& guess) {
-    std::string text = fmt::format("{}: {} columns {}\n", guess.path, guess.columns.size(), spelled(guess.file));
+    std::string text = fmt::format("{}: {} columns {}\n", guess.path, guess.columns.size(), dialect_text(guess.file));
     for (std::size_t k = 0; k < guess.columns.size(); ++k) {
         const auto& column = guess.columns[k];
         text +=
@@ -261,7 +261,7 @@ namespace {
 
 /// Position of a column that a user names by header or number.
 std::size_t column_named(const ColumnGuess& guess, const std::string& role, const std::string& wanted) {
-    const auto position = bytes::spelled<std::size_t>(wanted).value_or(0);
+    const auto position = spelled<std::size_t>(wanted).value_or(0);
     if (position >= 1 && position <= guess.columns.size()) return position - 1;
     std::vector<std::size_t> found;
     std::vector<std::string> names;
