@@ -33,7 +33,7 @@ double candidate(const std::vector<FlooredTerm>& terms, double from, double to) 
 
 }  // namespace
 
-FlooredMinimum minimise(const std::vector<FlooredTerm>& terms, double lower, double upper) {
+FlooredMinimum floored_minimum(const std::vector<FlooredTerm>& terms, double lower, double upper) {
     std::vector<double> kinks;
     for (const auto& term : terms) {
         const double kink = term.offset / term.slope;

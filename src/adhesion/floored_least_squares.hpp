@@ -22,6 +22,6 @@ struct FlooredMinimum {
 
 /// Global minimum over lower <= x <= upper: between two kinks x = offset/slope the cost is one parabola, so the least
 /// of their minima is the answer. Cost n log n + n².
-[[nodiscard]] FlooredMinimum minimise(const std::vector<FlooredTerm>& terms, double lower, double upper);
+[[nodiscard]] FlooredMinimum floored_minimum(const std::vector<FlooredTerm>& terms, double lower, double upper);
 
 }  // namespace setae::adhesion

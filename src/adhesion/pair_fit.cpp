@@ -30,7 +30,7 @@ FlooredMinimum minimise_with(const Pairs& pairs, const Variance& variance) {
     std::vector<FlooredTerm> terms;
     for (const auto& pair : pairs)
         terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0 / variance(pair), pair.floored});
-    return minimise(terms, 0.0, infinity);
+    return floored_minimum(terms, 0.0, infinity);
 }
 
 /// 1 − SS_res/SS_tot; measured values that are all alike leave nothing to explain.
@@ -272,7 +272,7 @@ FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs) 
     const auto best_energy = [](const std::vector<FreeEnergyPoint>& points, double work) {
         std::vector<FlooredTerm> terms;
         for (const auto& p : points) terms.push_back({p.measured, p.contact_modulus, p.offset - p.slope * work});
-        return minimise(terms, -infinity, 0.0);
+        return floored_minimum(terms, -infinity, 0.0);
     };
     const auto cost = [&](double work) {
         double sum = 0.0;

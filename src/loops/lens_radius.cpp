@@ -74,7 +74,7 @@ Circle fit_circle(const ArrayView1D& x, const ArrayView1D& y) {
                 if (jacobian) jacobian->row(i) << -dx / distance, -dy / distance, -1.0;
             }
         }};
-    const LeastSquaresSolution solution = minimise(distances, algebraic_circle(points));
+    const LeastSquaresSolution solution = solve_nonlinear(distances, algebraic_circle(points));
     Circle circle = unscaled(points, solution.parameters);
     circle.radius =
         solution.estimate(circle.radius.value, points.unit * std::sqrt(solution.uncertainty.covariance(2, 2)));

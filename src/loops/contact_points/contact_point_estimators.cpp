@@ -190,19 +190,19 @@ Estimate broken_line(const Touch& touch, double radius) {
     Array1D weight = Array1D::Ones(n);
     if (force_noise > 0.0)
         weight = force_noise / (force_noise * force_noise + 2.25 * depth.max(0.0) * depth_noise * depth_noise).sqrt();
-    const LeastSquaresSolution solution =
-        minimise({.residuals = n,
-                  .parameters = 3,
-                  .evaluate =
-                      [&](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
-                          for (Index i = 0; i < n; ++i) {
-                              const double d = std::max(depth[i] - at[2], 0.0), root = std::sqrt(d);
-                              residuals[i] = weight[i] * (force[i] - at[0] - at[1] * d * root);
-                              if (jacobian)
-                                  jacobian->row(i) << -weight[i], -weight[i] * d * root, weight[i] * 1.5 * at[1] * root;
-                          }
-                      }},
-                 Eigen::Vector3d(0.0, 1.0, 0.0));
+    const LeastSquaresSolution solution = solve_nonlinear(
+        {.residuals = n,
+         .parameters = 3,
+         .evaluate =
+             [&](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+                 for (Index i = 0; i < n; ++i) {
+                     const double d = std::max(depth[i] - at[2], 0.0), root = std::sqrt(d);
+                     residuals[i] = weight[i] * (force[i] - at[0] - at[1] * d * root);
+                     if (jacobian)
+                         jacobian->row(i) << -weight[i], -weight[i] * d * root, weight[i] * 1.5 * at[1] * root;
+                 }
+             }},
+        Eigen::Vector3d(0.0, 1.0, 0.0));
     if (!solution.converged) throw UndefinedDataError("the broken line did not converge");
     return measured(start.value + depth_unit * solution.parameters[2],
                     depth_unit * std::sqrt(solution.uncertainty.covariance(2, 2)), "least squares");

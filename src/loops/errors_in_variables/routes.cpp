@@ -53,18 +53,13 @@ JkrFit finished(const Fitted& fitted, const Across& noise, std::string method) {
     const double modulus = solution.parameters[0] * units[0];
     require_modulus(modulus);
     const WorkFromRoot work = work_from_root({modulus, solution.parameters[1] * units[1]}, covariance);
-    const auto estimate = [&](double value, double standard_error) -> Estimate {
-        return {.value = value,
-                .standard_error = standard_error,
-                .method = "fit covariance, correlated residuals",
-                .degrees_of_freedom = found.degrees_of_freedom};
-    };
+    const LeastSquaresSolution uncertain{.uncertainty = found};
     fit.covariance = work.covariance;
-    fit.contact_modulus = estimate(modulus, std::sqrt(work.covariance(0, 0)));
-    fit.work_of_adhesion = estimate(work.work_of_adhesion, work.standard_error);
+    fit.contact_modulus = uncertain.estimate(modulus, std::sqrt(work.covariance(0, 0)));
+    fit.work_of_adhesion = uncertain.estimate(work.work_of_adhesion, work.standard_error);
     if (points.channels.displacement)
-        fit.contact_point =
-            estimate(points.origin + solution.parameters[2] * points.depth_unit, std::sqrt(work.covariance(2, 2)));
+        fit.contact_point = uncertain.estimate(points.origin + solution.parameters[2] * points.depth_unit,
+                                               std::sqrt(work.covariance(2, 2)));
     double squares = 0.0;
     for (const auto& residuals : noise.residuals) squares += residuals.squaredNorm();
     const Index freedom = samples * static_cast<Index>(noise.residuals.size()) - parameters;

@@ -108,11 +108,7 @@ Vector3d step_of(const Round& round, const Eigen::Matrix<double, 3, Eigen::Dynam
     const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> normal =
         free.transpose() * round.normal * free;
     const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> gradient = free.transpose() * round.gradient;
-    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> scale = normal.diagonal().cwiseSqrt().cwiseInverse();
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> scaled =
-        scale.asDiagonal() * normal * scale.asDiagonal();
-    scaled.diagonal().array() += damping;
-    return free * (scale.asDiagonal() * scaled.ldlt().solve(scale.cwiseProduct(gradient)));
+    return free * damped_step(normal, gradient, damping);
 }
 
 /// The larger relative change of e and g.

@@ -169,7 +169,7 @@ CrackSpeedFit fit_crack_speed(const CrackSpeedPoints& points, const CrackSpeedOp
     LeastSquaresSolution solution;
     const int rounds = speed_errors ? 10 : 1;
     for (int round = 0; round < rounds; ++round) {
-        solution = minimise(problem.function(log_exponent), at.head(problem.unknowns()));
+        solution = solve_nonlinear(problem.function(log_exponent), at.head(problem.unknowns()));
         fit.iterations += solution.iterations;
         at.head(problem.unknowns()) = solution.parameters;
         if (round + 1 == rounds || !speed_errors) break;

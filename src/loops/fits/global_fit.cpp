@@ -95,7 +95,7 @@ LeastSquaresSolution least_squares_of_all(const Layout& layout, const std::vecto
                 row += problem.residuals();
             }
         }};
-    return minimise(function, start);
+    return solve_nonlinear(function, start);
 }
 
 SharingTest sharing_test(const GlobalFit& fit, const std::vector<SolvedFit>& separate) {

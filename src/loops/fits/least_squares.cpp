@@ -44,7 +44,8 @@ Estimate LeastSquaresSolution::estimate(double value, double standard_error) con
             .degrees_of_freedom = uncertainty.degrees_of_freedom};
 }
 
-LeastSquaresSolution minimise(const ResidualFunction& function, const Eigen::VectorXd& start, int most_iterations) {
+LeastSquaresSolution solve_nonlinear(const ResidualFunction& function, const Eigen::VectorXd& start,
+                                     int most_iterations) {
     LeastSquaresSolution solution{.parameters = start};
     ceres::Problem problem;
     problem.AddResidualBlock(new Residuals(function), nullptr, solution.parameters.data());  // the problem owns it

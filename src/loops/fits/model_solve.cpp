@@ -211,7 +211,7 @@ Refined least_squares(const PreparedFit& fit, const BranchProblem& problem, cons
             coordinates.turn(at, all);
             *jacobian = picked_columns(fit, all);
         }};
-    Refined refined{.at = start, .least_squares = minimise(function, picked(fit, begin), most_iterations)};
+    Refined refined{.at = start, .least_squares = solve_nonlinear(function, picked(fit, begin), most_iterations)};
     refined.at = coordinates.to_slots(merged(fit, begin, refined.least_squares.parameters));
     if (!drawable(refined.at)) return refined;
     Eigen::MatrixXd all;

@@ -31,6 +31,16 @@ template <class Step, class Normal>
     return step.dot(normal * step) <= of_standard_error * of_standard_error * squares / freedom;
 }
 
+/// Solution of the normal equations, damped after Marquardt: (N + λ diag N) s = g in columns of unit length. Not finite
+/// where a diagonal element is 0.
+template <class Normal, class Gradient>
+[[nodiscard]] Gradient damped_step(const Normal& normal, const Gradient& gradient, double damping) {
+    const Gradient scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+    Normal scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    scaled.diagonal().array() += damping;
+    return scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(gradient)));
+}
+
 /// Levenberg and Marquardt's method on normal equations of columns of unit length, undamped while the sum falls.
 /// evaluate(at) gives NormalEquations. Sums of noise-free data end in rounding, where the sum no longer falls:
 /// converged if the step was small.
@@ -46,11 +56,8 @@ template <int parameters, class Evaluate>
     double damping = 0.0;
     while (found.iterations < most_rounds && damping < most_damping) {
         ++found.iterations;
-        const Vector scale = here.normal.diagonal().cwiseSqrt().cwiseInverse();
-        if (!scale.allFinite()) return found;
-        Eigen::Matrix<double, parameters, parameters> scaled = scale.asDiagonal() * here.normal * scale.asDiagonal();
-        scaled.diagonal().array() += damping;
-        const Vector step = scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(here.gradient)));
+        const Vector step = damped_step(here.normal, here.gradient, damping);
+        if (!step.allFinite()) return found;
         const Vector next = found.parameters_found + step;
         // of the curve: a parameter may be 0
         const double change =

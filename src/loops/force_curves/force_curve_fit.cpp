@@ -118,18 +118,19 @@ public:
         Eigen::VectorXd start(linear.parameters.size() + 1);
         start << linear.parameters, best / depth_unit_;
         const Index point_column = start.size() - 1;
-        return minimise({.residuals = force_.size(),
-                         .parameters = start.size(),
-                         .evaluate =
-                             [&](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
-                                 const Eigen::MatrixXd columns = design(at[point_column] * depth_unit_);
-                                 residuals = (force_ / force_unit_).matrix() - columns * at.head(point_column);
-                                 if (!jacobian) return;
-                                 jacobian->leftCols(point_column) = -columns;
-                                 const Array1D depth = (displacement_ / depth_unit_ - at[point_column]).cwiseMax(0.0);
-                                 jacobian->col(point_column) = at[0] * law_.power * depth.pow(law_.power - 1.0);
-                             }},
-                        start);
+        return solve_nonlinear(
+            {.residuals = force_.size(),
+             .parameters = start.size(),
+             .evaluate =
+                 [&](const Eigen::VectorXd& at, Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) {
+                     const Eigen::MatrixXd columns = design(at[point_column] * depth_unit_);
+                     residuals = (force_ / force_unit_).matrix() - columns * at.head(point_column);
+                     if (!jacobian) return;
+                     jacobian->leftCols(point_column) = -columns;
+                     const Array1D depth = (displacement_ / depth_unit_ - at[point_column]).cwiseMax(0.0);
+                     jacobian->col(point_column) = at[0] * law_.power * depth.pow(law_.power - 1.0);
+                 }},
+            start);
     }
 
 private:
