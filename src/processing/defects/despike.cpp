@@ -11,13 +11,15 @@
 
 #include "order_statistic.hpp"
 #include "pipeline/step_record.hpp"
-#include "row_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/row_blocks.hpp"
 
 namespace setae::processing {
 namespace {
+
+using numerics::for_each_row;
 
 using topography::HeightMap;
 using topography::LineScan;

@@ -9,12 +9,16 @@
 #include <fmt/format.h>
 
 #include "pipeline/step_record.hpp"
-#include "row_blocks.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/row_blocks.hpp"
 
 namespace setae::processing {
 namespace {
+
+using numerics::by_row_blocks;
+using numerics::for_each_row;
+using numerics::RowBlocks;
 
 using topography::HeightMap;
 using topography::Mask;

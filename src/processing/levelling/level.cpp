@@ -17,6 +17,9 @@ namespace {
 
 using topography::HeightMap;
 using topography::LineScan;
+using topography::Mask;
+using topography::PolynomialDegrees;
+using topography::PolynomialSurface;
 using topography::Profile;
 
 void end_periodicity(HeightMap& map) { map.periodic = false; }
@@ -42,7 +45,8 @@ Processed level(std::string_view name, const PolynomialDegrees& degrees, const R
     StepRecord record{std::string(name), {}, {}};
     std::visit(
         [&](auto& m) {
-            const auto polynomial = fitted_polynomial(m, degrees, region, threads);
+            const auto chosen = region.everything() ? Mask() : mask_of(region, m, threads);
+            const auto polynomial = fitted_polynomial(m, degrees, chosen, threads);
             subtract(polynomial, m, threads);
             if (polynomial.coefficients.size() > 1) end_periodicity(m);
             record.numbers = removed(polynomial, std::is_same_v<std::decay_t<decltype(m)>, HeightMap>);
@@ -54,7 +58,7 @@ Processed level(std::string_view name, const PolynomialDegrees& degrees, const R
 /// A map whose every line has lost its own polynomial; how many lines had too few points.
 Index level_lines(const LevelLines& step, HeightMap& map, parallel::Threads threads) {
     const LinePolynomial polynomial(step.degree, points_on_line(map.heights, step.direction));
-    const auto chosen = step.region.everything() ? topography::Mask() : mask_of(step.region, map, threads);
+    const auto chosen = step.region.everything() ? Mask() : mask_of(step.region, map, threads);
     std::vector<std::uint8_t> lost(static_cast<std::size_t>(line_count(map.heights, step.direction)), 0);
     for_each_band(map.heights, chosen, step.direction, 0, true, threads, [&](LineBand& band, Index first, Index last) {
         for (Index line = first; line < last; ++line) {

@@ -7,12 +7,15 @@
 #include <fmt/format.h>
 
 #include "pipeline/step_record.hpp"
-#include "row_blocks.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/row_blocks.hpp"
 #include "setae/processing/level.hpp"
 
 namespace setae::processing {
 namespace {
+
+using numerics::by_row_blocks;
+using numerics::RowBlocks;
 
 using topography::HeightMap;
 using topography::LineScan;
@@ -135,7 +138,7 @@ Dominant dominant_slope(const Facets& facets, const topography::Metadata& metada
 
 /// Subtracts the plane of that slope through height 0 at the centre.
 void level_by(const Slope& slope, HeightMap& map, parallel::Threads threads) {
-    PolynomialSurface plane{Array2D::Zero(2, 2), {}, {}};
+    topography::PolynomialSurface plane{Array2D::Zero(2, 2), {}, {}};
     const auto [nx, ny] = map.shape();
     const auto pixel = map.pixel_size();
     for (std::size_t k = 0; k < 2; ++k)
@@ -184,10 +187,10 @@ Processed apply(const LevelFacet& step, topography::Measurement measurement, par
     StepRecord record{std::string(step_name(step)), {}, {}};
     std::visit(
         [&](auto& m) {
-            const auto chosen = step.region.everything() ? Mask() : mask_of(step.region, m, threads);
-            const auto found = dominant_slope_of(m, chosen, threads);
+            const auto chosen = [&] { return step.region.everything() ? Mask() : mask_of(step.region, m, threads); };
+            const auto found = dominant_slope_of(m, chosen(), threads);
             level_by(found.slope, m, threads);
-            subtract(fitted_polynomial(m, {.total = 0}, step.region, threads), m, threads);
+            subtract(fitted_polynomial(m, {.total = 0}, chosen(), threads), m, threads);
             record.numbers.push_back(recorded("removed_slope_x", "s_x", found.slope[0], "1"));
             if (std::is_same_v<std::decay_t<decltype(m)>, HeightMap>)
                 record.numbers.push_back(recorded("removed_slope_y", "s_y", found.slope[1], "1"));

@@ -3,13 +3,19 @@
 
 #include <fmt/format.h>
 
-#include "legendre.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/processing/polynomial_surface.hpp"
+#include "setae/numerics/legendre.hpp"
+#include "setae/topography/polynomial_surface.hpp"
 
 namespace setae::processing {
 namespace {
+
+using numerics::dot;
+using numerics::legendre_table;
+using numerics::product_in_legendre;
+using numerics::solved_normal_equations;
+using topography::highest_degree;
 
 /// Normal equations from Σ P_k over the points that count.
 Array2D gram_of(const Array1D& sums, Index degree) {

@@ -6,11 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "row_blocks.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/row_blocks.hpp"
 
 namespace setae::processing {
 namespace {
+
+using numerics::by_row_blocks;
+using numerics::RowBlocks;
 
 /// Points, their mean and the sum of squares about it.
 struct Spread {

@@ -5,7 +5,8 @@
 
 #include "setae/parallel/for_each.hpp"
 #include "setae/processing/direction.hpp"
-#include "setae/processing/polynomial_surface.hpp"
+#include "setae/processing/region.hpp"
+#include "setae/topography/polynomial_surface.hpp"
 
 namespace setae::processing {
 
@@ -21,9 +22,9 @@ struct LevelPlane {
 
 /// The polynomial of x^a y^b, a + b <= degree, a <= degree_x, b <= degree_y, that fits the region best is subtracted.
 struct LevelPolynomial {
-    Index degree = 2;                 ///< 0 … 24
-    Index degree_x = highest_degree;  ///< 0 … 12
-    Index degree_y = highest_degree;
+    Index degree = 2;                             ///< 0 … 24
+    Index degree_x = topography::highest_degree;  ///< 0 … 12
+    Index degree_y = topography::highest_degree;
     Region region;
 };
 

@@ -7,7 +7,7 @@
 #include "setae/core/arrays.hpp"
 #include "setae/parallel/for_each.hpp"
 
-namespace setae::processing {
+namespace setae::numerics {
 
 /// Rows of a map in blocks of about 2^16 points: they depend on its shape alone, so sums added in block order are the
 /// same for any number of threads.
@@ -45,4 +45,4 @@ void for_each_row(Index rows, Index points_per_row, parallel::Threads threads, c
     });
 }
 
-}  // namespace setae::processing
+}  // namespace setae::numerics

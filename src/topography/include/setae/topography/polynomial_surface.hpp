@@ -4,10 +4,10 @@
 #include <array>
 
 #include "setae/parallel/for_each.hpp"
-#include "setae/processing/region.hpp"
+#include "setae/topography/mask.hpp"
 #include "setae/topography/measurement.hpp"
 
-namespace setae::processing {
+namespace setae::topography {
 
 /// Highest degree of polynomials along a direction.
 inline constexpr Index highest_degree = 12;
@@ -40,21 +40,22 @@ struct PolynomialSurface {
     [[nodiscard]] std::array<double, 2> mean_curvature() const;
 };
 
-/// The polynomial that fits best in the sense of least squares over the defined points of a region: of maps and lines
-/// the sum over points, of polylines the exact integral over the segments whose both ends belong to the region.
+/// The polynomial that fits best in the sense of least squares over the defined points that are chosen, all where the
+/// mask is empty: of maps and lines the sum over points, of polylines the exact integral over the segments whose both
+/// ends are chosen.
 /// @throws InvalidArgument for degrees outside 0 … 12 (total: 0 … 24), and for a polyline whose x does not increase
 /// strictly (topography/contour.hpp makes a function of it); UndefinedDataError where the points do not determine the
 /// polynomial. Cost: of maps a pass with degree + 1 multiplications a point, whatever the number of coefficients.
-[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::HeightMap& map, const PolynomialDegrees& degrees,
-                                                  const Region& region = {}, parallel::Threads threads = {});
-[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::LineScan& scan, const PolynomialDegrees& degrees,
-                                                  const Region& region = {}, parallel::Threads threads = {});
-[[nodiscard]] PolynomialSurface fitted_polynomial(const topography::Profile& profile, const PolynomialDegrees& degrees,
-                                                  const Region& region = {}, parallel::Threads threads = {});
+[[nodiscard]] PolynomialSurface fitted_polynomial(const HeightMap& map, const PolynomialDegrees& degrees,
+                                                  const Mask& chosen = {}, parallel::Threads threads = {});
+[[nodiscard]] PolynomialSurface fitted_polynomial(const LineScan& scan, const PolynomialDegrees& degrees,
+                                                  const Mask& chosen = {}, parallel::Threads threads = {});
+[[nodiscard]] PolynomialSurface fitted_polynomial(const Profile& profile, const PolynomialDegrees& degrees,
+                                                  const Mask& chosen = {}, parallel::Threads threads = {});
 
 /// Heights minus the polynomial, in place.
-void subtract(const PolynomialSurface& polynomial, topography::HeightMap& map, parallel::Threads threads = {});
-void subtract(const PolynomialSurface& polynomial, topography::LineScan& scan, parallel::Threads threads = {});
-void subtract(const PolynomialSurface& polynomial, topography::Profile& profile, parallel::Threads threads = {});
+void subtract(const PolynomialSurface& polynomial, HeightMap& map, parallel::Threads threads = {});
+void subtract(const PolynomialSurface& polynomial, LineScan& scan, parallel::Threads threads = {});
+void subtract(const PolynomialSurface& polynomial, Profile& profile, parallel::Threads threads = {});
 
-}  // namespace setae::processing
+}  // namespace setae::topography

@@ -6,7 +6,7 @@
 
 #include "setae/core/arrays.hpp"
 
-namespace setae::processing {
+namespace setae::numerics {
 
 /// Place i of n equal steps from −1 to 1; 0 where there is one point alone.
 [[nodiscard]] inline double centred(Index i, Index n) {
@@ -36,4 +36,4 @@ struct GaussRule {
 /// Σ a_j b_j in independent lanes, so that it vectorises and its order is fixed.
 [[nodiscard]] double dot(const double* a, const double* b, Index n);
 
-}  // namespace setae::processing
+}  // namespace setae::numerics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "legendre.hpp"
+#include "setae/numerics/legendre.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "setae/core/constants.hpp"
 
-namespace setae::processing {
+namespace setae::numerics {
 
 Array1D legendre_values(Index degree, double t) {
     Array1D values(degree + 1);
@@ -88,4 +88,4 @@ double dot(const double* a, const double* b, Index n) {
     return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
-}  // namespace setae::processing
+}  // namespace setae::numerics
