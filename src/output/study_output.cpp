@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
