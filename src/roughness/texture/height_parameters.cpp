@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "setae/core/constants.hpp"
@@ -31,28 +32,48 @@ struct Powers {
 
 constexpr Index block_points = 1 << 15;
 
-/// Σ over defined points of a series, in lanes that vectorise.
+/// What is summed: heights for their mean, or all powers.
+enum class Summed { first, all };
+
+/// Σ over the points of a series, in lanes that vectorise. Unchecked, a NaN spoils the sum of heights; checked, it
+/// drops out. Both add up defined heights in the same order.
+template <Summed summed, bool checked>
 Powers powers_of_points(const double* heights, Index n, double origin) {
     constexpr Index lanes = 4;
-    Powers lane[lanes];
-    const auto add = [origin](Powers& sums, double h) {
-        const bool defined = h == h;
-        const double z = defined ? h - origin : 0.0, z2 = z * z;
-        sums.weight += defined ? 1.0 : 0.0;
-        sums.first += z;
-        sums.second += z2;
-        sums.third += z2 * z;
-        sums.fourth += z2 * z2;
-        sums.absolute += std::abs(z);
-        sums.lowest = defined && z < sums.lowest ? z : sums.lowest;
-        sums.highest = defined && z > sums.highest ? z : sums.highest;
+    double weight[lanes] = {}, first[lanes] = {}, second[lanes] = {}, third[lanes] = {}, fourth[lanes] = {},
+           absolute[lanes] = {}, lowest[lanes], highest[lanes];
+    std::fill_n(lowest, lanes, std::numeric_limits<double>::infinity());
+    std::fill_n(highest, lanes, -std::numeric_limits<double>::infinity());
+    const auto add = [&](Index k, double h) {
+        const bool defined = !checked || h == h;
+        const double z = defined ? h - origin : 0.0;
+        if constexpr (checked) weight[k] += defined ? 1.0 : 0.0;
+        first[k] += z;
+        if constexpr (summed == Summed::all) {
+            const double z2 = z * z;
+            second[k] += z2;
+            third[k] += z2 * z;
+            fourth[k] += z2 * z2;
+            absolute[k] += std::abs(z);
+            lowest[k] = defined && z < lowest[k] ? z : lowest[k];
+            highest[k] = defined && z > highest[k] ? z : highest[k];
+        }
     };
     Index i = 0;
     for (; i + lanes <= n; i += lanes)
-        for (Index k = 0; k < lanes; ++k) add(lane[k], heights[i + k]);
-    for (; i < n; ++i) add(lane[i % lanes], heights[i]);
-    for (Index k = 1; k < lanes; ++k) lane[0].add(lane[k]);
-    return lane[0];
+        for (Index k = 0; k < lanes; ++k) add(k, heights[i + k]);
+    for (; i < n; ++i) add(i % lanes, heights[i]);
+    Powers sums;
+    for (Index k = 0; k < lanes; ++k)
+        sums.add({weight[k], first[k], second[k], third[k], fourth[k], absolute[k], lowest[k], highest[k]});
+    if constexpr (!checked) sums.weight = static_cast<double>(n);
+    return sums;
+}
+
+template <Summed summed>
+Powers powers_of_points(const double* heights, Index n, double origin) {
+    const auto quick = powers_of_points<summed, false>(heights, n, origin);
+    return std::isnan(quick.first) ? powers_of_points<summed, true>(heights, n, origin) : quick;
 }
 
 /// ∫ over a segment from height a to b of length dx.
@@ -69,6 +90,7 @@ Powers powers_of_segment(double a, double b, double dx) {
             std::max(a, b)};
 }
 
+template <Summed>
 Powers powers(const topography::Profile& profile, double origin, parallel::Threads) {
     Powers sums;
     for (Index i = 0; i + 1 < profile.heights.size(); ++i)
@@ -77,13 +99,13 @@ Powers powers(const topography::Profile& profile, double origin, parallel::Threa
     return sums;
 }
 
-template <class Uniform>
+template <Summed summed, class Uniform>
 Powers powers(const Uniform& data, double origin, parallel::Threads threads) {
     const auto n = data.heights.size();
     std::vector<Powers> blocks(static_cast<std::size_t>((n + block_points - 1) / block_points));
     parallel::for_each_index(blocks.size(), threads, [&](std::size_t b) {
         const auto first = static_cast<Index>(b) * block_points;
-        blocks[b] = powers_of_points(data.heights.data() + first, std::min(block_points, n - first), origin);
+        blocks[b] = powers_of_points<summed>(data.heights.data() + first, std::min(block_points, n - first), origin);
     });
     Powers sums;
     for (const auto& block : blocks) sums.add(block);
@@ -100,9 +122,12 @@ template <class Kind>
 HeightParameters parameters_of(const Kind& data, parallel::Threads threads, std::optional<double> mean_line) {
     const Eigen::Map<const Array1D> heights(data.heights.data(), data.heights.size());
     const double start = first_defined(heights, data.metadata);
-    const auto rough = powers(data, start, threads);
-    const double mean = mean_line.value_or(start + rough.first / rough.weight);
-    const auto sums = powers(data, mean, threads);
+    const auto mean_height = [&] {
+        const auto sums = powers<Summed::first>(data, start, threads);
+        return start + sums.first / sums.weight;
+    };
+    const double mean = mean_line ? *mean_line : mean_height();
+    const auto sums = powers<Summed::all>(data, mean, threads);
     HeightParameters result;
     const double rest = mean_line ? 0.0 : sums.first / sums.weight;  // what rounding of the mean leaves
     const double variance = sums.second / sums.weight - rest * rest;
@@ -116,7 +141,8 @@ HeightParameters parameters_of(const Kind& data, parallel::Threads threads, std:
     result.Sv = constant ? 0.0 : -sums.lowest;
     result.Sz = result.Sp + result.Sv;
     result.Sa = constant ? 0.0 : sums.absolute / sums.weight;
-    result.defined = (heights == heights).count();
+    if constexpr (std::is_same_v<Kind, topography::Profile>) result.defined = (heights == heights).count();
+    else result.defined = static_cast<Index>(sums.weight);
     return result;
 }
 
