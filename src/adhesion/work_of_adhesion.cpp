@@ -71,13 +71,12 @@ double SurfaceEnergyLaw::integral(double x) const {
     return x > left ? sum + surface_energy[surface_energy.size() - 1] * (x - left) : sum;
 }
 
-ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state,
-                             double interface_change) {
+ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state) {
     require_not_negative(work_of_adhesion, "work of adhesion");
     require_state(state);
     law.validate();
     const double r = state.area_ratio;
-    const double strained_work = work_of_adhesion + law.at(r) - law.at(1.0) - interface_change;
+    const double strained_work = work_of_adhesion + law.at(r) - law.at(1.0);
     return apparent(strained_work * r - law.integral(r) - state.stored_energy);
 }
 

@@ -259,24 +259,12 @@ double cohesive_stress(double transition_parameter, const AdhesiveContact& conta
     return transition_parameter * contact.contact_modulus * jkr::maugis_units(contact).length / (1.5 * contact.radius);
 }
 
-double cohesive_range(const Contact& contact) {
-    (void)Scaled(contact);
-    return contact.work_of_adhesion / contact.cohesive_stress;
-}
-
 double force(double contact_radius, const Contact& contact) {
     return state_at_radius(contact_radius, Scaled(contact)).force;
 }
 
 double displacement(double contact_radius, const Contact& contact) {
     return state_at_radius(contact_radius, Scaled(contact)).displacement;
-}
-
-double zone_radius(double contact_radius, const Contact& contact) {
-    const Scaled scaled(contact);
-    const ReducedState state = reduced_state(contact_radius / scaled.units.length, scaled.lambda);
-    if (std::isinf(state.zone_ratio)) return scaled.units.length * zone_of_vanished_contact(scaled.lambda);
-    return contact_radius * state.zone_ratio;
 }
 
 double contact_radius_at_force(double force, const Contact& contact, Branch branch) {

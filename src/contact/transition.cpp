@@ -15,7 +15,7 @@ namespace {
 
 constexpr double relation_scale = 0.924, relation_share = 1.02;
 
-void require(const Curve& curve) {
+void require(const RadiusCurve& curve) {
     require_positive(curve.zero_load_radius, "contact radius at zero load");
     if (!(curve.pull_off_force < 0.0) || std::isinf(curve.pull_off_force))
         throw InvalidArgument(fmt::format("pull-off force must be < 0 and finite, got {}", curve.pull_off_force));
@@ -30,7 +30,7 @@ maugis_dugdale::Contact unit_contact(double lambda) {
 
 }  // namespace
 
-double contact_radius(double force, const Curve& curve) {
+double contact_radius(double force, const RadiusCurve& curve) {
     require(curve);
     const double excess = 1.0 - force / curve.pull_off_force;
     if (!(excess >= 0.0)) return undefined;
@@ -39,7 +39,7 @@ double contact_radius(double force, const Curve& curve) {
     return curve.zero_load_radius * share * share;
 }
 
-double force(double contact_radius, const Curve& curve) {
+double force(double contact_radius, const RadiusCurve& curve) {
     require(curve);
     require_not_negative(contact_radius, "contact radius");
     const double share = contact_radius / curve.zero_load_radius;
@@ -49,18 +49,12 @@ double force(double contact_radius, const Curve& curve) {
     return curve.pull_off_force * (1.0 - root) * (1.0 + root);
 }
 
-Array1D contact_radius(const ArrayView1D& force, const Curve& curve) {
+Array1D contact_radius(const ArrayView1D& force, const RadiusCurve& curve) {
     return mapped(force, [&](double f) { return contact_radius(f, curve); });
 }
 
-Array1D force(const ArrayView1D& contact_radius, const Curve& curve) {
+Array1D force(const ArrayView1D& contact_radius, const RadiusCurve& curve) {
     return mapped(contact_radius, [&](double a) { return force(a, curve); });
-}
-
-double pull_off_radius(const Curve& curve) {
-    require(curve);
-    const double share = std::cbrt(curve.transition_share / (1.0 + curve.transition_share));
-    return curve.zero_load_radius * share * share;
 }
 
 double transition_share(double transition_parameter) {
@@ -77,13 +71,13 @@ double transition_parameter(double transition_share) {
     return -relation_scale * std::log1p(-relation_share * transition_share);
 }
 
-Curve curve_of(const maugis_dugdale::Contact& contact) {
+RadiusCurve curve_of(const maugis_dugdale::Contact& contact) {
     return {.zero_load_radius = maugis_dugdale::contact_radius_at_force(0.0, contact),
             .pull_off_force = maugis_dugdale::pull_off_at_fixed_load(contact).force,
             .transition_share = transition_share(maugis_dugdale::transition_parameter(contact))};
 }
 
-maugis_dugdale::Contact contact_of(const Curve& curve, double radius) {
+maugis_dugdale::Contact contact_of(const RadiusCurve& curve, double radius) {
     require(curve);
     require_positive(radius, "sphere radius");
     const double lambda = transition_parameter(curve.transition_share);

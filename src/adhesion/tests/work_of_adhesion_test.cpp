@@ -53,7 +53,6 @@ TEST(GeneralBalance, OfASurfaceStressLawHasItsClosedForm) {
     const double expected = (w + chi * (r - 1.0)) * r - gamma * (r - 1.0) - 0.5 * chi * (r - 1.0) * (r - 1.0) - 0.003;
     const SurfaceEnergyLaw law{Array1D{{1.0, 3.0}}, Array1D{{gamma, gamma + chi * 2.0}}};
     EXPECT_NEAR(general_balance(w, law, {r, 0.003}).raw, expected, 1e-16);
-    EXPECT_NEAR(general_balance(w, law, {r, 0.003}, 0.001).raw, expected - 0.001 * r, 1e-16);
 }
 
 TEST(SurfaceEnergyLaw, IsLinearBetweenItsNodesAndConstantBeyond) {

@@ -72,10 +72,11 @@ RC_GTEST_PROP(DmtProperty, RadiusUndoesForceAndDisplacement, ()) {
 }
 
 RC_GTEST_PROP(TransitionProperty, RadiusUndoesForce, ()) {
-    const transition::Curve curve{.zero_load_radius = power_of_ten(-10, -2),
-                                  .pull_off_force = -power_of_ten(-12, 0),
-                                  .transition_share = 1e-3 * *rc::gen::inRange(0, 1001)};
-    const double a = transition::pull_off_radius(curve) + curve.zero_load_radius * power_of_ten(-2, 2);
+    const transition::RadiusCurve curve{.zero_load_radius = power_of_ten(-10, -2),
+                                        .pull_off_force = -power_of_ten(-12, 0),
+                                        .transition_share = 1e-3 * *rc::gen::inRange(0, 1001)};
+    const double alpha = curve.transition_share, at_pull_off = std::pow(alpha / (1.0 + alpha), 2.0 / 3.0);
+    const double a = at_pull_off * curve.zero_load_radius + curve.zero_load_radius * power_of_ten(-2, 2);
     RC_ASSERT(std::abs(transition::contact_radius(transition::force(a, curve), curve) / a - 1.0) < 1e-10);
 }
 

@@ -26,7 +26,7 @@ TEST(Tabor, AgreesWithTheCohesiveStressOfALennardJonesLaw) {
         maugis_dugdale::transition_parameter(dugdale) / transition_parameter(jkr::tabor_parameter(tip, atomic_range)),
         1.0, 1e-14);
     // Maugis: the zone reaches over 0.97 z0
-    EXPECT_NEAR(maugis_dugdale::cohesive_range(dugdale) / atomic_range, 0.974, 5e-4);
+    EXPECT_NEAR(dugdale.work_of_adhesion / dugdale.cohesive_stress / atomic_range, 0.974, 5e-4);
 }
 
 TEST(TaborVerdict, FindsEachFieldOfTheMap) {

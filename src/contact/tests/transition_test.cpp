@@ -26,19 +26,25 @@ maugis_dugdale::Contact with(double lambda) {
 /// Largest deviation of contact radii from Maugis and Dugdale's, over a0, for F from `from` |Fc| to 10 |Fc|.
 double deviation(double lambda, double from) {
     const maugis_dugdale::Contact contact = with(lambda);
-    const Curve curve = curve_of(contact);
+    const RadiusCurve curve = curve_of(contact);
     const Array1D loads = Array1D::LinSpaced(2001, from, 10.0) * std::abs(curve.pull_off_force);
     return (contact_radius(loads, curve) - maugis_dugdale::contact_radius_at_force(loads, contact)).abs().maxCoeff() /
            curve.zero_load_radius;
 }
 
+/// a0 (α/(1 + α))^(2/3)
+double pull_off_radius(const RadiusCurve& curve) {
+    const double share = std::cbrt(curve.transition_share / (1.0 + curve.transition_share));
+    return curve.zero_load_radius * share * share;
+}
+
 TEST(Transition, IsDmtAtOneEndAndJkrAtTheOther) {
-    const Curve dmt_end{.zero_load_radius = dmt::contact_radius_at_force(0.0, tip),
-                        .pull_off_force = dmt::pull_off(tip).force,
-                        .transition_share = 0.0};
-    const Curve jkr_end{.zero_load_radius = jkr::contact_radius_at_force(0.0, tip),
-                        .pull_off_force = jkr::pull_off_at_fixed_load(tip).force,
-                        .transition_share = 1.0};
+    const RadiusCurve dmt_end{.zero_load_radius = dmt::contact_radius_at_force(0.0, tip),
+                              .pull_off_force = dmt::pull_off(tip).force,
+                              .transition_share = 0.0};
+    const RadiusCurve jkr_end{.zero_load_radius = jkr::contact_radius_at_force(0.0, tip),
+                              .pull_off_force = jkr::pull_off_at_fixed_load(tip).force,
+                              .transition_share = 1.0};
     for (const double load : {-8e-9, 0.0, 1e-8, 1e-6}) {
         EXPECT_NEAR(contact_radius(load, dmt_end) / dmt::contact_radius_at_force(load, tip), 1.0, 1e-14);
         EXPECT_NEAR(contact_radius(load, jkr_end) / jkr::contact_radius_at_force(load, tip), 1.0, 1e-14);
@@ -49,7 +55,7 @@ TEST(Transition, IsDmtAtOneEndAndJkrAtTheOther) {
 
 TEST(Transition, RadiusAndForceUndoEachOther) {
     for (const double alpha : {0.0, 0.3, 1.0}) {
-        const Curve curve{.zero_load_radius = 2e-9, .pull_off_force = -1e-8, .transition_share = alpha};
+        const RadiusCurve curve{.zero_load_radius = 2e-9, .pull_off_force = -1e-8, .transition_share = alpha};
         for (const double load : {-0.99e-8, -0.5e-8, 0.0, 1e-7})
             EXPECT_NEAR(force(contact_radius(load, curve), curve), load, 1e-10 * (1e-8 + std::abs(load)));
         EXPECT_DOUBLE_EQ(contact_radius(0.0, curve), 2e-9);
@@ -58,7 +64,7 @@ TEST(Transition, RadiusAndForceUndoEachOther) {
 }
 
 TEST(Transition, IsUndefinedBeyondPullOff) {
-    const Curve curve{.zero_load_radius = 2e-9, .pull_off_force = -1e-8, .transition_share = 0.3};
+    const RadiusCurve curve{.zero_load_radius = 2e-9, .pull_off_force = -1e-8, .transition_share = 0.3};
     EXPECT_TRUE(std::isnan(contact_radius(-1.001e-8, curve)));
     EXPECT_TRUE(std::isnan(contact_radius(undefined, curve)));
     EXPECT_TRUE(std::isnan(force(0.99 * pull_off_radius(curve), curve)));
@@ -94,7 +100,7 @@ TEST(Transition, GivesBackTheContactItsCurveIsOf) {
 }
 
 TEST(Transition, OfSeriesEqualsThatOfEachValue) {
-    const Curve curve{.zero_load_radius = 2e-9, .pull_off_force = -1e-8, .transition_share = 0.3};
+    const RadiusCurve curve{.zero_load_radius = 2e-9, .pull_off_force = -1e-8, .transition_share = 0.3};
     const Array1D loads = Array1D::LinSpaced(4, -1e-8, 1e-8);
     const Array1D radii = contact_radius(loads, curve);
     for (Index i = 0; i < 4; ++i) EXPECT_EQ(radii[i], contact_radius(loads[i], curve));
@@ -102,14 +108,15 @@ TEST(Transition, OfSeriesEqualsThatOfEachValue) {
 }
 
 TEST(Transition, RefusesValuesOutsideItsDomain) {
-    for (const Curve& bad : {Curve{.zero_load_radius = 0.0, .pull_off_force = -1.0, .transition_share = 0.5},
-                             Curve{.zero_load_radius = 1.0, .pull_off_force = 1.0, .transition_share = 0.5},
-                             Curve{.zero_load_radius = 1.0, .pull_off_force = -1.0, .transition_share = 1.1},
-                             Curve{.zero_load_radius = 1.0, .pull_off_force = -1.0, .transition_share = undefined}}) {
+    for (const RadiusCurve& bad :
+         {RadiusCurve{.zero_load_radius = 0.0, .pull_off_force = -1.0, .transition_share = 0.5},
+          RadiusCurve{.zero_load_radius = 1.0, .pull_off_force = 1.0, .transition_share = 0.5},
+          RadiusCurve{.zero_load_radius = 1.0, .pull_off_force = -1.0, .transition_share = 1.1},
+          RadiusCurve{.zero_load_radius = 1.0, .pull_off_force = -1.0, .transition_share = undefined}}) {
         EXPECT_THROW((void)contact_radius(0.0, bad), InvalidArgument);
         EXPECT_THROW((void)contact_of(bad, 1.0), InvalidArgument);
     }
-    const Curve good{.zero_load_radius = 1.0, .pull_off_force = -1.0, .transition_share = 0.5};
+    const RadiusCurve good{.zero_load_radius = 1.0, .pull_off_force = -1.0, .transition_share = 0.5};
     EXPECT_THROW((void)force(-1.0, good), InvalidArgument);
     EXPECT_THROW((void)contact_of(good, -1.0), InvalidArgument);
     EXPECT_THROW((void)transition_share(0.0), InvalidArgument);

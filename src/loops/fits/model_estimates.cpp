@@ -37,7 +37,7 @@ struct TransitionContact {
     double cohesive_stress = undefined;
 };
 
-contact::transition::Curve curve_of_slots(const FitParameters& at) {
+contact::transition::RadiusCurve curve_of_slots(const FitParameters& at) {
     return {.zero_load_radius = std::exp(at[0]),
             .pull_off_force = -std::exp(at[1]),
             .transition_share = 1.0 / (1.0 + std::exp(-at[2]))};
@@ -48,7 +48,7 @@ constexpr double least_share = 0.01, most_share = 0.98;
 
 /// The contact of a transition curve; its limits are JKR's and DMT's.
 TransitionContact transition_contact(const FitParameters& at, double radius) {
-    const contact::transition::Curve curve = curve_of_slots(at);
+    const contact::transition::RadiusCurve curve = curve_of_slots(at);
     if (curve.transition_share > least_share && curve.transition_share < most_share) {
         const auto contact = contact::transition::contact_of(curve, radius);
         return {contact.contact_modulus, contact.work_of_adhesion, contact.cohesive_stress};

@@ -194,30 +194,4 @@ std::vector<Alert> projection_alerts(const ProjectionBias& bias, const std::stri
          "divide C1D by the factor of each wavevector, use thinner foils, or leave out wavelengths shorter than the foil is thick"}};
 }
 
-Array1D without_projection_bias(const ArrayView1D& wavevector, const ArrayView1D& C1D, const ProjectionBias& bias) {
-    if (wavevector.size() != C1D.size())
-        throw InvalidArgument(
-            fmt::format("{} wavevectors for {} values of the spectrum", wavevector.size(), C1D.size()));
-    if (bias.wavevector.size() < 1 || bias.C1D.size() != bias.wavevector.size() || !(bias.C1D > 0.0).all())
-        throw InvalidArgument(
-            fmt::format("{} factors at {} wavevectors for the bias of a foil; expected positive ones at each",
-                        bias.C1D.size(), bias.wavevector.size()));
-    const auto factor_at = [&](double q) {
-        const double* begin = bias.wavevector.data();
-        const auto above = std::upper_bound(begin, begin + bias.wavevector.size(), q) - begin;
-        if (above == 0) return bias.C1D[0];
-        if (above == bias.wavevector.size()) return bias.C1D[above - 1];
-        const double share =
-            std::log(q / bias.wavevector[above - 1]) / std::log(bias.wavevector[above] / bias.wavevector[above - 1]);
-        return (1.0 - share) * bias.C1D[above - 1] + share * bias.C1D[above];
-    };
-    Array1D result(C1D.size());
-    for (Index i = 0; i < C1D.size(); ++i) {
-        if (!(wavevector[i] > 0.0))
-            throw InvalidArgument(fmt::format("wavevector {} is {} 1/m; expected positive", i, wavevector[i]));
-        result[i] = C1D[i] / factor_at(wavevector[i]);
-    }
-    return result;
-}
-
 }  // namespace setae::simulation

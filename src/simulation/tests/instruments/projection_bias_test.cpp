@@ -73,7 +73,7 @@ TEST(ProjectionBias, DividedOutGivesTheLineScansOfOtherSurfaces) {
     auto options = foils(5e-9);
     options.key = {3, 0};
     const auto other = projection_bias(density(rough), options);
-    const Array1D corrected = without_projection_bias(other.wavevector, other.C1D, known);
+    const Array1D corrected = other.C1D / known.C1D;
     const Array1D error = (known.C1D_standard_error.square() + other.C1D_standard_error.square()).sqrt() / known.C1D;
     // twelve bins at four standard errors, which eight surfaces know to a quarter
     for (Index b = 0; b < corrected.size(); ++b) EXPECT_NEAR(corrected[b], 1.0, 5.0 * error[b]) << b;
@@ -105,20 +105,6 @@ TEST(ProjectionBias, RefusesFoilsWiderThanTheSurface) {
     auto options = foils(0.0);
     options.surfaces = 1;
     EXPECT_THROW((void)projection_bias(density(rough), options), InvalidArgument);
-}
-
-TEST(WithoutProjectionBias, InterpolatesTheFactorBetweenItsWavevectors) {
-    ProjectionBias bias;
-    bias.wavevector = Array1D{{1e8, 1e10}};
-    bias.C1D = Array1D{{0.8, 0.4}};
-    const Array1D q{{1e7, 1e8, 1e9, 1e11}}, C1D = Array1D::Constant(4, 1.0);
-    const Array1D corrected = without_projection_bias(q, C1D, bias);
-    EXPECT_NEAR(corrected[0], 1.0 / 0.8, 1e-15);
-    EXPECT_NEAR(corrected[1], 1.0 / 0.8, 1e-15);
-    EXPECT_NEAR(corrected[2], 1.0 / 0.6, 1e-14);
-    EXPECT_NEAR(corrected[3], 1.0 / 0.4, 1e-15);
-    EXPECT_THROW((void)without_projection_bias(Array1D::Zero(4), C1D, bias), InvalidArgument);
-    EXPECT_THROW((void)without_projection_bias(q.head(3), C1D, bias), InvalidArgument);
 }
 
 }  // namespace projection_bias_test

@@ -50,12 +50,12 @@ struct SurfaceEnergyLaw {
 
 /// The general balance.
 ///
-///   W_app = W*_int r − ∫_1^r γ1s(x) dx − U_el/A_app,   W*_int = W_int + [γ1s(r) − γ1s(1)] − interface_change
+///   W_app = W*_int r − ∫_1^r γ1s(x) dx − U_el/A_app,   W*_int = W_int + [γ1s(r) − γ1s(1)]
 ///
-/// interface_change: γ1s2 − γ12 [J/m²], the strain's effect on the interface itself, 0 unless known.
+/// The strain is taken to leave the interface itself as it is (γ1s2 = γ12).
 /// Equals modified_balance for a constant law.
 /// @throws InvalidArgument outside the domain.  Source: [D19] (5), (6); THEORY §8.
 [[nodiscard]] ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law,
-                                           const ConformalState& state, double interface_change = 0.0);
+                                           const ConformalState& state);
 
 }  // namespace setae::adhesion

@@ -67,18 +67,12 @@ struct ReducedSlopes {
 /// 0.
 [[nodiscard]] double cohesive_stress(double transition_parameter, const AdhesiveContact& contact);
 
-/// Gap W/σ0 [m] across which the attraction ends. @throws InvalidArgument for a contact outside its domain.
-[[nodiscard]] double cohesive_range(const Contact& contact);
-
 /// Force [N], displacement [m] in equilibrium at contact radius a [m], >= 0.
 /// @throws InvalidArgument for a < 0 or a contact outside its domain.
 [[nodiscard]] double force(double contact_radius, const Contact& contact);
 [[nodiscard]] double displacement(double contact_radius, const Contact& contact);
 [[nodiscard]] Array1D force(const ArrayView1D& contact_radius, const Contact& contact);
 [[nodiscard]] Array1D displacement(const ArrayView1D& contact_radius, const Contact& contact);
-
-/// Outer radius c [m] of the cohesive zone at contact radius a [m], >= 0.
-[[nodiscard]] double zone_radius(double contact_radius, const Contact& contact);
 
 /// Contact radius [m] under force F [N]; NaN where no equilibrium exists: below the pull-off at fixed load, and for the
 /// inner branch above the force at a = 0.

@@ -15,7 +15,7 @@
 /// above is JKR. Source: Carpick, Ogletree, Salmeron, J. Colloid Interface Sci. 211 (1999) 395.
 namespace setae::contact::transition {
 
-struct Curve {
+struct RadiusCurve {
     double zero_load_radius = 0.0;  ///< a0 [m], > 0
     double pull_off_force = 0.0;    ///< Fc [N], < 0
     double transition_share = 0.0;  ///< α, 0 (DMT) to 1 (JKR)
@@ -23,16 +23,13 @@ struct Curve {
 
 /// Contact radius [m] under force F [N], on the stable branch; NaN for F < Fc.
 /// @throws InvalidArgument for a curve outside its domain.
-[[nodiscard]] double contact_radius(double force, const Curve& curve);
-[[nodiscard]] Array1D contact_radius(const ArrayView1D& force, const Curve& curve);
+[[nodiscard]] double contact_radius(double force, const RadiusCurve& curve);
+[[nodiscard]] Array1D contact_radius(const ArrayView1D& force, const RadiusCurve& curve);
 
 /// Force F = Fc {1 − [(1 + α)(a/a0)^(3/2) − α]²} [N] at contact radius a [m]; NaN below the radius at pull-off.
 /// @throws InvalidArgument for a < 0 or a curve outside its domain.
-[[nodiscard]] double force(double contact_radius, const Curve& curve);
-[[nodiscard]] Array1D force(const ArrayView1D& contact_radius, const Curve& curve);
-
-/// Contact radius at pull-off, a0 (α/(1 + α))^(2/3) [m].
-[[nodiscard]] double pull_off_radius(const Curve& curve);
+[[nodiscard]] double force(double contact_radius, const RadiusCurve& curve);
+[[nodiscard]] Array1D force(const ArrayView1D& contact_radius, const RadiusCurve& curve);
 
 /// α = (1 − e^(−λ/0.924))/1.02 of Maugis' λ. @throws InvalidArgument for λ <= 0.
 [[nodiscard]] double transition_share(double transition_parameter);
@@ -42,10 +39,10 @@ struct Curve {
 
 /// The curve of a Maugis–Dugdale contact: a0 and Fc its own, α from its λ.
 /// @throws InvalidArgument for a contact outside its domain.
-[[nodiscard]] Curve curve_of(const maugis_dugdale::Contact& contact);
+[[nodiscard]] RadiusCurve curve_of(const maugis_dugdale::Contact& contact);
 
 /// The Maugis–Dugdale contact of sphere radius R [m] whose a0, Fc and λ(α) are those of a curve: the end of a fit.
 /// @throws InvalidArgument for R <= 0, a curve outside its domain, or α outside (0, 1/1.02).
-[[nodiscard]] maugis_dugdale::Contact contact_of(const Curve& curve, double radius);
+[[nodiscard]] maugis_dugdale::Contact contact_of(const RadiusCurve& curve, double radius);
 
 }  // namespace setae::contact::transition

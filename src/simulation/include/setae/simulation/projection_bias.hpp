@@ -53,11 +53,4 @@ struct ProjectionBias {
 [[nodiscard]] std::vector<Alert> projection_alerts(const ProjectionBias& bias, const std::string& subject,
                                                    double tolerance = 0.02);
 
-/// C1D of silhouettes divided by the factor, interpolated in log q, constant beyond its first and last bin: what line
-/// scans of the surface would show on average, where it is a Gaussian surface with the spectrum the factor was
-/// simulated for.
-/// @throws InvalidArgument for sizes that differ, wavevectors that are not positive, or a factor that is not.
-[[nodiscard]] Array1D without_projection_bias(const ArrayView1D& wavevector, const ArrayView1D& C1D,
-                                              const ProjectionBias& bias);
-
 }  // namespace setae::simulation
