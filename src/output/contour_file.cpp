@@ -87,7 +87,7 @@ private:
     std::string path_, where_;
 };
 
-Json as_json(const imaging::Region& r) { return Json::array({r.x, r.y, r.width, r.height}); }
+Json as_json(const imaging::PictureRegion& r) { return Json::array({r.x, r.y, r.width, r.height}); }
 
 Json options_json(const study::ContourOptions& options) {
     const auto& t = options.trace;

@@ -8,7 +8,7 @@
 
 namespace setae::cli {
 
-imaging::Region parse_region(const std::string& option, const std::string& text) {
+imaging::PictureRegion parse_region(const std::string& option, const std::string& text) {
     const auto region = spelled_list<long, 4>(text, ',');
     if (!region)
         throw InvalidArgument(

@@ -8,6 +8,6 @@
 namespace setae::cli {
 
 /// "100,80,320,240": x, y, width, height in pixels. @throws InvalidArgument that names the option.
-[[nodiscard]] imaging::Region parse_region(const std::string& option, const std::string& text);
+[[nodiscard]] imaging::PictureRegion parse_region(const std::string& option, const std::string& text);
 
 }  // namespace setae::cli

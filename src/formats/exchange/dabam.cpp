@@ -201,7 +201,7 @@ std::vector<Channel> open_dabam(const bytes::Source& source, const ReadOptions& 
     const auto lines = tables::find_number_lines(*start, start->begin, start->source.size);
     tables::require_whole_last_line(lines);
     const auto numbers = tables::read_numbers(lines);
-    Curve curve;
+    HeightCurve curve;
     curve.x.unit = "m";
     curve.x.values = columns.x_factor * numbers.row(0);
     const bool any_heights = std::any_of(columns.ordinates.begin(), columns.ordinates.end(),

@@ -24,7 +24,7 @@ std::vector<Channel> open_hfm(const bytes::Source& source, const ReadOptions& op
     if (table.columns.size() != 3)
         throw FormatError(source.name, {.line = 1},
                           fmt::format("HFM: {} columns, expected X, Y and valid", table.columns.size()));
-    Curve curve{table.columns[0], table.columns[1]};
+    HeightCurve curve{table.columns[0], table.columns[1]};
     curve.heights.values = (table.columns[2].values != 0.0).select(curve.heights.values, undefined);
     ChannelInfo info;
     info.name = curve.heights.name;

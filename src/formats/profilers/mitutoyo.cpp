@@ -73,7 +73,7 @@ std::string unit_of(const std::string& length) {
 }
 
 /// Positions and heights; rows that hold nothing of both are none.
-Curve curve_of(const tables::SheetRows& data, const bytes::Source& source) {
+HeightCurve curve_of(const tables::SheetRows& data, const bytes::Source& source) {
     std::vector<double> x, heights;
     for (const auto& [row, cells] : data) {
         const auto position = cell(data, row, x_column), height = cell(data, row, height_column);
@@ -91,7 +91,7 @@ Curve curve_of(const tables::SheetRows& data, const bytes::Source& source) {
     const auto array = [](const std::vector<double>& values) -> Array1D {
         return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
     };
-    Curve curve;
+    HeightCurve curve;
     curve.x.values = array(x);
     curve.heights.values = array(heights);
     return curve;

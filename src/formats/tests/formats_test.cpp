@@ -63,13 +63,13 @@ TEST_P(FormatSamples, GiveTheSameHeightsByBandsOfLines) {
 }
 
 TEST(Formats, MostMapsCanBeReadByBandsOfLines) {
-    int maps = 0, by_bands = 0;
+    int maps = 0, tiled_maps = 0;
     for (const auto& sample : format_samples()) {
         const auto channel = open(source_of(sample), sample.options).at(sample.channel);
         maps += channel.info.shape.size() == 2;
-        by_bands += tiled(channel).has_value();
+        tiled_maps += tiled(channel).has_value();
     }
-    EXPECT_GT(2 * by_bands, maps);
+    EXPECT_GT(2 * tiled_maps, maps);
 }
 
 /// Opens and reads all channels; the error's text, or nothing.

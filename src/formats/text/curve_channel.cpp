@@ -26,7 +26,7 @@ struct Units {
 
 /// Units from the header, else the one given; where neither says a column's, the other column's holds for both (a
 /// measurement has one length unit), with an alert. Empty where nobody says any.
-Units find_units(const Curve& curve, ChannelInfo& info, const ReadOptions& options, const bytes::Source& source) {
+Units find_units(const HeightCurve& curve, ChannelInfo& info, const ReadOptions& options, const bytes::Source& source) {
     Units units{curve.x.unit, curve.heights.unit};
     for (const auto* unit : {&units.x, &units.heights})
         if (!unit->empty() && !is_length_unit(*unit))
@@ -102,7 +102,7 @@ void compare_unit(ChannelInfo& info, const ReadOptions& options, const bytes::So
                            "check the unit; correct the file's header where it is wrong"});
 }
 
-Channel curve_channel(ChannelInfo info, Curve curve, const ReadOptions& options, const bytes::Source& source) {
+Channel curve_channel(ChannelInfo info, HeightCurve curve, const ReadOptions& options, const bytes::Source& source) {
     const auto units = find_units(curve, info, options, source);
     require_positions(curve.x.values, source);
     if (curve.x.values.size() < 2)

@@ -13,7 +13,7 @@
 namespace setae::formats {
 
 /// Positions and heights, with the units a file states.
-struct Curve {
+struct HeightCurve {
     tables::RawTable::RawColumn x;
     tables::RawTable::RawColumn heights;
     std::optional<tables::RawTable::RawColumn> standard_error = {};
@@ -24,7 +24,7 @@ struct Curve {
 /// `read` throws InvalidArgument. `info` has name, format, metadata and alerts.
 /// @throws FormatError for units that are no lengths, undefined positions and fewer than two points; UndefinedDataError
 /// where no height is defined.
-[[nodiscard]] Channel curve_channel(ChannelInfo info, Curve curve, const ReadOptions& options,
+[[nodiscard]] Channel curve_channel(ChannelInfo info, HeightCurve curve, const ReadOptions& options,
                                     const bytes::Source& source);
 
 /// Whether each value is greater than the one before.

@@ -77,13 +77,13 @@ Alert ambiguous(TextContent content, const bytes::Source& source, const tables::
                                            : "check the shape; give --as matrix where it is wrong"};
 }
 
-Curve curve_of(const tables::RawTable& table) {
+HeightCurve curve_of(const tables::RawTable& table) {
     const auto& columns = table.columns;
     if (columns.size() == 2) return {columns[0], columns[1]};
     const auto last = bytes::lowered(columns[2].name);
     if (last == "standard_error") return {columns[0], columns[1], columns[2]};
     if (last != "valid") return {columns[1], columns[2]};
-    Curve curve{columns[0], columns[1]};
+    HeightCurve curve{columns[0], columns[1]};
     curve.heights.values = (columns[2].values != 0.0).select(columns[1].values, undefined);
     return curve;
 }

@@ -42,7 +42,7 @@ struct ProfileBin {
     double count = 0, distance = 0, grey = 0;
 };
 
-struct Profile {
+struct RayProfile {
     std::vector<ProfileBin> bins;
     double grey_squared = 0;
 };
@@ -53,12 +53,12 @@ struct Window {
 };
 
 struct Sectors {
-    std::vector<Profile> profiles;
+    std::vector<RayProfile> profiles;
     Window window;
 };
 
 Sectors gathered(const FramePixels& pixels, const Outline& outline, std::size_t count, const Window& window) {
-    Sectors sectors{std::vector<Profile>(count, Profile{std::vector<ProfileBin>(window.bins()), 0}), window};
+    Sectors sectors{std::vector<RayProfile>(count, RayProfile{std::vector<ProfileBin>(window.bins()), 0}), window};
     const OutlineDistance distance(outline);
     const double outer = outline.semi_major() + window.outside + 1,
                  inner = std::max(0.0, outline.semi_minor() - window.inside - 1);
@@ -112,7 +112,7 @@ struct StepFit {
 };
 
 /// Level and contrast for a given place and width; the squares that remain.
-double linear_part(const Profile& profile, StepFit& fit) {
+double linear_part(const RayProfile& profile, StepFit& fit) {
     double n = 0, h = 0, hh = 0, g = 0, gh = 0, gg = 0;
     for (const auto& at : profile.bins) {
         if (at.count == 0) continue;
@@ -129,7 +129,7 @@ double linear_part(const Profile& profile, StepFit& fit) {
 
 /// Rounds of Gauss and Newton. One round with a known contrast is linear in the grey levels: noise makes no bias, and
 /// the scatter of places is that of their mean.
-void refine(const Profile& profile, StepFit& fit, bool width_free, double farthest, int rounds,
+void refine(const RayProfile& profile, StepFit& fit, bool width_free, double farthest, int rounds,
             double known_contrast = 0) {
     const int unknowns = width_free ? 4 : 3;
     for (int round = 0; round < rounds; ++round) {
@@ -166,7 +166,7 @@ void refine(const Profile& profile, StepFit& fit, bool width_free, double farthe
 }
 
 /// The place among steps of half a width that leaves the least squares with a contrast of the sign.
-StepFit searched(const Profile& profile, double width, double sign, double farthest) {
+StepFit searched(const RayProfile& profile, double width, double sign, double farthest) {
     StepFit best{.width = width};
     double least = std::numeric_limits<double>::infinity();
     for (double place = -farthest; place <= farthest; place += 0.5 * width) {
@@ -228,9 +228,9 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
 
 /// The mean over rays that agree, of grey levels less each ray's own level; by the distance from the outline, or from
 /// each ray's own place.
-Profile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, const std::vector<bool>& agree,
-                     bool from_own_place) {
-    Profile mean{std::vector<ProfileBin>(sectors.window.bins()), 0};
+RayProfile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, const std::vector<bool>& agree,
+                        bool from_own_place) {
+    RayProfile mean{std::vector<ProfileBin>(sectors.window.bins()), 0};
     for (std::size_t k = 0; k < rays.size(); ++k) {
         if (!agree[k]) continue;
         const auto& bins = sectors.profiles[k].bins;
@@ -253,7 +253,7 @@ Profile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays, c
 }
 
 /// Where the mean profile first turns back outside the edge by a share of the contrast; `farthest` where it does not.
-double first_fringe(const Profile& profile, const StepFit& step, double sign, double farthest) {
+double first_fringe(const RayProfile& profile, const StepFit& step, double sign, double farthest) {
     constexpr double turned = 0.08;
     double highest = -std::numeric_limits<double>::infinity(), at_highest = farthest;
     for (const auto& at : profile.bins) {

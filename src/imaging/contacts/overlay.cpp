@@ -30,7 +30,7 @@ cv::Mat canvas(const FramePixels& pixels, int factor) {
     return picture;
 }
 
-void draw(cv::Mat& picture, const EdgeEllipse& ellipse, const Region& region, int factor) {
+void draw(cv::Mat& picture, const EdgeEllipse& ellipse, const PictureRegion& region, int factor) {
     constexpr int shift = 4, sides = 360;  // 16ths of a pixel
     const auto place = [&](double x, double y) {
         // a pixel's centre is the middle of the square it became

@@ -61,7 +61,7 @@ public:
     void ring(const Anchor& at) {
         cv::circle(picture_, place(at.x, at.y), 6 << shift, anchor_colour, 2, cv::LINE_AA, shift);
     }
-    void box(const Region& r) {
+    void box(const PictureRegion& r) {
         cv::rectangle(picture_, place(static_cast<double>(r.x) - 0.5, static_cast<double>(r.y) - 0.5),
                       place(static_cast<double>(r.x + r.width) - 0.5, static_cast<double>(r.y + r.height) - 0.5),
                       hidden_colour, 1, cv::LINE_AA, shift);

@@ -19,7 +19,7 @@ cv::Mat view(FramePixels& pixels) {
     return {static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F, pixels.data()};
 }
 
-void hide(PixelMask& hidden, const std::vector<Region>& regions) {
+void hide(PixelMask& hidden, const std::vector<PictureRegion>& regions) {
     for (const auto& r : regions) {
         if (r.width <= 0 || r.height <= 0 || r.x < 0 || r.y < 0 || r.x + r.width > hidden.cols() ||
             r.y + r.height > hidden.rows())

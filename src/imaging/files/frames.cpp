@@ -119,7 +119,7 @@ struct FrameSource::Recording {
     Store store;
     FrameOptions options;
     PictureSize size;
-    Region region;
+    PictureRegion region;
     std::vector<std::size_t> chosen;  ///< index in the store of each frame
     FrameNumbers numbers;             ///< of all frames of the store
     std::optional<double> pixel_size;
@@ -145,7 +145,7 @@ struct FrameSource::Recording {
     }
 
     void choose_region() {
-        region = options.region.value_or(Region{0, 0, size.width, size.height});
+        region = options.region.value_or(PictureRegion{0, 0, size.width, size.height});
         const bool inside = region.x >= 0 && region.y >= 0 && region.width > 0 && region.height > 0 &&
                             region.x <= size.width - region.width && region.y <= size.height - region.height;
         if (!inside)
@@ -212,7 +212,7 @@ double FrameSource::time(std::size_t index) const {
 }
 std::optional<double> FrameSource::pixel_size() const { return recording_->pixel_size; }
 double FrameSource::frame_rate() const { return recording_->frame_rate; }
-Region FrameSource::region() const { return recording_->region; }
+PictureRegion FrameSource::region() const { return recording_->region; }
 const std::vector<long>& FrameSource::missing() const { return recording_->numbers.missing; }
 const std::vector<std::string>& FrameSource::notes() const { return recording_->notes; }
 

@@ -110,9 +110,9 @@ std::vector<cv::Rect> text(const cv::Mat1f& levels) {
 
 }  // namespace
 
-std::vector<Region> annotations(const FramePixels& pixels) {
+std::vector<PictureRegion> annotations(const FramePixels& pixels) {
     const auto levels = scaled_levels(pixels);
-    std::vector<Region> regions;
+    std::vector<PictureRegion> regions;
     for (const auto& found : found_bars(levels)) regions.push_back(found.bar.annotation);
     if (levels.rows < 2 * least_data_bar || levels.cols < 2 * least_data_bar) return regions;
     cv::Mat1f upside_down;
@@ -123,7 +123,7 @@ std::vector<Region> annotations(const FramePixels& pixels) {
     for (const auto& box : text(levels)) {
         const auto wide = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
                           cv::Rect(0, 0, levels.cols, levels.rows);
-        const bool known = std::any_of(regions.begin(), regions.end(), [&](const Region& other) {
+        const bool known = std::any_of(regions.begin(), regions.end(), [&](const PictureRegion& other) {
             return wide.x >= other.x && wide.y >= other.y && wide.br().x <= other.x + other.width &&
                    wide.br().y <= other.y + other.height;
         });

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_bars = 4;  // that are reported
 constexpr int margin = 3;             // px around bar and label: blur, and shadows of letters
 
-Region region_of(const cv::Rect& box, const cv::Mat1f& levels) {
+PictureRegion region_of(const cv::Rect& box, const cv::Mat1f& levels) {
     const auto inside = cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
                         cv::Rect(0, 0, levels.cols, levels.rows);
     return {inside.x, inside.y, inside.width, inside.height};

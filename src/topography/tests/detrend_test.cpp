@@ -91,8 +91,8 @@ TEST(Detrend, OfAMapByBandsIsThatOfTheWholeMap) {
     for (const auto trend : {Trend::mean, Trend::tilt, Trend::parabola}) {
         const Array2D whole = detrended(map, trend).heights;
         for (const Index lines : {1, 7, 50}) {
-            const auto by_bands = detrended(tiled(map), trend, lines);
-            const Array2D band = by_bands.lines(11, 25), difference = band - whole.middleCols(11, 25);
+            const auto tiled = detrended(topography::tiled(map), trend, lines);
+            const Array2D band = tiled.lines(11, 25), difference = band - whole.middleCols(11, 25);
             EXPECT_LT(difference.isNaN().select(0.0, difference.abs()).maxCoeff(), 1e-12);
             EXPECT_TRUE((band.isNaN() == whole.middleCols(11, 25).isNaN()).all());
         }

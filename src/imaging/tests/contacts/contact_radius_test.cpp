@@ -137,7 +137,7 @@ TEST(ContactRadii, TakeTheRegionsPlaceBack) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(growing(6)));
     auto part = options();
-    part.region = Region{14, 12, 62, 60};
+    part.region = PictureRegion{14, 12, 62, 60};
     const auto whole = measure_contact_radii(FrameSource(folder / "stack.tif", options())),
                cut = measure_contact_radii(FrameSource(folder / "stack.tif", part));
     EXPECT_NEAR(cut.frames[5].contact.ellipse.centre_x, 44.2, 0.15);

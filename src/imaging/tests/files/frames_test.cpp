@@ -155,7 +155,7 @@ TEST(FrameSource, GivesOnlyTheRegionAndFramesAskedFor) {
     const Folder folder;
     write_bytes(folder / "stack.tif", PlainTiff{}.bytes(patterns(6)));
     auto options = at_20_a_second();
-    options.region = Region{5, 3, 20, 17};
+    options.region = PictureRegion{5, 3, 20, 17};
     options.first = 3;
     options.last = 5;
     const FrameSource source(folder / "stack.tif", options);
@@ -164,7 +164,7 @@ TEST(FrameSource, GivesOnlyTheRegionAndFramesAskedFor) {
     EXPECT_DOUBLE_EQ(source.time(0), 2.0 / 20);  // since the recording's first
     const FramePixels expected = patterns(6)[2].block(3, 5, 17, 20);
     EXPECT_LE((source.read(0).pixels - expected).abs().maxCoeff(), 0.0f);
-    options.region = Region{30, 0, 20, 10};
+    options.region = PictureRegion{30, 0, 20, 10};
     expect_holds(message_of([&] { FrameSource(folder / "stack.tif", options); }), "outside the frames of 37 × 23");
 }
 

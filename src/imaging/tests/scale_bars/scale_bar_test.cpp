@@ -301,7 +301,7 @@ TEST(ScaleBars, AreTheSameEveryTime) {
     EXPECT_EQ(first.front().confidence, second.front().confidence);
 }
 
-bool holds(const std::vector<Region>& regions, const Region& part) {
+bool holds(const std::vector<PictureRegion>& regions, const PictureRegion& part) {
     for (const auto& region : regions)
         if (region.x <= part.x && region.y <= part.y && region.x + region.width >= part.x + part.width &&
             region.y + region.height >= part.y + part.height)

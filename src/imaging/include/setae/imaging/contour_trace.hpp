@@ -27,7 +27,8 @@ struct TraceOptions {
     /// strongest edge between them; one: the nearest segment that is found without help is led through it. Empty: found
     /// without help.
     std::vector<std::vector<Anchor>> anchors;
-    std::vector<Region> hidden;  ///< parts that show no sample, such as scale bars; the trace crosses them smoothly
+    std::vector<PictureRegion>
+        hidden;  ///< parts that show no sample, such as scale bars; the trace crosses them smoothly
     std::optional<double> smoothing_length;  ///< ℓ of the spline (0: none); unset: least expected error
     double denoise = 0.0;                    ///< standard deviation of a Gaussian that smooths the picture first
     std::optional<double>

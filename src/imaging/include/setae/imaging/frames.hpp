@@ -16,7 +16,7 @@ namespace setae::imaging {
 using FramePixels = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Part of a frame: its left upper pixel and its size, in pixels.
-struct Region {
+struct PictureRegion {
     long x = 0, y = 0, width = 0, height = 0;
 };
 
@@ -26,7 +26,7 @@ struct FrameOptions {
     std::optional<double>
         frame_rate;  ///< [1/s]; in place of what the files state: players' rates are often not the camera's
     bool ignore_stated_pixel_size = false;  ///< take pixel_size even where a file contradicts it
-    std::optional<Region> region;           ///< what is looked at; coordinates of results stay those of the whole frame
+    std::optional<PictureRegion> region;    ///< what is looked at; coordinates of results stay those of the whole frame
     std::optional<long> first, last;        ///< numbers of frames, both included
     long most_pixels = 100'000'000;         ///< a larger frame is refused
 };
@@ -71,7 +71,7 @@ public:
     [[nodiscard]] std::string name(std::size_t index) const;  ///< file, and page where it has several
     [[nodiscard]] std::optional<double> pixel_size() const;   ///< [m]
     [[nodiscard]] double frame_rate() const;                  ///< [1/s]
-    [[nodiscard]] Region region() const;
+    [[nodiscard]] PictureRegion region() const;
     [[nodiscard]] const std::vector<long>& missing() const;  ///< numbers that the sequence of names leaves out
     /// Where pixel size and frame rate are from, what was passed over; one sentence each.
     [[nodiscard]] const std::vector<std::string>& notes() const;

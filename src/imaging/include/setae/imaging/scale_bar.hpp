@@ -18,7 +18,7 @@ struct ScaleBar {
     double length_standard_error = 0;
     std::string label;                      ///< as read, such as "5 nm", right or not; empty where none is legible
     std::optional<double> labelled_length;  ///< [m]; nothing where the label is no length or its reading is in doubt
-    Region annotation;                      ///< bar, label and their surroundings: no picture of the sample
+    PictureRegion annotation;               ///< bar, label and their surroundings: no picture of the sample
     double confidence = 0;                  ///< in [0, 1]
 };
 
@@ -29,6 +29,6 @@ struct ScaleBar {
 
 /// Parts of a picture that are no image of the sample: bars with their labels, bars of data along an edge, text.
 /// What is hidden by them is not traced.
-[[nodiscard]] std::vector<Region> annotations(const FramePixels& pixels);
+[[nodiscard]] std::vector<PictureRegion> annotations(const FramePixels& pixels);
 
 }  // namespace setae::imaging

@@ -11,7 +11,7 @@ namespace setae::imaging {
 
 /// What is drawn beside the trace.
 struct OverlayOptions {
-    std::vector<Region> hidden;              ///< outlined
+    std::vector<PictureRegion> hidden;       ///< outlined
     std::optional<Calibration> calibration;  ///< its scale bar is marked from end to end
     std::vector<std::vector<Anchor>> anchors;
     long longest_side = 4000;  ///< larger pictures are averaged down, small ones enlarged

@@ -47,7 +47,7 @@ struct TracedPicture {
     imaging::Micrograph micrograph;
     std::string digest;  ///< SHA-256 of the file
     imaging::Calibration calibration;
-    std::vector<imaging::Region> hidden;  ///< given ones and annotations
+    std::vector<imaging::PictureRegion> hidden;  ///< given ones and annotations
     imaging::ContourTrace trace;
     std::vector<ContourProfile> profiles;  ///< of each segment
     std::vector<Alert> alerts;  ///< of reading, calibration, tracing, levelling; FOIL_THICKNESS, FOIL_PROJECTION
