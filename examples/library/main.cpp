@@ -33,14 +33,7 @@ setae::loops::LoopAnalysis measured(const char* file) {
 
 double predicted(const char* file, double contact_modulus) {
     const auto measurement = setae::formats::read(file);
-    const auto spectrum = setae::spectra::power_spectrum(measurement);
-    const auto moments = setae::roughness::spectral_parameters({
-        .wavevector = spectrum.wavevector,
-        .values = spectrum.C1D,
-        .band = {spectrum.q_min, spectrum.q_max},
-        .density = setae::roughness::Density::C1D,
-        .nodes = setae::roughness::Nodes::modes,
-    });
+    const auto moments = setae::roughness::spectral_parameters(setae::spectra::power_spectrum(measurement));
     std::printf("h_rms %.3g m, slope %.3g, curvature %.3g 1/m\n", moments.rms_height, moments.rms_slope,
                 moments.rms_curvature);
     const setae::adhesion::ConformalState conforming{

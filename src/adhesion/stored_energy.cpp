@@ -21,7 +21,7 @@ void require_modulus(double contact_modulus) {
 
 }  // namespace
 
-double stored_energy(double contact_modulus, const roughness::SpectrumCurve& curve, roughness::Conversion conversion) {
+double stored_energy(double contact_modulus, const spectra::Spectrum& curve, roughness::Conversion conversion) {
     require_modulus(contact_modulus);
     return contact_modulus * roughness::spectral_parameters(curve, conversion).elastic_energy_per_modulus;
 }

@@ -256,12 +256,12 @@ Table spectrum_table(const study::SurfaceResult& surface) {
     if (surface.combined) {
         const auto& c = *surface.combined;
         table.columns = {{"wavevector", "1/m", c.wavevector},
-                         {"C1D", "m3", c.C1D},
+                         {"C1D", "m3", c.density},
                          {"standard_error", "m3", c.standard_error},
                          {"count", "1", c.count},
                          {"instrument_count", "1", c.instrument_count},
-                         {"C_iso", "m4", spectra::isotropic_from_profile_eq11(c.wavevector, c.C1D, INFINITY)}};
-    } else if (surface.average.curve.density == roughness::Density::C_iso) {
+                         {"C_iso", "m4", spectra::isotropic_from_profile_eq11(c.wavevector, c.density, INFINITY)}};
+    } else if (surface.average.curve.kind == spectra::Density::C_iso) {
         // few nodes hold the model; readers get ten a decade, up to where C1D falls to zero
         const auto& curve = surface.average.curve;
         const auto n = static_cast<Index>(std::ceil(10.0 * std::log10(curve.band.upper / curve.band.lower)));
@@ -269,10 +269,10 @@ Table spectrum_table(const study::SurfaceResult& surface) {
             curve.band.lower * (Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)) * (std::log(10.0) / 10.0)).exp();
         table.columns = {{"wavevector", "1/m", q},
                          {"C_iso", "m4", roughness::values_at(curve, q)},
-                         {"C1D", "m3", spectra::profile_from_isotropic(curve.wavevector, curve.values, q)}};
+                         {"C1D", "m3", spectra::profile_from_isotropic(curve.wavevector, curve.density, q)}};
     } else {
         table.columns = {{"wavevector", "1/m", surface.average.curve.wavevector},
-                         {"C1D", "m3", surface.average.curve.values}};
+                         {"C1D", "m3", surface.average.curve.density}};
     }
     return table;
 }

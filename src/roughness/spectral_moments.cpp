@@ -34,14 +34,14 @@ std::vector<Piece> cells(const std::vector<double>& q, const std::vector<double>
 }
 
 /// A curve as pieces that cover its band, in order.
-std::vector<Piece> pieces(const SpectrumCurve& curve) {
+std::vector<Piece> pieces(const spectra::Spectrum& curve) {
     const auto& band = curve.band;
-    const bool modes = curve.nodes == Nodes::modes;
+    const bool modes = curve.nodes == spectra::Nodes::modes;
     std::vector<double> q, c;
     for (Index i = 0; i < curve.wavevector.size(); ++i)
-        if (std::isfinite(curve.values[i]) && (modes || curve.values[i] > 0.0)) {
+        if (std::isfinite(curve.density[i]) && (modes || curve.density[i] > 0.0)) {
             q.push_back(curve.wavevector[i]);
-            c.push_back(curve.values[i]);
+            c.push_back(curve.density[i]);
         }
     if (q.size() < 2)
         throw UndefinedDataError(
@@ -108,8 +108,9 @@ Contribution of_isotropic(Integrate integrate) {
             integrate(2.0) / (8.0 * pi)};
 }
 
-Contribution contribution(const Piece& piece, const SpectrumCurve& curve, Conversion conversion) {
-    if (curve.density == Density::C_iso) return of_isotropic([&](double order) { return integral(piece, order); });
+Contribution contribution(const Piece& piece, const spectra::Spectrum& curve, Conversion conversion) {
+    if (curve.kind == spectra::Density::C_iso)
+        return of_isotropic([&](double order) { return integral(piece, order); });
     if (conversion == Conversion::exact) return of_profile(piece);
     return of_isotropic([&](double order) { return pi * weighted_integral(piece, order - 1.0, curve.band.upper); });
 }
@@ -138,7 +139,7 @@ DecadeMeans means_of(const std::vector<Piece>& parts) {
 
 }  // namespace
 
-SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits) {
+spectra::Spectrum limited(spectra::Spectrum curve, const WavelengthLimits& limits) {
     if (limits.longest) curve.band.lower = std::max(curve.band.lower, 2.0 * pi / *limits.longest);
     if (limits.shortest) curve.band.upper = std::min(curve.band.upper, 2.0 * pi / *limits.shortest);
     if (!(curve.band.lower < curve.band.upper))
@@ -149,7 +150,7 @@ SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits) {
     return curve;
 }
 
-Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector) {
+Array1D values_at(const spectra::Spectrum& curve, const ArrayView1D& wavevector) {
     const auto parts = pieces(curve);
     Array1D values = Array1D::Constant(wavevector.size(), undefined);
     for (Index i = 0; i < wavevector.size(); ++i) {
@@ -161,18 +162,18 @@ Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector) {
     return values;
 }
 
-SpectralParameters spectral_parameters(const SpectrumCurve& curve, Conversion conversion) {
+SpectralParameters spectral_parameters(const spectra::Spectrum& curve, Conversion conversion) {
     const auto parts = pieces(curve);
     Contribution sum;
     for (const auto& piece : parts) sum += contribution(piece, curve, conversion);
     auto parameters = sum.parameters();
-    if (curve.density == Density::C1D) parameters.decade_C1D = means_of(parts);
+    if (curve.kind == spectra::Density::C1D) parameters.decade_C1D = means_of(parts);
     return parameters;
 }
 
-DecadeMeans decade_means(const SpectrumCurve& C1D) { return means_of(pieces(C1D)); }
+DecadeMeans decade_means(const spectra::Spectrum& C1D) { return means_of(pieces(C1D)); }
 
-CumulativeParameters cumulative_parameters(const SpectrumCurve& curve) {
+CumulativeParameters cumulative_parameters(const spectra::Spectrum& curve) {
     const auto parts = pieces(curve);
     const auto n = static_cast<Index>(parts.size()) + 1;
     CumulativeParameters result{Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n)};

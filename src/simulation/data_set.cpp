@@ -82,7 +82,7 @@ public:
         const auto& curve = truths_.back().C1D;
         if (curve.wavevector.size() == 0) return;
         const auto name = listed(file_stem(recipe_.surfaces[index].surface.name) + "/truth.csv");
-        tables::write_csv(path(name), {{{"wavevector", "1/m", curve.wavevector}, {"C1D", "m3", curve.values}}, {}});
+        tables::write_csv(path(name), {{{"wavevector", "1/m", curve.wavevector}, {"C1D", "m3", curve.density}}, {}});
     }
 
     void add_loops(std::vector<PlantedLoop> loops) {

@@ -22,8 +22,9 @@ std::string instrument_of(const topography::Metadata& metadata) {
     return instrument.name.empty() ? "unknown" : instrument.name;
 }
 
-bool usable(const PowerSpectrum1D& spectrum, Index k) {
-    return std::isfinite(spectrum.C1D[k]) && in_band(spectrum.wavevector[k], spectrum.q_min, spectrum.q_max);
+bool usable(const MeasuredSpectrum& spectrum, Index k) {
+    return std::isfinite(spectrum.density[k]) &&
+           in_band(spectrum.wavevector[k], spectrum.band.lower, spectrum.band.upper);
 }
 
 struct BinRange {
@@ -31,7 +32,7 @@ struct BinRange {
     Index count;
 };
 
-BinRange occupied_bins(std::span<const PowerSpectrum1D> spectra, const LogGrid& grid) {
+BinRange occupied_bins(std::span<const MeasuredSpectrum> spectra, const LogGrid& grid) {
     Index first = std::numeric_limits<Index>::max(), last = std::numeric_limits<Index>::min();
     for (const auto& spectrum : spectra)
         for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
@@ -47,7 +48,7 @@ BinRange occupied_bins(std::span<const PowerSpectrum1D> spectra, const LogGrid& 
 }
 
 /// Averages over bins of C_k (q_c/q_k)^slope, slope by bin.
-void fill_bins(std::span<const PowerSpectrum1D> spectra, const Array1D& slopes, BinnedSpectra& result) {
+void fill_bins(std::span<const MeasuredSpectrum> spectra, const Array1D& slopes, BinnedSpectra& result) {
     const auto members = static_cast<Index>(spectra.size()), bins = result.wavevector.size();
     Array2D modes = Array2D::Zero(members, bins);
     result.C1D = Array2D::Zero(members, bins);
@@ -58,8 +59,8 @@ void fill_bins(std::span<const PowerSpectrum1D> spectra, const Array1D& slopes, 
             if (!usable(spectrum, k)) continue;
             const Index bin = result.grid.bin_of(spectrum.wavevector[k]) - result.first_bin;
             result.C1D(i, bin) +=
-                spectrum.C1D[k] * std::pow(spectrum.wavevector[k] / result.wavevector[bin], -slopes[bin]);
-            const double relative = spectrum.standard_error[k] / spectrum.C1D[k];
+                spectrum.density[k] * std::pow(spectrum.wavevector[k] / result.wavevector[bin], -slopes[bin]);
+            const double relative = spectrum.standard_error[k] / spectrum.density[k];
             // a single line's periodogram is distributed exponentially: its deviation is its mean
             result.relative_variance(i, bin) += std::isfinite(relative) ? relative * relative : 1.0;
             modes(i, bin) += 1.0;
@@ -215,7 +216,7 @@ void add_disagreement_alerts(const BinnedSpectra& binned, CombinedSpectrum& spec
 
 }  // namespace
 
-BinnedSpectra binned(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options) {
+BinnedSpectra binned(std::span<const MeasuredSpectrum> spectra, const CombinationOptions& options) {
     const auto range = occupied_bins(spectra, options.grid);
     BinnedSpectra result;
     result.grid = options.grid;
@@ -240,7 +241,7 @@ CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting) {
     CombinedSpectrum result;
     result.grid = spectra.grid;
     result.wavevector = spectra.wavevector(filled);
-    result.C1D = mean(filled);
+    result.density = mean(filled);
     result.standard_error.resize(count);
     result.count.resize(count);
     result.instrument_count.resize(count);
@@ -251,23 +252,23 @@ CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting) {
         result.instrument_count[k] = static_cast<double>(instruments);
         result.standard_error[k] = standard_error(spectra, bin, weighting, mean[bin]);
     }
-    result.q_min = spectra.grid.edge(spectra.first_bin + filled.front());
-    result.q_max = spectra.grid.edge(spectra.first_bin + filled.back() + 1);
+    result.band.lower = spectra.grid.edge(spectra.first_bin + filled.front());
+    result.band.upper = spectra.grid.edge(spectra.first_bin + filled.back() + 1);
     add_gap_alerts(spectra, result);
     add_single_instrument_alerts(spectra, result);
     add_disagreement_alerts(spectra, result);
     return result;
 }
 
-CombinedSpectrum combine(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options) {
+CombinedSpectrum combine(std::span<const MeasuredSpectrum> spectra, const CombinationOptions& options) {
     auto result = combine(binned(spectra, options), options.weighting);
-    result.q_min = std::numeric_limits<double>::infinity();
-    result.q_max = 0.0;
+    result.band.lower = std::numeric_limits<double>::infinity();
+    result.band.upper = 0.0;
     for (const auto& spectrum : spectra)
         for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
             if (!usable(spectrum, k)) continue;
-            result.q_min = std::min(result.q_min, spectrum.wavevector[k]);
-            result.q_max = std::max(result.q_max, spectrum.wavevector[k]);
+            result.band.lower = std::min(result.band.lower, spectrum.wavevector[k]);
+            result.band.upper = std::max(result.band.upper, spectrum.wavevector[k]);
         }
     return result;
 }

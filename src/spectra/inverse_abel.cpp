@@ -158,22 +158,27 @@ IsotropicFromLines isotropic_from_lines(const ArrayView1D& wavevector, const Arr
     const auto fits = local_fits(x, largest > 0.0 ? relative.max(0.01 * largest).eval() : Array1D::Ones(n).eval(),
                                  0.5 * options.smoothing * std::log(10.0));
     const Eigen::VectorXd data = C1D.log().matrix(), y = fits.value * data, s = fits.slope * data;
-    IsotropicFromLines result{q, Array1D(n), Array1D(n), Array1D(n)};
+    IsotropicFromLines result;
+    result.wavevector = q;
+    result.density.resize(n);
+    result.standard_error.resize(n);
+    result.band = {q[0], q[n - 1]};
+    result.kind = Density::C_iso;
     for (Index k = 0; k < n; ++k) {
         const auto t = transformed(k, q, x, y, s);
-        result.C_iso[k] = t.C_iso > 0.0 ? t.C_iso : undefined;
+        result.density[k] = t.C_iso > 0.0 ? t.C_iso : undefined;
         const Eigen::VectorXd by_data = fits.value.transpose() * t.by_value + fits.slope.transpose() * t.by_slope;
         result.standard_error[k] =
             known && t.C_iso > 0.0 ? std::sqrt((by_data.array() * relative).square().sum()) : undefined;
     }
-    result.ratio = result.C_iso * q / (pi * C1D);
+    result.ratio = result.density * q / (pi * C1D);
     return result;
 }
 
 IsotropicFromLines isotropic_from_lines(const CombinedSpectrum& spectrum, const InverseAbelOptions& options) {
     const Index n = spectrum.wavevector.size();
     Array1D errors = spectrum.standard_error;
-    if (!(errors > 0.0).any()) return isotropic_from_lines(spectrum.wavevector, spectrum.C1D, Array1D(), options);
+    if (!(errors > 0.0).any()) return isotropic_from_lines(spectrum.wavevector, spectrum.density, Array1D(), options);
     for (Index k = 0; k < n; ++k) {
         if (spectrum.standard_error[k] > 0.0) continue;
         for (Index away = 1; away < n; ++away) {
@@ -182,12 +187,12 @@ IsotropicFromLines isotropic_from_lines(const CombinedSpectrum& spectrum, const 
                                   : above < n && spectrum.standard_error[above] > 0.0 ? above
                                                                                       : -1;
             if (nearest < 0) continue;
-            errors[k] = spectrum.C1D[k] * spectrum.standard_error[nearest] / spectrum.C1D[nearest] *
+            errors[k] = spectrum.density[k] * spectrum.standard_error[nearest] / spectrum.density[nearest] *
                         std::sqrt(spectrum.count[nearest] / spectrum.count[k]);
             break;
         }
     }
-    return isotropic_from_lines(spectrum.wavevector, spectrum.C1D, errors, options);
+    return isotropic_from_lines(spectrum.wavevector, spectrum.density, errors, options);
 }
 
 }  // namespace setae::spectra

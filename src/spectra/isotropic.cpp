@@ -152,8 +152,8 @@ private:
 
 }  // namespace
 
-IsotropicSpectrum isotropic_power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options,
-                                           const LogGrid& grid) {
+MeasuredSpectrum isotropic_power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options,
+                                          const LogGrid& grid) {
     require_shape(map);
     const auto window = resolved(options.window, map.periodic);
     const auto reliable = reliable_band(map, options.reliability, options.threads);
@@ -173,12 +173,13 @@ IsotropicSpectrum isotropic_power_spectrum(const topography::HeightMap& map, con
     std::vector<Index> filled;
     for (Index bin = 0; bin < bins.size(); ++bin)
         if (sums.count[bin] > 0.0) filled.push_back(bin);
-    IsotropicSpectrum spectrum;
+    MeasuredSpectrum spectrum;
+    spectrum.kind = Density::C_iso;
     spectrum.count = sums.count(filled);
     spectrum.wavevector = sums.wavevector(filled) / spectrum.count;
-    spectrum.C_iso = sums.power(filled) / spectrum.count * spectral_factor(map);
-    spectrum.q_min = reliable.band.lower;
-    spectrum.q_max = std::min(reliable.band.upper, nyquist);
+    spectrum.density = sums.power(filled) / spectrum.count * spectral_factor(map);
+    spectrum.band.lower = reliable.band.lower;
+    spectrum.band.upper = std::min(reliable.band.upper, nyquist);
     spectrum.window = name(window);
     spectrum.alerts = reliable.alerts;
     spectrum.metadata = map.metadata;

@@ -38,8 +38,9 @@ double gamma_number(const Sequences& random, std::uint64_t index, double shape) 
 
 }  // namespace
 
-Array2D parametric_noise(const PowerSpectrum1D& spectrum, const ArrayView1D& freedom, Index count, std::uint64_t seed) {
-    const Index modes = spectrum.C1D.size();
+Array2D parametric_noise(const MeasuredSpectrum& spectrum, const ArrayView1D& freedom, Index count,
+                         std::uint64_t seed) {
+    const Index modes = spectrum.density.size();
     if (freedom.size() != modes || !(freedom > 0.0).all() || count < 1)
         throw InvalidArgument(fmt::format(
             "{} replicas of {} wavevectors with {} freedoms, the least {}; expected at least one, as many, all > 0",
@@ -50,7 +51,7 @@ Array2D parametric_noise(const PowerSpectrum1D& spectrum, const ArrayView1D& fre
         const Sequences random{numerics::substream({seed, 0}, 2 * replica),
                                numerics::substream({seed, 0}, 2 * replica + 1)};
         for (Index k = 0; k < modes; ++k)
-            replicas(r, k) = spectrum.C1D[k] * gamma_number(random, static_cast<std::uint64_t>(k), freedom[k]);
+            replicas(r, k) = spectrum.density[k] * gamma_number(random, static_cast<std::uint64_t>(k), freedom[k]);
     }
     return replicas;
 }

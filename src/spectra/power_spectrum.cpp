@@ -24,10 +24,9 @@ Array1D modes(Index count, double length) {
 }
 
 template <class Kind>
-void describe(PowerSpectrum1D& spectrum, const Kind& measurement, const ReliableBand& reliable, double length,
+void describe(MeasuredSpectrum& spectrum, const Kind& measurement, const ReliableBand& reliable, double length,
               Window window) {
-    spectrum.q_min = reliable.band.lower;
-    spectrum.q_max = reliable.band.upper;
+    spectrum.band = reliable.band;
     spectrum.alerts = reliable.alerts;
     spectrum.length = length;
     spectrum.window = name(window);
@@ -35,8 +34,9 @@ void describe(PowerSpectrum1D& spectrum, const Kind& measurement, const Reliable
 }
 
 template <class Kind>
-PowerSpectrum1D empty_spectrum(const Kind& measurement, double length, Window window, const SpectrumOptions& options) {
-    PowerSpectrum1D spectrum;
+MeasuredSpectrum empty_spectrum(const Kind& measurement, double length, Window window, const SpectrumOptions& options) {
+    MeasuredSpectrum spectrum;
+    spectrum.nodes = Nodes::modes;
     describe(spectrum, measurement, reliable_band(measurement, options.reliability, options.threads), length, window);
     return spectrum;
 }
@@ -93,23 +93,23 @@ bool needs_fit(topography::Trend trend) {
 }
 
 /// C1D, its standard error and count from sums over so many lines of n points.
-void fill_from_sums(PowerSpectrum1D& spectrum, const LineSums& sums, Index n, Index lines) {
+void fill_from_sums(MeasuredSpectrum& spectrum, const LineSums& sums, Index n, Index lines) {
     const Index count = n / 2;
     const double step = spectrum.length / static_cast<double>(n), factor = step * step / spectrum.length;
     const double number = static_cast<double>(lines);
     spectrum.wavevector = modes(count, spectrum.length);
-    spectrum.C1D = sums.power.tail(count) * (factor / number);
+    spectrum.density = sums.power.tail(count) * (factor / number);
     spectrum.count = Array1D::Constant(count, number);
     spectrum.standard_error = Array1D::Constant(count, undefined);
     if (lines > 1) {
         const Array1D variance =
-            (sums.squares.tail(count) * (factor * factor / number) - spectrum.C1D.square()).max(0.0);
+            (sums.squares.tail(count) * (factor * factor / number) - spectrum.density.square()).max(0.0);
         spectrum.standard_error = (variance / (number - 1.0)).sqrt();
     }
 }
 
 /// The same from the lines of a map whose trend other than the mean is gone.
-void fill_from_lines(PowerSpectrum1D& spectrum, const ArrayView2D& heights, Window window,
+void fill_from_lines(MeasuredSpectrum& spectrum, const ArrayView2D& heights, Window window,
                      const SpectrumOptions& options) {
     auto sums = no_lines(heights.rows());
     add_lines(sums, heights, 0, {window_values(window, heights.rows()), options.trend != topography::Trend::none},
@@ -129,10 +129,10 @@ void require_uniform(const Uniform& measurement, Window window) {
 }
 
 /// Size of the correction of a contour's straight segments, below `end` [1/m].
-Alert contour_alert(const PowerSpectrum1D& corrected, const Array1D& response, double end) {
+Alert contour_alert(const MeasuredSpectrum& corrected, const Array1D& response, double end) {
     const Array1D q2 = corrected.wavevector.square();
     const Array1D power =
-        corrected.wavevector.unaryExpr([&](double q) { return q <= end ? 1.0 : 0.0; }) * corrected.C1D;
+        corrected.wavevector.unaryExpr([&](double q) { return q <= end ? 1.0 : 0.0; }) * corrected.density;
     const auto rms_change = [&](const Array1D& weight) {
         return 100.0 * (std::sqrt((weight * power).sum() / (weight * power * response).sum()) - 1.0);
     };
@@ -147,10 +147,10 @@ Alert contour_alert(const PowerSpectrum1D& corrected, const Array1D& response, d
 }
 
 /// At chosen wavevectors the band cannot be found: it is that of the modes.
-void take_band_of_modes(PowerSpectrum1D& spectrum, const topography::Profile& profile, SpectrumOptions options) {
+void take_band_of_modes(MeasuredSpectrum& spectrum, const topography::Profile& profile, SpectrumOptions options) {
     options.wavevectors.reset();
     const auto of_modes = power_spectrum(profile, options);
-    spectrum.q_max = of_modes.q_max;
+    spectrum.band.upper = of_modes.band.upper;
     const auto is_trace = [](const Alert& alert) { return alert.code == "TRACE_NOISE"; };
     *std::find_if(spectrum.alerts.begin(), spectrum.alerts.end(), is_trace) =
         *std::find_if(of_modes.alerts.begin(), of_modes.alerts.end(), is_trace);
@@ -158,7 +158,7 @@ void take_band_of_modes(PowerSpectrum1D& spectrum, const topography::Profile& pr
 
 }  // namespace
 
-PowerSpectrum1D power_spectrum(const topography::LineScan& scan, const SpectrumOptions& options) {
+MeasuredSpectrum power_spectrum(const topography::LineScan& scan, const SpectrumOptions& options) {
     const auto window = resolved(options.window, scan.periodic);
     require_uniform(scan, window);
     auto spectrum = empty_spectrum(scan, scan.size, window, options);
@@ -169,7 +169,7 @@ PowerSpectrum1D power_spectrum(const topography::LineScan& scan, const SpectrumO
     return spectrum;
 }
 
-PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options) {
+MeasuredSpectrum power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options) {
     const auto window = resolved(options.window, map.periodic);
     require_uniform(map, window);
     auto spectrum = empty_spectrum(map, map.size[0], window, options);
@@ -180,12 +180,13 @@ PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumO
     return spectrum;
 }
 
-PowerSpectrum1D power_spectrum(const topography::TiledMap& map, Index lines_together, const SpectrumOptions& options) {
+MeasuredSpectrum power_spectrum(const topography::TiledMap& map, Index lines_together, const SpectrumOptions& options) {
     const auto window = resolved(options.window, map.periodic);
     require_line_window(window);
     const auto levelled =
         needs_fit(options.trend) ? topography::detrended(map, options.trend, lines_together, options.threads) : map;
-    PowerSpectrum1D spectrum;
+    MeasuredSpectrum spectrum;
+    spectrum.nodes = Nodes::modes;
     describe(spectrum, map, reliable_band(map, lines_together, options.reliability, options.threads), map.size[0],
              window);
     spectrum.pitch = map.pixel_size()[1];
@@ -198,7 +199,7 @@ PowerSpectrum1D power_spectrum(const topography::TiledMap& map, Index lines_toge
     return spectrum;
 }
 
-PowerSpectrum1D power_spectrum(const topography::Profile& profile, const SpectrumOptions& options) {
+MeasuredSpectrum power_spectrum(const topography::Profile& profile, const SpectrumOptions& options) {
     topography::validate(profile);
     require_defined(profile.heights, profile.metadata);
     const auto window = resolved(options.window, false);
@@ -207,8 +208,8 @@ PowerSpectrum1D power_spectrum(const topography::Profile& profile, const Spectru
     spectrum.wavevector = options.wavevectors
                               ? *options.wavevectors
                               : modes(std::max<Index>(1, static_cast<Index>(0.5 * steps)), spectrum.length);
-    spectrum.C1D = polyline_power_spectrum(topography::detrended(profile, options.trend), spectrum.wavevector, window,
-                                           options.threads);
+    spectrum.density = polyline_power_spectrum(topography::detrended(profile, options.trend), spectrum.wavevector,
+                                               window, options.threads);
     spectrum.count = Array1D::Ones(spectrum.wavevector.size());
     spectrum.standard_error = Array1D::Constant(spectrum.wavevector.size(), undefined);
     const bool sampled = options.contour == ContourTreatment::sinc_corrected,
@@ -217,31 +218,33 @@ PowerSpectrum1D power_spectrum(const topography::Profile& profile, const Spectru
 
     const SegmentResponse segments(profile.positions);
     const Array1D response =
-        segments.at(spectrum.wavevector, segments.fitted_exponent(spectrum.wavevector, spectrum.C1D));
-    if (sampled) spectrum.C1D /= response;
+        segments.at(spectrum.wavevector, segments.fitted_exponent(spectrum.wavevector, spectrum.density));
+    if (sampled) spectrum.density /= response;
     if (free_of_trace) {
         const Array1D all = Array1D::Ones(response.size());
         correct_for_trace(spectrum, *profile.response, sampled ? all : response);
         if (options.wavevectors) take_band_of_modes(spectrum, profile, options);
     }
-    if (sampled && spectrum.q_max > 0.0)
+    if (sampled && spectrum.band.upper > 0.0)
         spectrum.alerts.push_back(contour_alert(
-            spectrum, response, free_of_trace ? spectrum.q_max : std::numeric_limits<double>::infinity()));
+            spectrum, response, free_of_trace ? spectrum.band.upper : std::numeric_limits<double>::infinity()));
     return spectrum;
 }
 
-PowerSpectrum1D power_spectrum(const topography::Measurement& measurement, const SpectrumOptions& options) {
+MeasuredSpectrum power_spectrum(const topography::Measurement& measurement, const SpectrumOptions& options) {
     return std::visit([&](const auto& m) { return power_spectrum(m, options); }, measurement);
 }
 
-PowerSpectrum1D within_band(PowerSpectrum1D spectrum) {
+MeasuredSpectrum within_band(MeasuredSpectrum spectrum) {
     std::vector<Index> kept;
     for (Index k = 0; k < spectrum.wavevector.size(); ++k)
-        if (in_band(spectrum.wavevector[k], spectrum.q_min, spectrum.q_max)) kept.push_back(k);
-    for (Array1D* column : {&spectrum.wavevector, &spectrum.C1D, &spectrum.standard_error, &spectrum.count}) {
+        if (in_band(spectrum.wavevector[k], spectrum.band.lower, spectrum.band.upper)) kept.push_back(k);
+    for (Array1D* column : {&spectrum.wavevector, &spectrum.density, &spectrum.standard_error, &spectrum.count}) {
         const Array1D part = (*column)(kept);
         *column = part;
     }
+    const auto& q = spectrum.wavevector;
+    if (q.size() > 0) spectrum.band.lower = q[0] - 0.5 * (q.size() > 1 ? q[1] - q[0] : q[0]);
     return spectrum;
 }
 

@@ -39,9 +39,9 @@ public:
         return !ends;
     }
 
-    [[nodiscard]] Curve curve() const {
+    [[nodiscard]] RefinedCurve curve() const {
         const auto n = static_cast<Index>(nodes_.size());
-        Curve result{Array1D(n), Array1D(n)};
+        RefinedCurve result{Array1D(n), Array1D(n)};
         for (Index i = 0; i < n; ++i) {
             result.nodes[i] = nodes_[static_cast<std::size_t>(i)].q;
             result.values[i] = nodes_[static_cast<std::size_t>(i)].value;
@@ -75,7 +75,8 @@ private:
 
 }  // namespace
 
-Curve refined_curve(const std::function<double(double)>& function, double lower, double upper, double tolerance) {
+RefinedCurve refined_curve(const std::function<double(double)>& function, double lower, double upper,
+                           double tolerance) {
     if (!(function(lower) > 0.0)) return {};
     Refinement refinement(function, tolerance);
     refinement.begin(lower);

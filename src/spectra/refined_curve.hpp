@@ -8,7 +8,7 @@
 namespace setae::spectra {
 
 /// A positive function by its values at nodes, to be joined by power laws.
-struct Curve {
+struct RefinedCurve {
     Array1D nodes, values;
 };
 
@@ -17,7 +17,7 @@ struct Curve {
 /// is smooth, and on where halving helps little, so that jumps and bends are met by nodes where they are. Where the
 /// function is not positive the table ends, at the last q that is. Returns no node where the function is not positive
 /// at lower.
-[[nodiscard]] Curve refined_curve(const std::function<double(double)>& function, double lower, double upper,
-                                  double tolerance);
+[[nodiscard]] RefinedCurve refined_curve(const std::function<double(double)>& function, double lower, double upper,
+                                         double tolerance);
 
 }  // namespace setae::spectra

@@ -25,7 +25,7 @@ Array1D relative_variances(const CombinedSpectrum& spectrum) {
         double sum = 0.0, freedom = 0.0;
         constexpr Index reach = 2;
         for (Index k = std::max<Index>(0, b - reach); k <= std::min(bins - 1, b + reach); ++k) {
-            const double n = spectrum.count[k], relative = spectrum.standard_error[k] / spectrum.C1D[k];
+            const double n = spectrum.count[k], relative = spectrum.standard_error[k] / spectrum.density[k];
             if (!(relative > 0.0)) continue;
             sum += (n - 1.0) * n * relative * relative;
             freedom += n - 1.0;
@@ -40,11 +40,11 @@ struct ModeGroup {
     Index first, last;  ///< of the spectrum's wavevectors
 };
 
-std::vector<ModeGroup> groups_of(const PowerSpectrum1D& spectrum, double q_max) {
+std::vector<ModeGroup> groups_of(const MeasuredSpectrum& spectrum, double q_max) {
     std::vector<ModeGroup> groups;
     const double fundamental = 2.0 * pi / spectrum.length, ratio = std::pow(10.0, 1.0 / 32.0);
     for (Index k = 0; k < spectrum.wavevector.size();) {
-        if (!in_band(spectrum.wavevector[k], spectrum.q_min, q_max)) {
+        if (!in_band(spectrum.wavevector[k], spectrum.band.lower, q_max)) {
             ++k;
             continue;
         }
@@ -52,7 +52,7 @@ std::vector<ModeGroup> groups_of(const PowerSpectrum1D& spectrum, double q_max) 
                                     spectrum.wavevector[k] > 16.0 * fundamental ? spectrum.wavevector[k] * ratio : 0.0);
         Index last = k;
         while (last + 1 < spectrum.wavevector.size() && spectrum.wavevector[last + 1] < end &&
-               in_band(spectrum.wavevector[last + 1], spectrum.q_min, q_max))
+               in_band(spectrum.wavevector[last + 1], spectrum.band.lower, q_max))
             ++last;
         groups.push_back({k, last});
         k = last + 1;
@@ -63,7 +63,7 @@ std::vector<ModeGroup> groups_of(const PowerSpectrum1D& spectrum, double q_max) 
 /// Expectation of modes: what the window mixes in of their neighbours, and what sampling folds back.
 class ModeExpectation {
 public:
-    ModeExpectation(const PowerSpectrum1D& spectrum, std::vector<ModeGroup> groups)
+    ModeExpectation(const MeasuredSpectrum& spectrum, std::vector<ModeGroup> groups)
         : groups_(std::move(groups)),
           wavevector_(spectrum.wavevector),
           fundamental_(2.0 * pi / spectrum.length),
@@ -112,17 +112,17 @@ private:
 
 }  // namespace
 
-PowerSpectrum1D undistorted(PowerSpectrum1D spectrum) {
+MeasuredSpectrum undistorted(MeasuredSpectrum spectrum) {
     constexpr double first_mode = 8.0, highest = 0.25;
     if (spectrum.wavevector.size() == 0) return spectrum;
-    spectrum.q_min = std::max(spectrum.q_min, first_mode * 2.0 * pi / spectrum.length);
-    spectrum.q_max = std::min(spectrum.q_max, highest * spectrum.wavevector[spectrum.wavevector.size() - 1]);
+    spectrum.band.lower = std::max(spectrum.band.lower, first_mode * 2.0 * pi / spectrum.length);
+    spectrum.band.upper = std::min(spectrum.band.upper, highest * spectrum.wavevector[spectrum.wavevector.size() - 1]);
     return spectrum;
 }
 
 SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffineFitOptions& options) {
     const Array1D variance = relative_variances(spectrum);
-    FittedValues data{spectrum.wavevector, spectrum.C1D, Array1D::Zero(variance.size()), {}};
+    FittedValues data{spectrum.wavevector, spectrum.density, Array1D::Zero(variance.size()), {}};
     for (Index b = 0; b < variance.size(); ++b)
         if (variance[b] > 0.0) data.freedom[b] = spectrum.count[b] / variance[b];
     if (!(data.freedom > 0.0).any())
@@ -134,10 +134,10 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
     return fit_self_affine(std::array<FittedValues, 1>{std::move(data)}, options);
 }
 
-SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineFitOptions& options) {
+SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options) {
     // whether sampling folds shorter waves back or the instrument averages them away shows above that; who asks for
     // more gets aliases
-    const double q_max = options.range ? spectrum.q_max : undistorted(spectrum).q_max;
+    const double q_max = options.range ? spectrum.band.upper : undistorted(spectrum).band.upper;
     auto groups = groups_of(spectrum, q_max);
     if (groups.empty())
         throw InvalidArgument(
@@ -149,7 +149,7 @@ SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineF
         const auto [first, last] = groups[static_cast<std::size_t>(g)];
         const auto modes = static_cast<double>(last - first + 1);
         data.wavevector[g] = 0.5 * (spectrum.wavevector[first] + spectrum.wavevector[last]);
-        data.values[g] = spectrum.C1D.segment(first, last - first + 1).mean();
+        data.values[g] = spectrum.density.segment(first, last - first + 1).mean();
         // ∫ρ² dy of lines through a self-affine surface is about 2.5/q
         const double lines = std::clamp(data.wavevector[g] * spectrum.count[first] * spectrum.pitch / 2.5, 1.0,
                                         std::max(1.0, spectrum.count[first]));

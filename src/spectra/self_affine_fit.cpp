@@ -399,9 +399,11 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
     return fit;
 }
 
-ModelCurve model_curve(const SelfAffineFit& fit, const ArrayView1D& wavevector) {
-    ModelCurve curve{wavevector, Array1D(wavevector.size()), Array1D(wavevector.size()),
-                     std::vector<bool>(static_cast<std::size_t>(wavevector.size()))};
+Spectrum model_spectrum(const SelfAffineFit& fit, const ArrayView1D& wavevector) {
+    Spectrum spectrum{.wavevector = wavevector,
+                      .density = Array1D(wavevector.size()),
+                      .band = fit.range,
+                      .standard_error = Array1D(wavevector.size())};
     const auto value = [&](const spectra::SelfAffine& model, double q) {
         return q < model.short_wavevector ? spectra::profile_power_spectrum(model, Array1D::Constant(1, q))[0] : 0.0;
     };
@@ -430,16 +432,14 @@ ModelCurve model_curve(const SelfAffineFit& fit, const ArrayView1D& wavevector) 
     }
     for (Index k = 0; k < wavevector.size(); ++k) {
         const double q = wavevector[k];
-        curve.C1D[k] = value(fit.model, q);
+        spectrum.density[k] = value(fit.model, q);
         VectorXd gradient(count);
         for (Index p = 0; p < count; ++p)
             gradient[p] = (value(up[static_cast<std::size_t>(p)], q) - value(down[static_cast<std::size_t>(p)], q)) /
                           (2.0 * step);
-        curve.standard_error[k] = std::sqrt(std::max(0.0, gradient.dot(fit.covariance * gradient)));
-        curve.extrapolated[static_cast<std::size_t>(k)] =
-            q < fit.range.lower * (1.0 - 1e-12) || q > fit.range.upper * (1.0 + 1e-12);
+        spectrum.standard_error[k] = std::sqrt(std::max(0.0, gradient.dot(fit.covariance * gradient)));
     }
-    return curve;
+    return spectrum;
 }
 
 }  // namespace setae::spectra

@@ -35,20 +35,20 @@ Array1D smoothed(const Array1D& wavevector, const Array1D& values) {
 
 }  // namespace
 
-void correct_for_trace(PowerSpectrum1D& spectrum, const topography::TraceResponse& response,
+void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceResponse& response,
                        const ArrayView1D& kept_by_segments) {
     const auto& q = spectrum.wavevector;
     const Array1D noise =
         kept_by_segments * topography::smoothing_transfer(response, q).square() * response.noise_density;
     const Array1D kept = topography::trace_transfer(response, q).square().max(topography::least_trace_power);
-    spectrum.C1D = (spectrum.C1D - noise) / kept;
+    spectrum.density = (spectrum.density - noise) / kept;
 
-    const Array1D signal = smoothed(q, spectrum.C1D), floor = noise / kept;
+    const Array1D signal = smoothed(q, spectrum.density), floor = noise / kept;
     const double widest = topography::trace_band_end(response);
     Index end = 0;
     while (end < q.size() && q[end] <= widest && signal[end] > least_signal * floor[end]) ++end;
-    const double nyquist = spectrum.q_max;
-    spectrum.q_max = end == 0 ? 0.0 : end == q.size() ? nyquist : std::min(nyquist, q[end - 1]);
+    const double nyquist = spectrum.band.upper;
+    spectrum.band.upper = end == 0 ? 0.0 : end == q.size() ? nyquist : std::min(nyquist, q[end - 1]);
     const std::string action = "take pictures of higher magnification or less noise for shorter waves";
     if (end == 0) {
         spectrum.alerts.push_back(

@@ -24,7 +24,7 @@
 namespace setae::validation {
 namespace {
 
-using spectra::PowerSpectrum1D;
+using spectra::MeasuredSpectrum;
 using spectra::SpectralDensity;
 
 /// The planted surface as densities that may be asked anywhere.
@@ -112,15 +112,15 @@ Array1D aliasing_factor(const ArrayView1D& wavevectors, double pixel_size, const
 }
 
 /// What a measurement is expected to read under some causes: its spectrum with another C1D.
-PowerSpectrum1D expected_spectrum(const study::MeasurementResult& measured, const topography::Measurement& data,
-                                  const Causes& causes, const PlantedDensities& planted, Tips& tips) {
-    PowerSpectrum1D spectrum = measured.spectrum;
+MeasuredSpectrum expected_spectrum(const study::MeasurementResult& measured, const topography::Measurement& data,
+                                   const Causes& causes, const PlantedDensities& planted, Tips& tips) {
+    MeasuredSpectrum spectrum = measured.spectrum;
     const ArrayView1D q = spectrum.wavevector;
     Array1D C1D = q.unaryExpr([&](double x) { return planted.C1D(std::min(x, 0.999 * planted.shortest)); });
     if (const auto* contour = std::get_if<topography::Profile>(&data)) {
         if (causes.segments) {
             const spectra::SegmentResponse segments(contour->positions);
-            C1D *= segments.at(q, segments.fitted_exponent(q, spectrum.C1D));
+            C1D *= segments.at(q, segments.fitted_exponent(q, spectrum.density));
         }
     } else {
         const double pixel_size = spectrum.length / static_cast<double>(2 * q.size());
@@ -133,7 +133,7 @@ PowerSpectrum1D expected_spectrum(const study::MeasurementResult& measured, cons
             factor *= spectral_fit::sampled(tips.of(*radius), planted.C1D, pixel_size, q).log_transfer.exp();
         C1D *= factor;
     }
-    spectrum.C1D = C1D;
+    spectrum.density = C1D;
     return spectrum;
 }
 
@@ -145,11 +145,10 @@ struct MeasuredSurface {
 
 roughness::SpectralParameters mean_reading(const MeasuredSurface& surface, const Causes& causes,
                                            const PlantedDensities& planted, Tips& tips) {
-    std::vector<PowerSpectrum1D> spectra;
+    std::vector<MeasuredSpectrum> spectra;
     for (std::size_t i = 0; i < surface.data.size(); ++i)
         spectra.push_back(expected_spectrum(surface.result->measurements[i], surface.data[i], causes, planted, tips));
-    const auto combined = spectra::combine(spectra);
-    return roughness::spectral_parameters({combined.wavevector, combined.C1D, {combined.q_min, combined.q_max}},
+    return roughness::spectral_parameters(spectra::combine(spectra),
                                           causes.eq11 ? roughness::Conversion::eq11 : roughness::Conversion::exact);
 }
 

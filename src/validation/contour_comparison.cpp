@@ -93,11 +93,11 @@ TracedCurve in_metres(const imaging::ContourTrace& trace) {
 }
 
 /// Mean C1D over modes between two wavevectors; NaN where there is none.
-double mean_between(const spectra::PowerSpectrum1D& spectrum, double lower, double upper) {
+double mean_between(const spectra::MeasuredSpectrum& spectrum, double lower, double upper) {
     double sum = 0.0;
     int count = 0;
     for (Index k = 0; k < spectrum.wavevector.size(); ++k)
-        if (spectrum.wavevector[k] >= lower && spectrum.wavevector[k] < upper) sum += spectrum.C1D[k], ++count;
+        if (spectrum.wavevector[k] >= lower && spectrum.wavevector[k] < upper) sum += spectrum.density[k], ++count;
     return count > 0 ? sum / count : undefined;
 }
 

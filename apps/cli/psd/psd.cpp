@@ -44,14 +44,14 @@ Table spectrum(const study::SurfaceResult& surface, const Arguments& arguments) 
     if (surface.measurements.size() == 1 && !arguments.binned && !arguments.isotropic && !arguments.abel) {
         const auto own = spectra::within_band(only.spectrum);
         table.columns = {{"wavevector", "1/m", own.wavevector},
-                         {"C1D", "m3", own.C1D},
+                         {"C1D", "m3", own.density},
                          {"standard_error", "m3", own.standard_error},
                          {"count", "1", own.count}};
         return table;
     }
     const auto& c = *surface.combined;
     table.columns = {{"wavevector", "1/m", c.wavevector},
-                     {"C1D", "m3", c.C1D},
+                     {"C1D", "m3", c.density},
                      {"standard_error", "m3", c.standard_error},
                      {"count", "1", c.count},
                      {"instrument_count", "1", c.instrument_count}};
@@ -62,7 +62,7 @@ void add_isotropic(Table& table, const std::optional<topography::HeightMap>& map
     const auto& q = table.at("wavevector");
     if (map) {
         // its values belong to the mean |q| of each bin; the table has the bins' centres
-        const auto curve = study::isotropic_curve(*map, arguments.surface.analysis(), arguments.common.workers());
+        const auto curve = study::isotropic_spectrum(*map, arguments.surface.analysis(), arguments.common.workers());
         table.columns.push_back({"C_iso", "m4", roughness::values_at(curve, q)});
         table.metadata["C_iso"] = "radial mean of the two-dimensional transform";
         return;
@@ -74,7 +74,7 @@ void add_isotropic(Table& table, const std::optional<topography::HeightMap>& map
 
 void add_inverse_abel(Table& table, const study::SurfaceResult& surface) {
     const auto isotropic = spectra::isotropic_from_lines(*surface.combined);
-    table.columns.push_back({"C_iso_abel", "m4", isotropic.C_iso});
+    table.columns.push_back({"C_iso_abel", "m4", isotropic.density});
     table.columns.push_back({"C_iso_abel_standard_error", "m4", isotropic.standard_error});
     table.columns.push_back({"C_iso_abel_over_pi_C1D_by_q", "1", isotropic.ratio});
     table.metadata["C_iso_abel"] = "inverse Abel transform of C1D, local parabolas over 0.6 decades";
@@ -95,8 +95,8 @@ output::Json as_json(const Table& table, const study::SurfaceResult& surface) {
         if (!m.failed())
             json["measurements"].push_back({{"file", m.file},
                                             {"name", m.name},
-                                            {"q_min", m.spectrum.q_min},
-                                            {"q_max", m.spectrum.q_max},
+                                            {"q_min", m.spectrum.band.lower},
+                                            {"q_max", m.spectrum.band.upper},
                                             {"window", m.spectrum.window},
                                             {"processing", output::to_json(m.processing)}});
     json["alerts"] = output::to_json(alerts_of(surface));

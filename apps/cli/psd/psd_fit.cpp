@@ -50,7 +50,7 @@ spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const FitOpti
     if (!options.range.empty()) fit.range = parsed_range(options.range);
     fit.rolloff = !options.no_rolloff;
     fit.short_cutoff = options.short_cutoff;
-    std::vector<spectra::PowerSpectrum1D> spectra;
+    std::vector<spectra::MeasuredSpectrum> spectra;
     for (const auto& m : surface.measurements)
         if (!m.failed()) spectra.push_back(m.spectrum);
     if (spectra.empty()) throw InvalidArgument("a spectrum given as a table is not fitted: give the measurements");
@@ -70,11 +70,12 @@ std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit) {
 }
 
 void add_model(Table& table, const spectra::SelfAffineFit& fit) {
-    const auto curve = spectra::model_curve(fit, table.at("wavevector"));
-    const Array1D extrapolated = Array1D::NullaryExpr(
-        curve.wavevector.size(), [&](Index k) { return curve.extrapolated[static_cast<std::size_t>(k)] ? 1.0 : 0.0; });
-    table.columns.push_back({"C1D_model", "m3", curve.C1D});
-    table.columns.push_back({"C1D_model_standard_error", "m3", curve.standard_error});
+    const auto model = spectra::model_spectrum(fit, table.at("wavevector"));
+    const Array1D extrapolated = model.wavevector.unaryExpr([&](double q) {
+        return q < model.band.lower * (1.0 - 1e-12) || q > model.band.upper * (1.0 + 1e-12) ? 1.0 : 0.0;
+    });
+    table.columns.push_back({"C1D_model", "m3", model.density});
+    table.columns.push_back({"C1D_model_standard_error", "m3", model.standard_error});
     table.columns.push_back({"extrapolated", "1", extrapolated});
     for (const auto& q : parameters_of(fit))
         table.metadata["fit_" + q.quantity] =

@@ -45,8 +45,8 @@ TEST(StoredEnergy, StaysBelowTheCauchySchwarzBound) {
     const spectra::SelfAffine model{5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 72.2e-9};
     Array1D q(3);
     q << 2.0 * pi, model.rolloff_wavevector, model.short_wavevector;
-    const roughness::SpectrumCurve curve{
-        q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, roughness::Density::C_iso};
+    const spectra::Spectrum curve{
+        q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, spectra::Density::C_iso};
     const auto p = roughness::spectral_parameters(curve);
     EXPECT_LT(stored_energy(1e6, curve), stored_energy_bound(1e6, p.rms_height, p.rms_slope));
     EXPECT_GT(stored_energy(1e6, curve), 0.3 * stored_energy_bound(1e6, p.rms_height, p.rms_slope));
@@ -58,7 +58,7 @@ roughness::CumulativeParameters rough(double factor) {
     const spectra::SelfAffine model{factor * 5e-27, 2.0 * pi / 2e-6, 0.8, 2.0 * pi / 4e-10};
     const Array1D q = Array1D::LinSpaced(200, std::log(1e4), std::log(model.short_wavevector)).exp();
     return roughness::cumulative_parameters(
-        {q, spectra::isotropic_power_spectrum(model, q), {q[0], q[199]}, roughness::Density::C_iso});
+        {q, spectra::isotropic_power_spectrum(model, q), {q[0], q[199]}, spectra::Density::C_iso});
 }
 
 TEST(ScaleBalance, RunsFromNothingToTheWhole) {

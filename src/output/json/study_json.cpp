@@ -114,7 +114,8 @@ Json measurement_json(const study::MeasurementResult& m) {
     if (!m.processing.empty()) json["processing"] = to_json(m.processing);
     json["trend_removed"] = topography::name(m.trend);
     json["window"] = m.spectrum.window;
-    json["band"] = {{"lower", number(m.spectrum.q_min)}, {"upper", number(m.spectrum.q_max)}, {"unit", "1/m"}};
+    json["band"] = {
+        {"lower", number(m.spectrum.band.lower)}, {"upper", number(m.spectrum.band.upper)}, {"unit", "1/m"}};
     for (const auto& q : measurement_quantities(m)) add(json, q);
     json["alerts"] = to_json(m.alerts);
     return json;

@@ -36,8 +36,8 @@ std::string plain_table(const std::string& identifier, const std::string& title,
 std::string name_of(const MeasurementResult& m) { return m.file.empty() ? m.name : m.file; }
 
 std::string wavelengths(const MeasurementResult& m) {
-    return format_value(2.0 * pi / m.spectrum.q_max, "m", 3) + " … " +
-           format_value(2.0 * pi / m.spectrum.q_min, "m", 3);
+    return format_value(2.0 * pi / m.spectrum.band.upper, "m", 3) + " … " +
+           format_value(2.0 * pi / m.spectrum.band.lower, "m", 3);
 }
 
 /// What of the alerts speaks of data that were cut or changed.

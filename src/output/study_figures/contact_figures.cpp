@@ -68,7 +68,7 @@ Series branch(const LoopAnalysis& loop, const loops::IndexRange& range, const Lo
 }
 
 /// a(F) of a JKR contact from its pull-off to `most` [N], as drawn; empty where W is not positive.
-Curve jkr_curve(double radius, double modulus, double work, double most) {
+DrawnCurve jkr_curve(double radius, double modulus, double work, double most) {
     if (!(radius > 0.0 && modulus > 0.0 && work > 0.0 && std::isfinite(modulus) && std::isfinite(work))) return {};
     const contact::jkr::Contact contact{radius, modulus, work};
     const double least = contact::jkr::pull_off_at_fixed_load(contact).force;
@@ -197,7 +197,7 @@ double zero_of_displacement(const LoopAnalysis& loop) {
 }
 
 /// Force [mN] against displacement [µm] of the first contact.
-Curve closed_loop(const LoopAnalysis& loop) {
+DrawnCurve closed_loop(const LoopAnalysis& loop) {
     const auto& record = loop.corrected;
     const auto& extent = loop.segments.contacts.front().extent;
     const auto samples = thinned(record.displacement, record.force, extent.first, extent.last, few_points_a_loop - 100);

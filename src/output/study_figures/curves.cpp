@@ -14,14 +14,14 @@ namespace {
 constexpr double normal_95 = 1.959963984540054;
 
 /// Nodes of a curve that lie in its band and show something.
-Curve usable(const roughness::SpectrumCurve& curve) {
+DrawnCurve usable(const spectra::Spectrum& curve) {
     std::vector<double> q, values;
     for (Index i = 0; i < curve.wavevector.size(); ++i) {
-        if (!(curve.values[i] > 0.0) || curve.wavevector[i] < curve.band.lower ||
+        if (!(curve.density[i] > 0.0) || curve.wavevector[i] < curve.band.lower ||
             curve.wavevector[i] > curve.band.upper)
             continue;
         q.push_back(curve.wavevector[i]);
-        values.push_back(curve.values[i]);
+        values.push_back(curve.density[i]);
     }
     return {array_of(q), array_of(values)};
 }
@@ -54,13 +54,13 @@ std::optional<SurfaceCurve> C1D_of(const study::SurfaceResult& surface) {
     const auto nodes = usable(whole);
     if (nodes.x.size() < 2) return std::nullopt;
     SurfaceCurve curve{.method = study::method_name(surface, study::SpectrumMethod::average)};
-    if (whole.density == roughness::Density::C_iso) {
+    if (whole.kind == spectra::Density::C_iso) {
         // the last node is the end of the spectrum, where the integral is 0
         curve.wavevector = nodes.x.head(nodes.x.size() - 1);
         curve.values = spectra::profile_from_isotropic(nodes.x, nodes.y, curve.wavevector);
         return curve;
     }
-    const bool bins = surface.combined && whole.nodes == roughness::Nodes::power_law;
+    const bool bins = surface.combined && whole.nodes == spectra::Nodes::power_law;
     if (!bins) {
         const auto thin = log_means(nodes, 400);
         curve.wavevector = thin.x;
@@ -81,7 +81,7 @@ std::optional<SurfaceCurve> C_iso_of(const study::SurfaceResult& surface, roughn
     if (surface.method == study::SpectrumMethod::likelihood && surface.fitted)
         return fitted_curve(*surface.fitted, surface.fitted->C_iso, surface.fitted->log_C_iso_standard_error);
     const auto& whole = surface.average.curve;
-    if (whole.density == roughness::Density::C_iso) {
+    if (whole.kind == spectra::Density::C_iso) {
         const auto nodes = usable(whole);
         return SurfaceCurve{.wavevector = nodes.x,
                             .values = nodes.y,

@@ -13,7 +13,7 @@ Array1D array_of(const std::vector<double>& values) {
     return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
 }
 
-Curve log_means(const Curve& curve, Index most) {
+DrawnCurve log_means(const DrawnCurve& curve, Index most) {
     if (curve.x.size() <= most) return curve;
     const double first = std::log(curve.x[0]),
                  step = (std::log(curve.x[curve.x.size() - 1]) - first) / static_cast<double>(most);
@@ -96,13 +96,14 @@ std::vector<InstrumentBand> instrument_bands(const std::vector<const study::Surf
     std::vector<InstrumentBand> found;
     for (const auto* surface : surfaces)
         for (const auto& m : surface->measurements) {
-            if (m.failed() || !(m.spectrum.q_max > m.spectrum.q_min)) continue;
+            if (m.failed() || !(m.spectrum.band.upper > m.spectrum.band.lower)) continue;
             const auto name = instrument_of(m);
             auto known = std::find_if(found.begin(), found.end(),
                                       [&](const InstrumentBand& other) { return other.instrument == name; });
-            if (known == found.end()) known = found.insert(found.end(), {name, {m.spectrum.q_min, m.spectrum.q_max}});
-            known->band = {std::min(known->band.lower, m.spectrum.q_min),
-                           std::max(known->band.upper, m.spectrum.q_max)};
+            if (known == found.end())
+                known = found.insert(found.end(), {name, {m.spectrum.band.lower, m.spectrum.band.upper}});
+            known->band = {std::min(known->band.lower, m.spectrum.band.lower),
+                           std::max(known->band.upper, m.spectrum.band.upper)};
         }
     std::stable_sort(found.begin(), found.end(),
                      [](const InstrumentBand& a, const InstrumentBand& b) { return a.band.lower < b.band.lower; });

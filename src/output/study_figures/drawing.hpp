@@ -24,10 +24,10 @@ inline constexpr double column_mm = 85.0, page_mm = 178.0;
 [[nodiscard]] Array1D array_of(const std::vector<double>& values);
 
 /// A curve of a spectrum, at most `most` points: means over even steps of ln q where it has more.
-struct Curve {
+struct DrawnCurve {
     Array1D x, y;
 };
-[[nodiscard]] Curve log_means(const Curve& curve, Index most = 150);
+[[nodiscard]] DrawnCurve log_means(const DrawnCurve& curve, Index most = 150);
 
 /// Samples that show a record in at most about `most` points: every so many, and both ends of each jump.
 [[nodiscard]] std::vector<Index> thinned(const Array1D& x, const Array1D& y, Index first, Index last, Index most = 400);

@@ -15,7 +15,7 @@ using figures::Mark;
 constexpr Index points_a_curve = 120;
 
 /// The part of a curve with from <= x <= to.
-Curve part(const Curve& curve, double from, double to) {
+DrawnCurve part(const DrawnCurve& curve, double from, double to) {
     std::vector<double> x, y;
     for (Index i = 0; i < curve.x.size(); ++i)
         if (curve.x[i] >= from && curve.x[i] <= to) {
@@ -38,7 +38,7 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
     };
     std::size_t n = 0, failed = 0;
     double least = HUGE_VAL, most = 0.0;  // of what is reliable
-    const auto add = [&](const Curve& curve, const std::string& label, const std::string& name, std::size_t place,
+    const auto add = [&](const DrawnCurve& curve, const std::string& label, const std::string& name, std::size_t place,
                          bool reliable) {
         if (curve.x.size() < 1) return;
         panel.series.push_back({.label = label,
@@ -57,13 +57,13 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
         if (m.failed() || m.spectrum.wavevector.size() == 0) continue;
         ++n;
         const auto place = place_of(instrument_of(m));
-        const Curve whole{m.spectrum.wavevector, m.spectrum.C1D};
+        const DrawnCurve whole{m.spectrum.wavevector, m.spectrum.density};
         const double lowest = whole.x[0], highest = whole.x[whole.x.size() - 1];
-        add(log_means(part(whole, lowest, std::nextafter(m.spectrum.q_min, 0.0)), points_a_curve), m.name + ", cut",
-            m.name, place, false);
-        add(log_means(part(whole, std::nextafter(m.spectrum.q_max, HUGE_VAL), highest), points_a_curve),
+        add(log_means(part(whole, lowest, std::nextafter(m.spectrum.band.lower, 0.0)), points_a_curve),
             m.name + ", cut", m.name, place, false);
-        const auto kept = log_means(part(whole, m.spectrum.q_min, m.spectrum.q_max), points_a_curve);
+        add(log_means(part(whole, std::nextafter(m.spectrum.band.upper, HUGE_VAL), highest), points_a_curve),
+            m.name + ", cut", m.name, place, false);
+        const auto kept = log_means(part(whole, m.spectrum.band.lower, m.spectrum.band.upper), points_a_curve);
         add(kept, m.name, m.name, place, true);
         for (const double value : kept.y)
             if (value > 0.0) {

@@ -25,7 +25,7 @@ const MeasurementResult* scan_of(const study::SurfaceResult& surface) {
 }
 
 /// The lowest and the highest of each of `stretches` stretches, in order of x.
-Curve extremes(const Array1D& x, const Array1D& y, Index stretches) {
+DrawnCurve extremes(const Array1D& x, const Array1D& y, Index stretches) {
     if (x.size() <= 2 * stretches) return {x, y};
     std::vector<double> across, up;
     for (Index s = 0; s < stretches; ++s) {

@@ -213,13 +213,13 @@ bool nothing_to_show(const FigureRequest& request, StudyFigure& drawn) {
 
 /// The curve of one instrument on one surface: its measurements averaged within their reliable bands.
 std::optional<SurfaceCurve> curve_of_instrument(const SurfaceResult& surface, const std::string& instrument) {
-    std::vector<spectra::PowerSpectrum1D> spectra;
+    std::vector<spectra::MeasuredSpectrum> spectra;
     for (const auto& m : surface.measurements)
-        if (!m.failed() && instrument_of(m) == instrument && m.spectrum.q_max > m.spectrum.q_min)
+        if (!m.failed() && instrument_of(m) == instrument && m.spectrum.band.upper > m.spectrum.band.lower)
             spectra.push_back(m.spectrum);
     if (spectra.empty()) return std::nullopt;
     const auto combined = spectra::combine(spectra);
-    return SurfaceCurve{.wavevector = combined.wavevector, .values = combined.C1D, .method = "average"};
+    return SurfaceCurve{.wavevector = combined.wavevector, .values = combined.density, .method = "average"};
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ tables::TidyTable measurement_table(const study::StudyResult& result) {
             const bool fine = !m.failed();
             table.rows.push_back({surface.name, m.file, m.name, m.spectrum.metadata.instrument.type,
                                   fine ? topography::name(m.trend) : "", m.spectrum.window,
-                                  fine ? m.spectrum.q_min : undefined, fine ? m.spectrum.q_max : undefined,
+                                  fine ? m.spectrum.band.lower : undefined, fine ? m.spectrum.band.upper : undefined,
                                   fine ? m.real_space.rms_height : undefined, fine ? m.real_space.rms_slope : undefined,
                                   fine ? m.real_space.rms_curvature : undefined, m.error});
         }

@@ -67,7 +67,7 @@ Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& optio
     const auto spectrum = scan_spectrum(map, options.threads);
     const Index count = last - first + 1;
     const Array1D mode = Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)),
-                  power = spectrum.C1D.segment(first - 1, count);
+                  power = spectrum.density.segment(first - 1, count);
     if (!(power.minCoeff() > 0.0)) return {};
     // lines of a map are alike over about half a wavelength
     const Array1D lines =

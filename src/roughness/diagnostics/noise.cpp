@@ -22,7 +22,7 @@ Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options) {
     const auto spectrum = scan_spectrum(map, options.threads);
     const double step = map.pixel_size()[0], nyquist = pi / step;
     const Array1D x = spectrum.wavevector.segment(first - 1, count) / nyquist,
-                  power = spectrum.C1D.segment(first - 1, count);
+                  power = spectrum.density.segment(first - 1, count);
     if (!(power.minCoeff() > 0.0)) return {};
     const double share = map.periodic ? 1.0 : spectra::share_under_hann;
     // the surface's own lines are alike over a few pixels; those of the noise are independent

@@ -23,7 +23,7 @@ using topography::Measurement;
 /// A measurement's spectrum in bins, with the independent values behind each.
 struct Binned {
     std::string subject;
-    spectra::PowerSpectrum1D spectrum;
+    spectra::MeasuredSpectrum spectrum;
 };
 
 Binned binned(const Measurement& measurement, const DiagnosisOptions& options) {
@@ -37,11 +37,11 @@ Binned binned(const Measurement& measurement, const DiagnosisOptions& options) {
 
 /// ν of a bin: modes times lines that are independent (alike over half a wavelength) times the share of a mode that is
 /// its own.
-double freedom(const spectra::PowerSpectrum1D& spectrum, const spectra::LogGrid& grid, Index bin) {
+double freedom(const spectra::MeasuredSpectrum& spectrum, const spectra::LogGrid& grid, Index bin) {
     double sum = 0.0;
     for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
         const double q = spectrum.wavevector[k];
-        if (q < spectrum.q_min * (1.0 - 1e-9) || q > spectrum.q_max || grid.bin_of(q) != bin) continue;
+        if (q < spectrum.band.lower * (1.0 - 1e-9) || q > spectrum.band.upper || grid.bin_of(q) != bin) continue;
         const double width = spectrum.count[k] * spectrum.pitch;
         sum += std::clamp(q * width / pi, 1.0, std::max(1.0, spectrum.count[k]));
     }
@@ -56,10 +56,10 @@ struct Comparison {
 };
 
 Comparison compared(const Binned& a, const Binned& b) {
-    const std::array<spectra::PowerSpectrum1D, 2> both{a.spectrum, b.spectrum};
+    const std::array<spectra::MeasuredSpectrum, 2> both{a.spectrum, b.spectrum};
     Comparison result;
     for (const auto& spectrum : both)
-        if (!(spectrum.q_max > spectrum.q_min)) return result;  // nothing reliable
+        if (!(spectrum.band.upper > spectrum.band.lower)) return result;  // nothing reliable
     const auto bins = spectra::binned(both);
     std::vector<std::array<double, 3>> points;  // ln q, ln ratio, weight
     for (Index k = 0; k < bins.wavevector.size(); ++k) {

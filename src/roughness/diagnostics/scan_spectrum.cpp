@@ -5,7 +5,7 @@
 
 namespace setae::diagnostics {
 
-spectra::PowerSpectrum1D scan_spectrum(const topography::HeightMap& map, parallel::Threads threads) {
+spectra::MeasuredSpectrum scan_spectrum(const topography::HeightMap& map, parallel::Threads threads) {
     spectra::SpectrumOptions options;
     options.threads = threads;
     auto bare = map;

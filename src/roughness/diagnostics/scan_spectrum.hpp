@@ -8,7 +8,7 @@
 namespace setae::diagnostics {
 
 /// C1D of the scan lines of a level map without undefined heights, modes 1 … n/2, Hann window where it is not periodic.
-[[nodiscard]] spectra::PowerSpectrum1D scan_spectrum(const topography::HeightMap& map, parallel::Threads threads);
+[[nodiscard]] spectra::MeasuredSpectrum scan_spectrum(const topography::HeightMap& map, parallel::Threads threads);
 
 /// Expectation of a mode k under the window for C1D ∝ k^−exponent, over k^−exponent: the Hann window mixes each mode
 /// with those beside it.

@@ -16,10 +16,10 @@ struct Lift {
     double wavelength = 0.0;  ///< below which the factor is above 2 [m]; 0 where it never is
 };
 
-Lift lift(const spectra::PowerSpectrum1D& with, const spectra::PowerSpectrum1D& without) {
-    const Index n = with.C1D.size(), width = std::max<Index>(4, n / 10);
+Lift lift(const spectra::MeasuredSpectrum& with, const spectra::MeasuredSpectrum& without) {
+    const Index n = with.density.size(), width = std::max<Index>(4, n / 10);
     const auto ratio = [&](Index first) {
-        return with.C1D.segment(first, width).sum() / without.C1D.segment(first, width).sum();
+        return with.density.segment(first, width).sum() / without.density.segment(first, width).sum();
     };
     Lift result;
     result.factor = ratio(n - width);

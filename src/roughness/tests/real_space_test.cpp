@@ -119,14 +119,14 @@ TEST(RealSpaceParameters, OfAMapByBandsAreThoseOfTheWholeMap) {
     map.heights.col(0).setConstant(undefined);
     const auto whole = real_space_parameters(map);
     for (const Index lines : {1, 2, 20, 61, 100}) {
-        const auto by_bands = real_space_parameters(topography::tiled(map), lines);
-        EXPECT_EQ(by_bands.defined, whole.defined);
-        EXPECT_NEAR(by_bands.rms_height, whole.rms_height, 1e-10 * whole.rms_height);
-        EXPECT_NEAR(by_bands.rms_height_of_lines, whole.rms_height_of_lines, 1e-10 * whole.rms_height);
-        EXPECT_NEAR(by_bands.rms_slope_x, whole.rms_slope_x, 1e-12 * whole.rms_slope_x);
-        EXPECT_NEAR(by_bands.rms_slope_y, whole.rms_slope_y, 1e-12 * whole.rms_slope_y);
-        EXPECT_NEAR(by_bands.rms_curvature, whole.rms_curvature, 1e-12 * whole.rms_curvature);
-        EXPECT_NEAR(by_bands.mean_height, whole.mean_height, 1e-10);
+        const auto tiled = real_space_parameters(topography::tiled(map), lines);
+        EXPECT_EQ(tiled.defined, whole.defined);
+        EXPECT_NEAR(tiled.rms_height, whole.rms_height, 1e-10 * whole.rms_height);
+        EXPECT_NEAR(tiled.rms_height_of_lines, whole.rms_height_of_lines, 1e-10 * whole.rms_height);
+        EXPECT_NEAR(tiled.rms_slope_x, whole.rms_slope_x, 1e-12 * whole.rms_slope_x);
+        EXPECT_NEAR(tiled.rms_slope_y, whole.rms_slope_y, 1e-12 * whole.rms_slope_y);
+        EXPECT_NEAR(tiled.rms_curvature, whole.rms_curvature, 1e-12 * whole.rms_curvature);
+        EXPECT_NEAR(tiled.mean_height, whole.mean_height, 1e-10);
     }
 }
 

@@ -19,20 +19,20 @@ Array1D log_spaced(double lower, double upper, Index n) {
 }
 
 /// The model's C_iso is a power law on either side of its roll-off, so two nodes a side hold it exactly.
-SpectrumCurve isotropic_curve() {
+spectra::Spectrum isotropic_curve() {
     Array1D q(3);
     q << 2.0 * pi, model.rolloff_wavevector, model.short_wavevector;
-    return {q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, Density::C_iso};
+    return {q, spectra::isotropic_power_spectrum(model, q), {q[0], q[2]}, spectra::Density::C_iso};
 }
 
 /// C1D falls to zero at q_s like a square root: nodes crowd there.
-SpectrumCurve profile_curve() {
+spectra::Spectrum profile_curve() {
     const double q_s = model.short_wavevector;
     const Array1D coarse = log_spaced(2.0 * pi / 1e-2, 0.9 * q_s, 4000);
     const Array1D fine = q_s * (1.0 - log_spaced(1e-9, 0.0999, 4000).reverse());
     Array1D q(8000);
     q << coarse, fine;
-    return {q, spectra::profile_power_spectrum(model, q), {q[0], q_s}, Density::C1D};
+    return {q, spectra::profile_power_spectrum(model, q), {q[0], q_s}, spectra::Density::C1D};
 }
 
 TEST(SpectralParameters, OfTheLaterNcdModelAreThosePublished) {
@@ -55,7 +55,7 @@ TEST(SpectralParameters, FromLineScansAreExactlyThoseOfTheSurface) {
 TEST(SpectralParameters, IntegrateAPowerLawInClosedForm) {
     Array1D q(2);
     q << 1e6, 1e9;
-    const SpectrumCurve curve{q, 1e-20 * (q / 1e6).pow(-2.0), {1e6, 1e9}};
+    const spectra::Spectrum curve{q, 1e-20 * (q / 1e6).pow(-2.0), {1e6, 1e9}};
     const auto p = spectral_parameters(curve);
     EXPECT_NEAR(p.rms_height, std::sqrt(1e-20 * 1e6 * (1.0 - 1e-3) / pi), 1e-20);
     EXPECT_NEAR(p.elastic_energy_per_modulus, 1e-20 * 1e12 * std::log(1e3) / 8.0, 1e-20);
@@ -86,7 +86,7 @@ TEST(SpectralParameters, OfModesObeyParseval) {
     Array1D c = Array1D::Zero(8);
     c[2] = 3e-21;
     c[7] = 1e-21;
-    const SpectrumCurve curve{q, c, {0.5e6, 8e6}, Density::C1D, Nodes::modes};
+    const spectra::Spectrum curve{q, c, {0.5e6, 8e6}, spectra::Density::C1D, spectra::Nodes::modes};
     const auto p = spectral_parameters(curve);
     EXPECT_NEAR(p.rms_height / std::sqrt((3e-21 + 0.5e-21) * 1e6 / pi), 1.0, 1e-14);
     EXPECT_NEAR(p.rms_slope / std::sqrt(2.0 * (3e-21 * 9e12 + 0.5e-21 * 64e12) * 1e6 / pi), 1.0, 1e-14);
@@ -96,7 +96,7 @@ TEST(SpectralParameters, OfModesObeyParseval) {
 TEST(DecadeMeans, AreGeometricAndOnlyOfWholeDecades) {
     Array1D q(3);
     q << std::pow(10.0, 5.5), 3e6, 1e8;
-    const SpectrumCurve curve{q, 1e-3 * q.pow(-3.0), {q[0], q[2]}};
+    const spectra::Spectrum curve{q, 1e-3 * q.pow(-3.0), {q[0], q[2]}};
     const auto means = decade_means(curve);
     EXPECT_TRUE(std::isnan(means[1]));
     EXPECT_NEAR(means[2] / (1e-3 * std::pow(10.0, -19.5)), 1.0, 1e-12);

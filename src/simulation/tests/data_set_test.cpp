@@ -76,7 +76,8 @@ TEST(SurfaceTruth, OfGaussianHeightsIsTheClosedForm) {
     const Array1D exact = spectra::profile_power_spectrum(model, truth.C1D.wavevector);
     const Index inner = truth.C1D.wavevector.size() - 3;  // profile_density is less exact close to q_s, and 1.2e-3 off
                                                           // at the roll-off, where C_iso bends between nodes
-    for (Index i = 0; i < inner; ++i) EXPECT_NEAR(truth.C1D.values[i] / exact[i], 1.0, 2e-3) << truth.C1D.wavevector[i];
+    for (Index i = 0; i < inner; ++i)
+        EXPECT_NEAR(truth.C1D.density[i] / exact[i], 1.0, 2e-3) << truth.C1D.wavevector[i];
 }
 
 TEST(SurfaceTruth, OfHardlySkewedHeightsIsThatOfGaussianOnes) {

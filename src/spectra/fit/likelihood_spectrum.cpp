@@ -72,17 +72,18 @@ public:
         const auto count = static_cast<Index>(std::floor(
                                std::log(spline_.shortest() / std::exp(spline_.position(1))) / node_spacing + 1e-9)) +
                            1;
-        r.wavevector =
+        r.C_iso.wavevector =
             spline_.shortest() * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
-        r.design = spline_.design(r.wavevector);
+        r.design = spline_.design(r.C_iso.wavevector);
         r.theta = fit_.theta;
         const auto scatter = scatter_between_measurements();
         r.covariance = full_covariance(scatter);
-        r.C_iso = (r.design * r.theta).array().exp();
-        r.standard_error = (r.design * r.covariance).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
+        r.C_iso.kind = spectra::Density::C_iso;
+        r.C_iso.density = (r.design * r.theta).array().exp();
+        r.log_standard_error = (r.design * r.covariance).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
         r.rounds = rounds_;
         r.converged = fit_.converged;
-        r.band = used_band();
+        r.C_iso.band = used_band();
         add_agreement(r);
         add_scatter_alerts(r, scatter);
         add_rolloff_alert(r);
@@ -332,16 +333,15 @@ private:
     /// Where the longest waves seen still carry about as much of the mean square height, q² C_iso per ln q, as any.
     static void add_rolloff_alert(LikelihoodSpectrum& r) {
         constexpr double much = 0.5;
-        const Array1D height = (r.wavevector >= r.band.lower).select(r.wavevector.square() * r.C_iso, 0.0);
-        const auto first =
-            std::lower_bound(r.wavevector.data(), r.wavevector.data() + r.wavevector.size(), r.band.lower) -
-            r.wavevector.data();
-        if (first == r.wavevector.size() || height[first] < much * height.maxCoeff()) return;
+        const auto& q = r.C_iso.wavevector;
+        const Array1D height = (q >= r.C_iso.band.lower).select(q.square() * r.C_iso.density, 0.0);
+        const auto first = std::lower_bound(q.begin(), q.end(), r.C_iso.band.lower) - q.begin();
+        if (first == q.size() || height[first] < much * height.maxCoeff()) return;
         r.alerts.push_back(
             {"ROLLOFF_NOT_SEEN", "spectrum",
              fmt::format(
                  "it still rises at its longest wavelength, {:.3g} um: rms height and stored energy are those of shorter waves alone",
-                 2.0e6 * pi / r.band.lower),
+                 2.0e6 * pi / r.C_iso.band.lower),
              "scan longer, until C1D is flat; W_app predicted for a contact wider than that needs those waves"});
     }
 
@@ -415,7 +415,7 @@ Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint
     const Eigen::LLT<Eigen::MatrixXd> root(0.5 * (spectrum.covariance + spectrum.covariance.transpose()));
     if (root.info() != Eigen::Success) throw InternalError("covariance of the spectrum is not positive definite");
     const Eigen::MatrixXd lower = root.matrixL();
-    Array2D result(count, spectrum.wavevector.size());
+    Array2D result(count, spectrum.C_iso.wavevector.size());
     Array1D normal(n);
     for (Index r = 0; r < count; ++r) {
         numerics::fill_normal({seed, 0}, static_cast<std::uint64_t>(r * n), normal);

@@ -26,7 +26,7 @@ TEST(InverseAbel, OfAPowerLawHasTheClosedForm) {
         const double ratio = 2.0 / std::sqrt(pi) * std::tgamma(0.5 * (alpha + 1.0)) / std::tgamma(0.5 * alpha);
         for (Index k = 0; k < q.size(); ++k) {
             EXPECT_NEAR(result.ratio[k], ratio, 1e-9 * ratio);
-            EXPECT_NEAR(result.C_iso[k], pi * C1D[k] / q[k] * ratio, 1e-9 * result.C_iso[k]);
+            EXPECT_NEAR(result.density[k], pi * C1D[k] / q[k] * ratio, 1e-9 * result.density[k]);
         }
     }
 }
@@ -37,7 +37,8 @@ TEST(InverseAbel, OfAGaussianAutocorrelationHasTheClosedForm) {
     const Array1D q = decades(1e5, 5e6, 40), fall = (-(q * length).square() / 4.0).exp();
     const auto result = isotropic_from_lines(q, std::sqrt(pi) * length * height * height * fall);
     const Array1D exact = pi * length * length * height * height * fall;
-    for (Index k = 0; k < q.size(); ++k) EXPECT_NEAR(result.C_iso[k] / exact[k], 1.0, q[k] < 4e6 ? 1e-3 : 0.1) << q[k];
+    for (Index k = 0; k < q.size(); ++k)
+        EXPECT_NEAR(result.density[k] / exact[k], 1.0, q[k] < 4e6 ? 1e-3 : 0.1) << q[k];
 }
 
 TEST(InverseAbel, OfASelfAffineSurfaceIsItsSpectrum) {
@@ -47,7 +48,7 @@ TEST(InverseAbel, OfASelfAffineSurfaceIsItsSpectrum) {
     const Array1D exact = spectra::isotropic_power_spectrum(model, q);
     for (Index k = 0; k < q.size(); ++k) {
         const bool bend = std::abs(std::log10(q[k] / 1e6)) < 0.16;  // C_iso bends there within one interval
-        EXPECT_NEAR(result.C_iso[k] / exact[k], 1.0, bend ? 0.12 : 0.01) << q[k];
+        EXPECT_NEAR(result.density[k] / exact[k], 1.0, bend ? 0.12 : 0.01) << q[k];
     }
     // the approximation π C1D/q misses the plateau: there C1D rises towards q = 0 no more and C_iso q/π is below it
     EXPECT_LT(result.ratio[0], 0.2);
@@ -67,7 +68,7 @@ TEST(InverseAbel, UndoesTheIntegralOverLines) {
         const auto node = static_cast<Index>(place);
         const double exact = std::exp(std::log(C_iso[node]) +
                                       (place - static_cast<double>(node)) * std::log(C_iso[node + 1] / C_iso[node]));
-        EXPECT_NEAR(result.C_iso[k] / exact, 1.0, 0.01) << q[k];
+        EXPECT_NEAR(result.density[k] / exact, 1.0, 0.01) << q[k];
     }
 }
 
@@ -83,9 +84,9 @@ TEST(InverseAbel, StatesTheErrorsItsValuesScatterWith) {
         const Array1D noisy =
             C1D * (1.0 + relative * numerics::normal_numbers({5, static_cast<std::uint64_t>(t)}, 0, n));
         const auto result = isotropic_from_lines(q, noisy, relative * noisy, {.smoothing = 0.6});
-        ASSERT_FALSE(result.C_iso.isNaN().any());
-        sum += result.C_iso / trials;
-        squares += result.C_iso.square() / trials;
+        ASSERT_FALSE(result.density.isNaN().any());
+        sum += result.density / trials;
+        squares += result.density.square() / trials;
         stated += result.standard_error / trials;
     }
     const Array1D scatter = (squares - sum.square()).sqrt(), exact = spectra::isotropic_power_spectrum(model, q);
@@ -101,23 +102,23 @@ TEST(InverseAbel, SmoothsCombinedSpectraWhoseBinsMayBeOfOneMeasurement) {
     const spectra::SelfAffine model{1e-26, 1e6, 0.8, 1e13};
     CombinedSpectrum spectrum;
     spectrum.wavevector = decades(1e5, 1e9, 10);
-    spectrum.C1D = spectra::profile_power_spectrum(model, spectrum.wavevector);
-    spectrum.count = Array1D::Constant(spectrum.C1D.size(), 3.0);
-    spectrum.standard_error = 0.1 * spectrum.C1D;
+    spectrum.density = spectra::profile_power_spectrum(model, spectrum.wavevector);
+    spectrum.count = Array1D::Constant(spectrum.density.size(), 3.0);
+    spectrum.standard_error = 0.1 * spectrum.density;
     spectrum.standard_error[5] = undefined;
     spectrum.count[5] = 1.0;
     const auto result = isotropic_from_lines(spectrum);
     EXPECT_FALSE(result.standard_error.isNaN().any());
     spectrum.standard_error.setConstant(undefined);
     const auto unknown = isotropic_from_lines(spectrum);
-    EXPECT_FALSE(unknown.C_iso.isNaN().any());
+    EXPECT_FALSE(unknown.density.isNaN().any());
     EXPECT_TRUE(unknown.standard_error.isNaN().all());
 }
 
 TEST(InverseAbel, HasNoValueWhereLinesRise) {
     const Array1D q = decades(1.0, 10.0, 10);
     const auto result = isotropic_from_lines(q, q);
-    EXPECT_TRUE(result.C_iso.isNaN().all());
+    EXPECT_TRUE(result.density.isNaN().all());
 }
 
 TEST(InverseAbel, RefusesWhatIsNoSpectrum) {

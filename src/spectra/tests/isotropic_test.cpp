@@ -90,12 +90,12 @@ TEST(IsotropicPowerSpectrum, IsTheMeanOfAllModesOfABin) {
         const LogGrid grid;
         const auto spectrum = isotropic_power_spectrum(map, {}, grid);
         const auto expected = radial_sums(map, grid, {});
-        ASSERT_EQ(static_cast<std::size_t>(spectrum.C_iso.size()), expected.size());
+        ASSERT_EQ(static_cast<std::size_t>(spectrum.density.size()), expected.size());
         Index b = 0;
         for (const auto& [bin, sums] : expected) {
             EXPECT_EQ(spectrum.count[b], sums[2]);
             EXPECT_NEAR(spectrum.wavevector[b] * sums[2] / sums[1], 1.0, 1e-12);
-            EXPECT_NEAR(spectrum.C_iso[b] * sums[2] / sums[0], 1.0, 1e-12);
+            EXPECT_NEAR(spectrum.density[b] * sums[2] / sums[0], 1.0, 1e-12);
             ++b;
         }
     }
@@ -115,8 +115,8 @@ TEST(IsotropicPowerSpectrum, DoesNotDependOnTheDirectionOfAWave) {
             {}};
     };
     const auto one = isotropic_power_spectrum(wave(1.0)), other = isotropic_power_spectrum(wave(-1.0));
-    EXPECT_LT((one.C_iso - other.C_iso).abs().maxCoeff(), 1e-15);
-    EXPECT_NEAR((one.C_iso * one.count).sum(), 0.5, 1e-12);
+    EXPECT_LT((one.density - other.density).abs().maxCoeff(), 1e-15);
+    EXPECT_NEAR((one.density * one.count).sum(), 0.5, 1e-12);
 }
 
 TEST(IsotropicPowerSpectrum, SurvivesTilt) {
@@ -124,14 +124,15 @@ TEST(IsotropicPowerSpectrum, SurvivesTilt) {
     const SpectrumOptions options{.trend = Trend::tilt};
     const auto level = isotropic_power_spectrum(map, options);
     for (Index i = 0; i < 32; ++i) map.heights.row(i) += 100.0 * static_cast<double>(i);
-    EXPECT_LT(((isotropic_power_spectrum(map, options).C_iso - level.C_iso) / level.C_iso).abs().maxCoeff(), 1e-9);
+    EXPECT_LT(((isotropic_power_spectrum(map, options).density - level.density) / level.density).abs().maxCoeff(),
+              1e-9);
 }
 
 TEST(IsotropicPowerSpectrum, GivesTheSameBytesForAnyNumberOfThreads) {
     const auto map = map_of(100, 90, false);
     const auto one = isotropic_power_spectrum(map, {.threads = {1}}),
                three = isotropic_power_spectrum(map, {.threads = {3}});
-    EXPECT_TRUE((one.C_iso == three.C_iso).all());
+    EXPECT_TRUE((one.density == three.density).all());
     EXPECT_TRUE((power_spectrum_map(map, {.threads = {1}}) == power_spectrum_map(map, {.threads = {3}})).all());
 }
 

@@ -34,7 +34,7 @@ TEST(Jackknife, OfOneInstrumentGivesTheStandardErrorOfTheMean) {
     const auto combined = combine(binned);
     for (Index b = 0; b < 3; ++b) {
         const double centre = curves.col(b).mean();
-        EXPECT_NEAR(centre, combined.C1D[b], 1e-14);  // a mean is linear: no bias
+        EXPECT_NEAR(centre, combined.density[b], 1e-14);  // a mean is linear: no bias
         EXPECT_NEAR(std::sqrt(0.75 * (curves.col(b) - centre).square().sum()), combined.standard_error[b], 1e-14);
     }
 }

@@ -10,11 +10,11 @@
 namespace setae::spectra::parametric_noise_test {
 namespace {
 
-PowerSpectrum1D three_modes() {
-    PowerSpectrum1D spectrum;
+MeasuredSpectrum three_modes() {
+    MeasuredSpectrum spectrum;
     spectrum.wavevector = Array1D::LinSpaced(3, 1e6, 3e6);
-    spectrum.C1D = Array1D(3);
-    spectrum.C1D << 4e-21, 2e-21, 1e-21;
+    spectrum.density = Array1D(3);
+    spectrum.density << 4e-21, 2e-21, 1e-21;
     return spectrum;
 }
 
@@ -26,7 +26,7 @@ TEST(ParametricNoise, HasTheMeanAndTheVarianceOfAPeriodogram) {
     const auto spectrum = three_modes();
     const Array2D replicas = parametric_noise(spectrum, freedom, count, 3);
     for (Index k = 0; k < 3; ++k) {
-        const Array1D ratio = replicas.col(k) / spectrum.C1D[k];
+        const Array1D ratio = replicas.col(k) / spectrum.density[k];
         EXPECT_NEAR(ratio.mean(), 1.0, 4.0 / std::sqrt(count * freedom[k]));
         EXPECT_NEAR((ratio - ratio.mean()).square().mean() * freedom[k], 1.0,
                     4.0 * std::sqrt((2.0 + 6.0 / freedom[k]) / count));

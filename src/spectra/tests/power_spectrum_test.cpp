@@ -20,10 +20,10 @@ using topography::LineScan;
 using topography::Trend;
 
 /// (2/L) sum g C with half the weight for the Nyquist mode of an even number of points.
-double variance_of(const PowerSpectrum1D& spectrum, Index points) {
-    Array1D weight = Array1D::Ones(spectrum.C1D.size());
+double variance_of(const MeasuredSpectrum& spectrum, Index points) {
+    Array1D weight = Array1D::Ones(spectrum.density.size());
     if (points % 2 == 0) weight[weight.size() - 1] = 0.5;
-    return 2.0 / spectrum.length * (weight * spectrum.C1D).sum();
+    return 2.0 / spectrum.length * (weight * spectrum.density).sum();
 }
 
 double variance_of(const Array1D& values) { return (values - values.mean()).square().mean(); }
@@ -38,9 +38,9 @@ LineScan sine(double amplitude, Index periods, Index n, double length) {
 TEST(PowerSpectrum, OfASineIsASquaredLengthOverFour) {
     for (const double length : {1e-6, 3.0}) {
         const auto spectrum = power_spectrum(sine(2.0, 5, 64, length));
-        EXPECT_NEAR(spectrum.C1D[4], 4.0 * length / 4.0, 1e-12 * length);
+        EXPECT_NEAR(spectrum.density[4], 4.0 * length / 4.0, 1e-12 * length);
         EXPECT_NEAR(spectrum.wavevector[4], 2.0 * pi * 5.0 / length, 1e-12 / length);
-        auto others = spectrum.C1D;
+        auto others = spectrum.density;
         others[4] = 0.0;
         EXPECT_LT(others.maxCoeff(), 1e-28 * length);
     }
@@ -51,17 +51,17 @@ TEST(PowerSpectrum, OfASineUnderAHannWindowSharesTwoThirdsOneSixthOneSixth) {
     scan.periodic = false;
     const auto spectrum = power_spectrum(scan);
     EXPECT_EQ(spectrum.window, "hann");
-    EXPECT_NEAR(spectrum.C1D[19], 2.0 / 3.0, 1e-12);
-    EXPECT_NEAR(spectrum.C1D[18], 1.0 / 6.0, 1e-12);
-    EXPECT_NEAR(spectrum.C1D[20], 1.0 / 6.0, 1e-12);
-    EXPECT_LT(spectrum.C1D[21], 1e-28);
+    EXPECT_NEAR(spectrum.density[19], 2.0 / 3.0, 1e-12);
+    EXPECT_NEAR(spectrum.density[18], 1.0 / 6.0, 1e-12);
+    EXPECT_NEAR(spectrum.density[20], 1.0 / 6.0, 1e-12);
+    EXPECT_LT(spectrum.density[21], 1e-28);
 }
 
 TEST(PowerSpectrum, KeepsParsevalForEvenAndOddNumbersOfPoints) {
     for (const Index n : {2, 3, 10, 11, 512, 999}) {
         const auto heights = random_heights(n);
         const auto spectrum = power_spectrum(LineScan{heights, 2.0, true, {}});
-        ASSERT_EQ(spectrum.C1D.size(), n / 2);
+        ASSERT_EQ(spectrum.density.size(), n / 2);
         EXPECT_NEAR(variance_of(spectrum, n) / variance_of(heights), 1.0, 1e-12) << n;
     }
 }
@@ -81,11 +81,11 @@ TEST(PowerSpectrum, OfAMapIsTheMeanOfItsLines) {
     const auto spectrum = power_spectrum(map);
     Array1D mean = Array1D::Zero(15), squares = mean;
     for (Index j = 0; j < 21; ++j) {
-        const Array1D line = power_spectrum(LineScan{map.heights.col(j), 3.0, false, {}}).C1D;
+        const Array1D line = power_spectrum(LineScan{map.heights.col(j), 3.0, false, {}}).density;
         mean += line / 21.0;
         squares += line.square() / 21.0;
     }
-    EXPECT_LT(((spectrum.C1D - mean) / mean).abs().maxCoeff(), 1e-12);
+    EXPECT_LT(((spectrum.density - mean) / mean).abs().maxCoeff(), 1e-12);
     EXPECT_LT((spectrum.standard_error - ((squares - mean.square()) / 20.0).sqrt()).abs().maxCoeff(), 1e-12);
     EXPECT_TRUE((spectrum.count == 21.0).all());
 }
@@ -106,24 +106,24 @@ TEST(PowerSpectrum, DoesNotSeeTheTrendItRemoves) {
     const SpectrumOptions options{.trend = Trend::parabola};
     const auto flat = power_spectrum(LineScan{heights, 1.0, false, {}}, options);
     const auto bent = power_spectrum(LineScan{heights + 1e3 + 5.0 * x - 7.0 * x.square(), 1.0, false, {}}, options);
-    EXPECT_LT(((bent.C1D - flat.C1D) / flat.C1D).abs().maxCoeff(), 1e-9);
+    EXPECT_LT(((bent.density - flat.density) / flat.density).abs().maxCoeff(), 1e-9);
     const HeightMap map{heights.replicate(1, 8), {1.0, 0.2}, false, {}};
     const HeightMap tilted{(heights + 5.0 * x).replicate(1, 8), {1.0, 0.2}, false, {}};
     const SpectrumOptions tilt{.trend = Trend::tilt};
-    EXPECT_LT(((power_spectrum(map, tilt).C1D - power_spectrum(tilted, tilt).C1D)).abs().maxCoeff(), 1e-12);
+    EXPECT_LT(((power_spectrum(map, tilt).density - power_spectrum(tilted, tilt).density)).abs().maxCoeff(), 1e-12);
 }
 
 TEST(PowerSpectrum, AnOffsetOfAMillionTimesTheRoughnessChangesNothing) {
     const auto heights = random_heights(256);
     const auto base = power_spectrum(LineScan{heights, 1.0, false, {}});
     const auto offset = power_spectrum(LineScan{heights + 1e6, 1.0, false, {}});
-    EXPECT_LT(((base.C1D - offset.C1D) / base.C1D.mean()).abs().maxCoeff(), 1e-8);
+    EXPECT_LT(((base.density - offset.density) / base.density.mean()).abs().maxCoeff(), 1e-8);
 }
 
 TEST(PowerSpectrum, GivesTheSameBytesForAnyNumberOfThreads) {
     const HeightMap map{random_map(100, 90), {1.0, 1.0}, false, {}};
     const auto one = power_spectrum(map, {.threads = {1}}), three = power_spectrum(map, {.threads = {3}});
-    EXPECT_TRUE((one.C1D == three.C1D).all());
+    EXPECT_TRUE((one.density == three.density).all());
     EXPECT_TRUE((one.standard_error == three.standard_error).all());
 }
 
@@ -155,15 +155,15 @@ TEST(PowerSpectrum, OfOnePointOrNoSizeIsRefused) {
 
 TEST(PowerSpectrum, ReliableBandRunsFromTheSizeToNyquist) {
     const auto spectrum = power_spectrum(LineScan{random_heights(100), 2.0, false, {}});
-    EXPECT_NEAR(spectrum.q_min, pi, 1e-14);
-    EXPECT_NEAR(spectrum.q_max, 50.0 * pi, 1e-12);
-    EXPECT_EQ(within_band(spectrum).C1D.size(), 50);
+    EXPECT_NEAR(spectrum.band.lower, pi, 1e-14);
+    EXPECT_NEAR(spectrum.band.upper, 50.0 * pi, 1e-12);
+    EXPECT_EQ(within_band(spectrum).density.size(), 50);
 }
 
 TEST(PowerSpectrum, WithinBandKeepsWhatTheInstrumentResolves) {
     LineScan scan{random_heights(100), 2.0, false, {}};
     scan.metadata.instrument.resolution = 0.1;  // 2π/0.1 = mode 20
-    EXPECT_EQ(within_band(power_spectrum(scan)).C1D.size(), 20);
+    EXPECT_EQ(within_band(power_spectrum(scan)).density.size(), 20);
 }
 
 TEST(PowerSpectrum, OfAContourSaysHowLargeItsCorrectionIs) {
@@ -173,14 +173,14 @@ TEST(PowerSpectrum, OfAContourSaysHowLargeItsCorrectionIs) {
     ASSERT_EQ(corrected.alerts.size(), 1u);
     EXPECT_EQ(corrected.alerts[0].code, "CONTOUR_STEPS");
     EXPECT_TRUE(segments.alerts.empty());
-    EXPECT_TRUE((corrected.C1D > segments.C1D).all());
-    EXPECT_NEAR(corrected.C1D[0] / segments.C1D[0], 1.0, 1e-3);
-    EXPECT_GT(corrected.C1D[190] / segments.C1D[190], 2.0);
+    EXPECT_TRUE((corrected.density > segments.density).all());
+    EXPECT_NEAR(corrected.density[0] / segments.density[0], 1.0, 1e-3);
+    EXPECT_GT(corrected.density[190] / segments.density[190], 2.0);
 }
 
 TEST(PowerSpectrum, OfAnyMeasurementIsThatOfItsKind) {
     const LineScan scan{random_heights(20), 1.0, false, {}};
-    EXPECT_TRUE((power_spectrum(topography::Measurement(scan)).C1D == power_spectrum(scan).C1D).all());
+    EXPECT_TRUE((power_spectrum(topography::Measurement(scan)).density == power_spectrum(scan).density).all());
 }
 
 TEST(PowerSpectrum, OfAMapByBandsIsThatOfTheWholeMap) {
@@ -189,12 +189,12 @@ TEST(PowerSpectrum, OfAMapByBandsIsThatOfTheWholeMap) {
     for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola}) {
         const auto whole = power_spectrum(map, {.trend = trend});
         for (const Index lines : {1, 16, 17, 45, 90}) {
-            const auto by_bands = power_spectrum(topography::tiled(map), lines, {.trend = trend});
-            EXPECT_LT(((by_bands.C1D - whole.C1D) / whole.C1D).abs().maxCoeff(), 1e-9);
-            EXPECT_LT(((by_bands.standard_error - whole.standard_error) / whole.standard_error).abs().maxCoeff(), 1e-9);
-            EXPECT_DOUBLE_EQ(by_bands.q_max, whole.q_max);
-            EXPECT_DOUBLE_EQ(by_bands.pitch, whole.pitch);
-            EXPECT_EQ(by_bands.window, whole.window);
+            const auto tiled = power_spectrum(topography::tiled(map), lines, {.trend = trend});
+            EXPECT_LT(((tiled.density - whole.density) / whole.density).abs().maxCoeff(), 1e-9);
+            EXPECT_LT(((tiled.standard_error - whole.standard_error) / whole.standard_error).abs().maxCoeff(), 1e-9);
+            EXPECT_DOUBLE_EQ(tiled.band.upper, whole.band.upper);
+            EXPECT_DOUBLE_EQ(tiled.pitch, whole.pitch);
+            EXPECT_EQ(tiled.window, whole.window);
         }
     }
 }

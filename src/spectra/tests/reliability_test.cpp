@@ -157,11 +157,11 @@ TEST(ReliableBand, OfAMapByBandsIsThatOfTheWholeMap) {
     const auto whole = reliable_band(map);
     ASSERT_TRUE(whole.tip);
     for (const Index lines : {1, 8, 33}) {
-        const auto by_bands = reliable_band(topography::tiled(map), lines);
-        EXPECT_NEAR(by_bands.band.upper, whole.band.upper, 1e-6 * whole.band.upper);
-        EXPECT_NEAR(by_bands.tip->interval->lower, whole.tip->interval->lower, 1e-6);
-        EXPECT_NEAR(by_bands.tip->interval->upper, whole.tip->interval->upper, 1e-6);
-        EXPECT_EQ(by_bands.upper_limit, whole.upper_limit);
+        const auto tiled = reliable_band(topography::tiled(map), lines);
+        EXPECT_NEAR(tiled.band.upper, whole.band.upper, 1e-6 * whole.band.upper);
+        EXPECT_NEAR(tiled.tip->interval->lower, whole.tip->interval->lower, 1e-6);
+        EXPECT_NEAR(tiled.tip->interval->upper, whole.tip->interval->upper, 1e-6);
+        EXPECT_EQ(tiled.upper_limit, whole.upper_limit);
     }
     EXPECT_THROW((void)reliable_band(topography::tiled(map), 8, {.percentile = 0.01}), InvalidArgument);
 }

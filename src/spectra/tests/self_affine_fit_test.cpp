@@ -22,8 +22,8 @@ CombinedSpectrum exact(const SelfAffine& model, double from, double to) {
     CombinedSpectrum spectrum;
     spectrum.wavevector =
         from * (Array1D::LinSpaced(count, 0.0, static_cast<double>(count - 1)) * 0.1 * std::log(10.0)).exp();
-    spectrum.C1D = spectra::profile_power_spectrum(model, spectrum.wavevector);
-    spectrum.standard_error = 0.1 * spectrum.C1D;
+    spectrum.density = spectra::profile_power_spectrum(model, spectrum.wavevector);
+    spectrum.standard_error = 0.1 * spectrum.density;
     spectrum.count = Array1D::Constant(count, 4.0);
     spectrum.instrument_count = Array1D::Ones(count);
     return spectrum;
@@ -86,17 +86,19 @@ TEST(SelfAffineFit, KeepsToItsRange) {
     EXPECT_GE(fit.wavevector.minCoeff(), range.lower);
     EXPECT_LE(fit.wavevector.maxCoeff(), range.upper);
     EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 0.01);
-    const auto curve = model_curve(fit, Array1D{{1e5, 1e7, 1e9}});
-    EXPECT_EQ(curve.extrapolated, (std::vector<bool>{true, false, true}));
-    EXPECT_LT(curve.standard_error[1] / curve.C1D[1], curve.standard_error[2] / curve.C1D[2]);
-    EXPECT_NEAR(curve.C1D[1], spectra::profile_power_spectrum(surface, Array1D::Constant(1, 1e7))[0],
-                0.05 * curve.C1D[1]);
+    const auto curve = model_spectrum(fit, Array1D{{1e5, 1e7, 1e9}});
+    EXPECT_EQ(curve.band.lower, fit.range.lower);
+    EXPECT_EQ(curve.band.upper, fit.range.upper);
+    EXPECT_TRUE(curve.band.lower > 1e5 && curve.band.lower < 1e7 && curve.band.upper > 1e7 && curve.band.upper < 1e9);
+    EXPECT_LT(curve.standard_error[1] / curve.density[1], curve.standard_error[2] / curve.density[2]);
+    EXPECT_NEAR(curve.density[1], spectra::profile_power_spectrum(surface, Array1D::Constant(1, 1e7))[0],
+                0.05 * curve.density[1]);
 }
 
 TEST(SelfAffineFit, WidensItsErrorsWhereTheModelMisses) {
     auto spectrum = exact(surface, 1e5, 1e9);
-    for (Index b = 0; b < spectrum.C1D.size(); ++b) spectrum.C1D[b] *= b % 2 == 0 ? 1.6 : 0.6;
-    spectrum.standard_error = 0.1 * spectrum.C1D;
+    for (Index b = 0; b < spectrum.density.size(); ++b) spectrum.density[b] *= b % 2 == 0 ? 1.6 : 0.6;
+    spectrum.standard_error = 0.1 * spectrum.density;
     const auto fit = fit_self_affine(spectrum), plain = fit_self_affine(exact(surface, 1e5, 1e9));
     ASSERT_FALSE(fit.alerts.empty());
     EXPECT_EQ(fit.alerts.back().code, "MODEL_MISSES");
@@ -122,7 +124,7 @@ TEST(SelfAffineFit, OfTheModesOfOneMapKnowsWindowAndAliases) {
     SpectrumOptions options;
     options.trend = topography::Trend::tilt;
     const auto spectrum = power_spectrum(map, options);
-    const auto fit = fit_self_affine(spectrum, {.range = Band{spectrum.q_min, spectrum.q_max}});
+    const auto fit = fit_self_affine(spectrum, {.range = Band{spectrum.band.lower, spectrum.band.upper}});
     const auto& H = fit.hurst_exponent.estimate;
     EXPECT_NEAR(H.value, 0.8, 3.0 * H.standard_error);
     EXPECT_LT(H.standard_error, 0.05);

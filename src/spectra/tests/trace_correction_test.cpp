@@ -73,7 +73,7 @@ std::vector<HalfDecade> ratios_to_truth(const std::vector<double>& edges, bool i
             for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
                 const double q = spectrum.wavevector[k];
                 if (q < edges[i] || q >= edges[i + 1]) continue;
-                ratio += spectrum.C1D[k] / truth(q);
+                ratio += spectrum.density[k] / truth(q);
                 modes += 1.0;
             }
             sums[i] += ratio / modes;
@@ -139,7 +139,7 @@ TEST(TraceCorrection, FreesALevelledCurveOfNoiseAlongItsNormalsAndSmoothingAlong
         for (Index k = 0; k < spectrum.wavevector.size(); ++k)
             for (std::size_t i = 0; i < 2; ++i)
                 if (spectrum.wavevector[k] >= edges[i] && spectrum.wavevector[k] < edges[i + 1]) {
-                    sums[i] += spectrum.C1D[k] / C1D(spectrum.wavevector[k]);
+                    sums[i] += spectrum.density[k] / C1D(spectrum.wavevector[k]);
                     counts[i] += 1.0;
                 }
     }
@@ -160,15 +160,15 @@ TEST(TraceCorrection, IsNeededAndCanBeLeftOut) {
     auto unknown = profile;
     unknown.response.reset();
     const auto left_out = power_spectrum(profile, as_traced), plain = power_spectrum(unknown);
-    EXPECT_TRUE((left_out.C1D == plain.C1D).all());
-    EXPECT_EQ(left_out.q_max, plain.q_max);
+    EXPECT_TRUE((left_out.density == plain.density).all());
+    EXPECT_EQ(left_out.band.upper, plain.band.upper);
     EXPECT_EQ(left_out.alerts.size(), plain.alerts.size());
 }
 
 TEST(TraceCorrection, EndsTheBandWhereNoiseTakesOver) {
     // C1D = 2 N exp((q blur)²) is met at q = 0.46
     std::vector<double> ends;
-    for (std::uint64_t seed = 0; seed < 30; ++seed) ends.push_back(power_spectrum(traced(seed, false)).q_max);
+    for (std::uint64_t seed = 0; seed < 30; ++seed) ends.push_back(power_spectrum(traced(seed, false)).band.upper);
     std::sort(ends.begin(), ends.end());
     const double crossing = 0.46;
     EXPECT_NEAR(truth(crossing) / response.noise_density / std::exp(std::pow(crossing * response.blur, 2)), 2.0, 0.2);
@@ -180,8 +180,8 @@ TEST(TraceCorrection, EndsTheBandWhereNoiseTakesOver) {
 TEST(TraceCorrection, EndsTheBandWhereBlurLeavesATenth) {
     const auto spectrum = power_spectrum(traced(3, false, false));
     const double end = topography::trace_band_end(response);
-    EXPECT_LE(spectrum.q_max, end);
-    EXPECT_GT(spectrum.q_max, end - 2.0 * spectrum.wavevector[0]);
+    EXPECT_LE(spectrum.band.upper, end);
+    EXPECT_GT(spectrum.band.upper, end - 2.0 * spectrum.wavevector[0]);
     EXPECT_NEAR(std::pow(transfer(end), 2), 0.1, 1e-9);
 }
 
@@ -200,7 +200,7 @@ TEST(TraceCorrection, FindsTheBandAlsoAtChosenWavevectors) {
     SpectrumOptions chosen;
     chosen.wavevectors = Array1D{{0.7, 0.1, 0.3}};
     const auto some = power_spectrum(profile, chosen), all = power_spectrum(profile);
-    EXPECT_EQ(some.q_max, all.q_max);
+    EXPECT_EQ(some.band.upper, all.band.upper);
     ASSERT_FALSE(some.alerts.empty());
     EXPECT_EQ(some.alerts[0].message, all.alerts[0].message);
 }
@@ -222,8 +222,8 @@ TEST(TraceCorrection, OfSegmentsTakesOffTheirShareOfTheNoise) {
                 1, seed)
                 .heights.head(points);
         const auto spectrum = power_spectrum(noise, segments);
-        sum += spectrum.C1D.segment(100, 200).mean() / curves;
-        if (spectrum.q_max == 0.0) {
+        sum += spectrum.density.segment(100, 200).mean() / curves;
+        if (spectrum.band.upper == 0.0) {
             EXPECT_NE(spectrum.alerts[0].message.find("hides every wave"), std::string::npos);
         }
     }

@@ -55,7 +55,21 @@ void load(Archive& archive, MatrixXd& m) {
         archive(__VA_ARGS__);                    \
     }
 
+// the same of a type with a base, which no binding takes apart
+#define SETAE_KEEP_WITH_BASE(Type, Base, ...)                 \
+    template <class Archive>                                  \
+    void serialize(Archive& archive, Type& of) {              \
+        keep_with_base<Type, Base>(archive, of, __VA_ARGS__); \
+    }
+
 namespace setae {
+
+/// The base and the members of a type; its size tells of one that is missing here.
+template <class Type, class Base, class Archive, class... Members>
+void keep_with_base(Archive& archive, Base& base, Members&... members) {
+    static_assert(sizeof(Type) == (sizeof(Base) + ... + ((sizeof(Members) + 7) / 8 * 8)), "a field is not kept");
+    archive(base, members...);
+}
 
 SETAE_KEEP(Interval, lower, upper, level)
 SETAE_KEEP(Estimate, value, standard_error, method, interval, degrees_of_freedom, seed)
@@ -80,10 +94,10 @@ SETAE_KEEP(Metadata, name, file, format, unit, acquisition_time, instrument, att
 
 namespace setae::spectra {
 
-SETAE_KEEP(PowerSpectrum1D, wavevector, C1D, standard_error, count, q_min, q_max, length, pitch, window, alerts,
-           metadata)
+SETAE_KEEP(Spectrum, wavevector, density, band, kind, nodes, standard_error, count)
+SETAE_KEEP_WITH_BASE(MeasuredSpectrum, Spectrum, of.length, of.pitch, of.window, of.alerts, of.metadata)
 SETAE_KEEP(LogGrid, bins_per_decade)
-SETAE_KEEP(CombinedSpectrum, wavevector, C1D, standard_error, count, instrument_count, q_min, q_max, grid, alerts)
+SETAE_KEEP_WITH_BASE(CombinedSpectrum, Spectrum, of.instrument_count, of.grid, of.alerts)
 
 }  // namespace setae::spectra
 
@@ -96,7 +110,6 @@ SETAE_KEEP(DirectionalSlope, angle, rms, rms_standard_error, skewness, skewness_
 SETAE_KEEP(SlopeDistribution, directions, slope, density, gaussian_p_value, isotropy_ratio, isotropy_p_value, alerts)
 SETAE_KEEP(TriangulatedArea, area_ratio, rms_slope, cells)
 SETAE_KEEP(WavelengthLimits, longest, shortest)
-SETAE_KEEP(SpectrumCurve, wavevector, values, band, density, nodes)
 SETAE_KEEP(SpectralParameters, rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, decade_C1D)
 SETAE_KEEP(ParameterSpread::Source, name, plus, minus)
 SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, left_out, sources)

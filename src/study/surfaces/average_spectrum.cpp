@@ -18,27 +18,10 @@ namespace setae::study {
 namespace {
 
 using roughness::SpectralParameters;
-using roughness::SpectrumCurve;
+using spectra::Spectrum;
 
-SpectrumCurve curve_of(const spectra::CombinedSpectrum& combined) {
-    return {combined.wavevector, combined.C1D, {combined.q_min, combined.q_max}};
-}
-
-/// A single measurement speaks with its own modes: no bins, so sums over them obey Parseval. The first mode stands for
-/// half a step on either side.
-SpectrumCurve curve_of(const spectra::PowerSpectrum1D& spectrum) {
-    const auto own = spectra::within_band(spectrum);
-    const double half_step =
-        0.5 * (own.wavevector.size() > 1 ? own.wavevector[1] - own.wavevector[0] : own.wavevector[0]);
-    return {own.wavevector,
-            own.C1D,
-            {own.wavevector[0] - half_step, own.q_max},
-            roughness::Density::C1D,
-            roughness::Nodes::modes};
-}
-
-std::vector<spectra::PowerSpectrum1D> spectra_of(const std::vector<MeasurementResult>& measurements) {
-    std::vector<spectra::PowerSpectrum1D> found;
+std::vector<spectra::MeasuredSpectrum> spectra_of(const std::vector<MeasurementResult>& measurements) {
+    std::vector<spectra::MeasuredSpectrum> found;
     for (const auto& m : measurements)
         if (!m.failed()) found.push_back(m.spectrum);
     return found;
@@ -46,15 +29,14 @@ std::vector<spectra::PowerSpectrum1D> spectra_of(const std::vector<MeasurementRe
 
 /// Spectra as all uncertain tips moved together would leave them: radii are shared by the measurements of an
 /// instrument, so their errors do not average out.
-std::vector<spectra::PowerSpectrum1D> with_moved_tips(const std::vector<MeasurementResult>& measurements,
-                                                      std::size_t direction) {
-    std::vector<spectra::PowerSpectrum1D> moved;
+std::vector<spectra::MeasuredSpectrum> with_moved_tips(const std::vector<MeasurementResult>& measurements,
+                                                       std::size_t direction) {
+    std::vector<spectra::MeasuredSpectrum> moved;
     for (const auto& m : measurements) {
         if (m.failed()) continue;
         moved.push_back(m.spectrum);
         if (!m.bands_of_uncertain_tip) continue;
-        moved.back().q_min = (*m.bands_of_uncertain_tip)[direction].lower;
-        moved.back().q_max = (*m.bands_of_uncertain_tip)[direction].upper;
+        moved.back().band = (*m.bands_of_uncertain_tip)[direction];
     }
     return moved;
 }
@@ -93,11 +75,11 @@ std::vector<std::vector<SpectralParameters>> parameters_without_each(const spect
 }
 
 /// ν of each wavevector of a measurement by itself: lines as far as they are independent, and each mode's own share.
-Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum, parallel::Threads threads) {
+Array1D own_freedom(const spectra::MeasuredSpectrum& spectrum, parallel::Threads threads) {
     const Index lines = static_cast<Index>(spectrum.count[0]);
     Array1D independent = Array1D::Ones(spectrum.wavevector.size());
     if (lines > 1) {
-        const Array1D C_iso = spectra::isotropic_from_profile_eq11(spectrum.wavevector, spectrum.C1D,
+        const Array1D C_iso = spectra::isotropic_from_profile_eq11(spectrum.wavevector, spectrum.density,
                                                                    std::numeric_limits<double>::infinity());
         independent =
             spectral_fit::independent_lines(spectra::tabulated_density(spectrum.wavevector, C_iso), spectrum.wavevector,
@@ -107,14 +89,14 @@ Array1D own_freedom(const spectra::PowerSpectrum1D& spectrum, parallel::Threads 
 }
 
 /// What other places of the surface would give, as far as one measurement can say.
-void add_parametric_noise(roughness::ParameterSpread& spread, const spectra::PowerSpectrum1D& spectrum,
+void add_parametric_noise(roughness::ParameterSpread& spread, const spectra::MeasuredSpectrum& spectrum,
                           const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     auto replica = spectrum;
     const Array2D drawn =
         spectra::parametric_noise(spectrum, own_freedom(spectrum, threads), options.bootstrap_resamples, options.seed);
     for (Index r = 0; r < drawn.rows(); ++r) {
-        replica.C1D = drawn.row(r).transpose();
-        spread.replicas.push_back(parameters_of(curve_of(replica), options));
+        replica.density = drawn.row(r).transpose();
+        spread.replicas.push_back(parameters_of(spectra::within_band(replica), options));
     }
     spread.replica_method = "parametric noise";
 }
@@ -130,14 +112,16 @@ void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& o
     combination.weighting = options.weighting;
     surface.combined = spectra::combine(found, combination);
     surface.alerts.insert(surface.alerts.end(), surface.combined->alerts.begin(), surface.combined->alerts.end());
-    const auto curve_from = [](const std::vector<spectra::PowerSpectrum1D>& spectra,
-                               const spectra::CombinedSpectrum& combined) {
-        return spectra.size() == 1 ? curve_of(spectra.front()) : curve_of(combined);
+    // a single measurement speaks with its own modes: no bins, so sums over them obey Parseval
+    const auto spectrum_from = [](const std::vector<spectra::MeasuredSpectrum>& spectra,
+                                  const spectra::CombinedSpectrum& combined) -> spectra::Spectrum {
+        if (spectra.size() == 1) return spectra::within_band(spectra.front());
+        return combined;
     };
-    surface.average = spectrum_result(curve_from(found, *surface.combined), options);
+    surface.average = spectrum_result(spectrum_from(found, *surface.combined), options);
     auto& spread = surface.average.spread;
     const auto members = spectra::binned(found, combination);
-    const auto band = curve_of(*surface.combined).band;
+    const auto band = surface.combined->band;
     if (found.size() == 1 && options.bootstrap_resamples > 0)
         add_parametric_noise(spread, found.front(), options, threads);
     else spread.replicas = resampled_parameters(members, band, options, threads);
@@ -146,7 +130,7 @@ void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& o
     if (!has_uncertain_tip(surface.measurements)) return;
     const auto moved = [&](std::size_t direction) {
         const auto spectra = with_moved_tips(surface.measurements, direction);
-        return parameters_of(curve_from(spectra, spectra::combine(spectra, combination)), options);
+        return parameters_of(spectrum_from(spectra, spectra::combine(spectra, combination)), options);
     };
     spread.sources.push_back({"tip radius", moved(0), moved(1)});
 }

@@ -13,12 +13,12 @@
 namespace setae::study {
 namespace {
 
-using roughness::SpectrumCurve;
+using spectra::Spectrum;
 
 /// C_iso of a self-affine model as a curve from wavelengths of 1 cm on (what lies beyond adds 1e-7 of h_rms² or less).
 /// It is one power law on either side of the roll-off, so nodes there and at the ends hold it; more show it scale by
 /// scale.
-SpectrumCurve curve_of(const spectra::SelfAffine& model) {
+spectra::Spectrum spectrum_of(const spectra::SelfAffine& model) {
     constexpr Index nodes = 100;  // on each side of the roll-off
     const double lower = 2.0 * pi / 1e-2;
     const auto spaced = [](double from, double to) -> Array1D {
@@ -29,7 +29,7 @@ SpectrumCurve curve_of(const spectra::SelfAffine& model) {
         spaced(model.rolloff_wavevector, model.short_wavevector).tail(nodes - 1);
     q[nodes - 1] = model.rolloff_wavevector;
     q[2 * nodes - 2] = model.short_wavevector;
-    return {q, spectra::isotropic_power_spectrum(model, q), {lower, model.short_wavevector}, roughness::Density::C_iso};
+    return {q, spectra::isotropic_power_spectrum(model, q), {lower, model.short_wavevector}, spectra::Density::C_iso};
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const
     const double height = moments.rms_height.value, slope = moments.rms_slope.value,
                  curvature = moments.rms_curvature.value;
     const auto reconstruct = [&](double h, double s, double c) {
-        return curve_of(spectra::self_affine_with_moments(h, s, c, moments.short_wavevector));
+        return spectrum_of(spectra::self_affine_with_moments(h, s, c, moments.short_wavevector));
     };
     surface.reconstructed = true;
     surface.average = spectrum_result(reconstruct(height, slope, curvature), options);
@@ -69,7 +69,7 @@ void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const
 void take_power_spectrum(SurfaceResult& surface, const std::string& file, const SurfaceAnalysisOptions& options) {
     const auto table = tables::read_power_spectrum_table(file);
     const auto& q = table.at("wavevector");
-    surface.average = spectrum_result({q, table.at("C1D"), {q[0], q[q.size() - 1]}, roughness::Density::C1D}, options);
+    surface.average = spectrum_result({q, table.at("C1D"), {q[0], q[q.size() - 1]}, spectra::Density::C1D}, options);
     if (const auto units = table.metadata.find("units"); units != table.metadata.end())
         surface.alerts.push_back({"UNIT_GUESSED", surface.name, fmt::format("{}: units {}", file, units->second),
                                   "write them in the header as q [1/m], C1D [m3]"});

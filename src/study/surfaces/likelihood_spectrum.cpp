@@ -13,19 +13,11 @@ namespace {
 /// Groups of modes end a little above the wavevector they are named by.
 constexpr double group_end = 1.04;
 
-roughness::SpectrumCurve curve_of(const spectral_fit::LikelihoodSpectrum& spectrum) {
-    const double end = spectrum.wavevector[spectrum.wavevector.size() - 1];
-    return {spectrum.wavevector,
-            spectrum.C_iso,
-            {spectrum.band.lower, std::min(end, group_end * spectrum.band.upper)},
-            roughness::Density::C_iso};
-}
-
 /// C1D of a fitted C_iso and of draws about it.
 class Lines {
 public:
-    Lines(const roughness::SpectrumCurve& C_iso, const SurfaceAnalysisOptions& options)
-        : C_iso_(C_iso), C1D_(spectral_fit::line_spectrum(C_iso.wavevector, C_iso.values)), limits_(options.limits) {}
+    Lines(const spectra::Spectrum& C_iso, const SurfaceAnalysisOptions& options)
+        : C_iso_(C_iso), C1D_(spectral_fit::line_spectrum(C_iso.wavevector, C_iso.density)), limits_(options.limits) {}
 
     [[nodiscard]] roughness::DecadeMeans decade_means() const { return means_of(C1D_); }
 
@@ -34,7 +26,7 @@ public:
     ///   ln C1D' = ln C1D + A(C_iso ln(C_iso'/C_iso))/C1D,  A the Abel integral
     [[nodiscard]] roughness::DecadeMeans decade_means(const Array1D& drawn) const {
         const Array1D change =
-            spectral_fit::line_spectrum(C_iso_.wavevector, C_iso_.values * (drawn / C_iso_.values).log()) / C1D_;
+            spectral_fit::line_spectrum(C_iso_.wavevector, C_iso_.density * (drawn / C_iso_.density).log()) / C1D_;
         return means_of(C1D_ * change.exp());
     }
 
@@ -43,7 +35,7 @@ private:
         return roughness::decade_means(roughness::limited({C_iso_.wavevector, C1D, C_iso_.band}, limits_));
     }
 
-    roughness::SpectrumCurve C_iso_;
+    spectra::Spectrum C_iso_;
     Array1D C1D_;
     roughness::WavelengthLimits limits_;
 };
@@ -53,23 +45,24 @@ private:
 Array1D log_error_of_lines(const spectral_fit::LikelihoodSpectrum& spectrum, const Array1D& C1D) {
     Eigen::MatrixXd gradient(spectrum.design.rows(), spectrum.design.cols());
     for (Index k = 0; k < gradient.cols(); ++k)
-        gradient.col(k) =
-            (spectral_fit::line_spectrum(spectrum.wavevector, spectrum.C_iso * spectrum.design.col(k).array()) / C1D)
-                .matrix();
+        gradient.col(k) = (spectral_fit::line_spectrum(spectrum.C_iso.wavevector,
+                                                       spectrum.C_iso.density * spectrum.design.col(k).array()) /
+                           C1D)
+                              .matrix();
     return (gradient * spectrum.covariance).cwiseProduct(gradient).rowwise().sum().array().max(0.0).sqrt();
 }
 
 FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum, const Band& band) {
-    const Array1D C1D = spectral_fit::line_spectrum(spectrum.wavevector, spectrum.C_iso);
+    const Array1D C1D = spectral_fit::line_spectrum(spectrum.C_iso.wavevector, spectrum.C_iso.density);
     const Array1D error = log_error_of_lines(spectrum, C1D);
-    const auto& q = spectrum.wavevector;
+    const auto& q = spectrum.C_iso.wavevector;
     const auto first = std::lower_bound(q.begin(), q.end(), band.lower) - q.begin(),
                end = std::upper_bound(q.begin(), q.end(), band.upper) - q.begin();
     const auto inside = [&](const Array1D& values) -> Array1D { return values.segment(first, end - first); };
     return {band,
             inside(q),
-            inside(spectrum.C_iso),
-            inside(spectrum.standard_error),
+            inside(spectrum.C_iso.density),
+            inside(spectrum.log_standard_error),
             inside(C1D),
             inside(error),
             spectrum.agreement,
@@ -90,7 +83,8 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     likelihood.seed = options.seed;
     likelihood.threads = threads;
     const auto spectrum = spectral_fit::likelihood_spectrum(observed, likelihood);
-    auto curve = curve_of(spectrum);
+    auto curve = spectrum.C_iso;
+    curve.band.upper = std::min(curve.wavevector[curve.wavevector.size() - 1], group_end * curve.band.upper);
     auto result = spectrum_result(curve, options);
     const Lines lines(curve, options);
     result.parameters.decade_C1D = lines.decade_means();
@@ -99,9 +93,9 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     const Array2D drawn =
         spectral_fit::drawn_spectra(spectrum, std::max(options.bootstrap_resamples, 40), options.seed);
     for (Index r = 0; r < drawn.rows(); ++r) {
-        curve.values = drawn.row(r).transpose();
+        curve.density = drawn.row(r).transpose();
         result.spread.replicas.push_back(parameters_of(curve, options));
-        result.spread.replicas.back().decade_C1D = lines.decade_means(curve.values);
+        result.spread.replicas.back().decade_C1D = lines.decade_means(curve.density);
     }
     surface.fitted = fitted_spectrum(spectrum, curve.band);
     surface.likelihood = std::move(result);

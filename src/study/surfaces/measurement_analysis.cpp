@@ -109,10 +109,9 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     return result;
 }
 
-roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map, const SurfaceAnalysisOptions& options,
-                                         parallel::Threads threads) {
-    const auto iso = spectra::isotropic_power_spectrum(map, spectrum_options(options, threads));
-    return {iso.wavevector, iso.C_iso, {iso.q_min, iso.q_max}, roughness::Density::C_iso};
+spectra::Spectrum isotropic_spectrum(const topography::HeightMap& map, const SurfaceAnalysisOptions& options,
+                                     parallel::Threads threads) {
+    return spectra::isotropic_power_spectrum(map, spectrum_options(options, threads));
 }
 
 bool too_large(const MeasurementSource& source, const SurfaceAnalysisOptions& options) {

@@ -14,7 +14,7 @@ namespace setae::study {
 namespace {
 
 using roughness::SpectralParameters;
-using roughness::SpectrumCurve;
+using spectra::Spectrum;
 
 struct Task {
     std::string file;
@@ -170,17 +170,17 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceA
     return steps;
 }
 
-SpectralParameters parameters_of(const SpectrumCurve& whole, const SurfaceAnalysisOptions& options) {
+SpectralParameters parameters_of(const Spectrum& whole, const SurfaceAnalysisOptions& options) {
     return roughness::spectral_parameters(roughness::limited(whole, options.limits), options.conversion);
 }
 
-SpectrumResult spectrum_result(const SpectrumCurve& whole, const SurfaceAnalysisOptions& options) {
+SpectrumResult spectrum_result(const Spectrum& whole, const SurfaceAnalysisOptions& options) {
     SpectrumResult result;
     result.uncut_energy_per_modulus =
         roughness::spectral_parameters(whole, options.conversion).elastic_energy_per_modulus;
     result.curve = roughness::limited(whole, options.limits);
     result.parameters = roughness::spectral_parameters(result.curve, options.conversion);
-    if (result.curve.density == roughness::Density::C1D) {
+    if (result.curve.kind == spectra::Density::C1D) {
         const bool exact = options.conversion == roughness::Conversion::exact;
         result.other_conversion = roughness::spectral_parameters(
             result.curve, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact);

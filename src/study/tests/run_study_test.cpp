@@ -147,8 +147,8 @@ TEST_F(StudyOfFiles, PropagatesTheUncertaintyOfEachTip) {
     EXPECT_FALSE(surface.measurements[0].bands_of_uncertain_tip);
     ASSERT_TRUE(surface.measurements[1].bands_of_uncertain_tip);
     const auto& [blunter, sharper] = *surface.measurements[1].bands_of_uncertain_tip;
-    EXPECT_LT(blunter.upper, surface.measurements[1].spectrum.q_max);
-    EXPECT_GT(sharper.upper, surface.measurements[1].spectrum.q_max);
+    EXPECT_LT(blunter.upper, surface.measurements[1].spectrum.band.upper);
+    EXPECT_GT(sharper.upper, surface.measurements[1].spectrum.band.upper);
     ASSERT_EQ(surface.average.spread.sources.size(), 1u);
     EXPECT_GT(surface.average.spread.sources[0].minus.rms_slope, surface.average.spread.sources[0].plus.rms_slope);
 }

@@ -43,7 +43,7 @@ Twin twin(int number) {
                                                {.key = numerics::substream({77, 0}, static_cast<std::uint64_t>(number)),
                                                 .longest_wavelength = 1000.0 * um,
                                                 .shortest_wavelength = 4e-9});
-    std::vector<spectra::PowerSpectrum1D> spectra;
+    std::vector<spectra::MeasuredSpectrum> spectra;
     spectra::SpectrumOptions options;
     options.trend = topography::Trend::tilt;
     for (int k = 0; k < 4; ++k) {
@@ -58,7 +58,7 @@ Twin twin(int number) {
             auto spectrum = spectra::power_spectrum(map, options);
             spectra.push_back(spectra::undistorted(spectrum));
             if (k == 0 && size > 10.0 * um) {
-                spectrum.q_min *= 2.0;  // the trend takes the first mode
+                spectrum.band.lower *= 2.0;  // the trend takes the first mode
                 result.single = std::move(spectrum);
             }
         }
@@ -81,7 +81,7 @@ FitSurvey survey_maps(int maps, bool all_modes) {
     for (int number = 0; number < maps; ++number) {
         const auto t = twin(number);
         spectra::SelfAffineFitOptions options;
-        if (all_modes) options.range = Band{t.single.q_min, t.single.q_max};
+        if (all_modes) options.range = Band{t.single.band.lower, t.single.band.upper};
         tally(survey, spectra::fit_self_affine(t.single, options), t.truth);
     }
     return survey;

@@ -11,7 +11,7 @@ namespace setae::reference {
 struct Twin {
     spectra::SelfAffine truth;
     spectra::CombinedSpectrum combined;
-    spectra::PowerSpectrum1D single;  ///< of the first map of 20 µm, all modes
+    spectra::MeasuredSpectrum single;  ///< of the first map of 20 µm, all modes
 };
 [[nodiscard]] Twin twin(int number);
 

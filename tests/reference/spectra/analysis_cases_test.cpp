@@ -26,12 +26,12 @@ using topography::Profile;
 using topography::Trend;
 
 /// Modes 1 … n/2 − 1, which both have; 1e-10 of the values, or of the rounding floor of the largest.
-void expect_modes(const PowerSpectrum1D& spectrum, const json& expected) {
+void expect_modes(const MeasuredSpectrum& spectrum, const json& expected) {
     const Array1D q = series(expected[0]), C = series(expected[1]);
-    ASSERT_LE(q.size() - 1, spectrum.C1D.size());
+    ASSERT_LE(q.size() - 1, spectrum.density.size());
     for (Index k = 1; k < q.size(); ++k) {
         EXPECT_NEAR(spectrum.wavevector[k - 1] / q[k], 1.0, 1e-12);
-        EXPECT_NEAR(spectrum.C1D[k - 1], C[k], 1e-10 * C[k]) << "mode " << k;
+        EXPECT_NEAR(spectrum.density[k - 1], C[k], 1e-10 * C[k]) << "mode " << k;
     }
 }
 

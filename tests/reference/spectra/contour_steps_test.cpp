@@ -49,7 +49,7 @@ std::vector<double> recovered(ContourTreatment treatment, int lines) {
         for (Index k = 0; k < spectrum.wavevector.size(); ++k)
             for (std::size_t b = 0; b + 1 < edges.size(); ++b)
                 if (spectrum.wavevector[k] >= edges[b] * band && spectrum.wavevector[k] < edges[b + 1] * band) {
-                    sums[b] += spectrum.C1D[k] / true_spectrum(spectrum.wavevector[k]);
+                    sums[b] += spectrum.density[k] / true_spectrum(spectrum.wavevector[k]);
                     counts[b] += 1.0;
                 }
     }

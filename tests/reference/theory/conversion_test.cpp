@@ -11,7 +11,7 @@ namespace setae::conversion_test {
 namespace {
 
 /// C1D of a self-affine surface with q_s/q_r = 1000 on nodes that crowd at q_s, where it falls to zero.
-roughness::SpectrumCurve lines_on(const spectra::SelfAffine& model) {
+spectra::Spectrum lines_on(const spectra::SelfAffine& model) {
     const double q_s = model.short_wavevector;
     const auto spaced = [](double from, double to, Index n) -> Array1D {
         return Array1D::LinSpaced(n, std::log(from), std::log(to)).exp();

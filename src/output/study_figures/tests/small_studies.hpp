@@ -17,7 +17,7 @@ namespace setae::study_figures {
 inline study::SurfaceResult given_surface(const std::string& name) {
     study::SurfaceResult surface{.name = name};
     surface.average.curve = {
-        Array1D{{1e5, 1e6, 1e7, 1e8}}, Array1D{{1e-20, 1e-20, 1e-23, 1e-26}}, {1e5, 1e8}, roughness::Density::C1D};
+        Array1D{{1e5, 1e6, 1e7, 1e8}}, Array1D{{1e-20, 1e-20, 1e-23, 1e-26}}, {1e5, 1e8}, spectra::Density::C1D};
     surface.average.parameters = {
         .rms_height = 20e-9, .rms_slope = 1.0, .rms_curvature = 1e8, .elastic_energy_per_modulus = 2e-9};
     return surface;
@@ -95,11 +95,11 @@ inline study::MeasurementResult measurement(const std::string& name, const std::
                                             const Array1D& wavevector, const Array1D& C1D, const Band& band) {
     study::MeasurementResult result{.file = name + ".csv", .name = name};
     result.spectrum.wavevector = wavevector;
-    result.spectrum.C1D = C1D;
+    result.spectrum.density = C1D;
     result.spectrum.standard_error = Array1D::Constant(C1D.size(), undefined);
     result.spectrum.count = Array1D::Ones(C1D.size());
-    result.spectrum.q_min = band.lower;
-    result.spectrum.q_max = band.upper;
+    result.spectrum.band.lower = band.lower;
+    result.spectrum.band.upper = band.upper;
     result.spectrum.length = 2.0 * pi / wavevector[0];
     result.spectrum.metadata.instrument.type = instrument;
     result.spectrum.metadata.name = name;

@@ -21,14 +21,14 @@ StudyResult measured_study() {
     scan.preview.heights = 1e-8 * (scan.preview.positions * 1e6).sin();
     scan.preview.heights[500] = 5e-8;
     scan.preview.size = {5e-4, 0.0};
-    surface.combined = spectra::CombinedSpectrum{.wavevector = Array1D{{1e5, 1e6}},
-                                                 .C1D = Array1D{{1e-20, 2e-20}},
-                                                 .standard_error = Array1D{{1e-21, undefined}},
-                                                 .count = Array1D{{3.0, 1.0}},
-                                                 .instrument_count = Array1D{{1.0, 1.0}},
-                                                 .q_min = 1e5,
-                                                 .q_max = 1e6};
-    surface.average.curve = {surface.combined->wavevector, surface.combined->C1D, {1e5, 1e6}, roughness::Density::C1D};
+    surface.combined = spectra::CombinedSpectrum{{.wavevector = Array1D{{1e5, 1e6}},
+                                                  .density = Array1D{{1e-20, 2e-20}},
+                                                  .band = {1e5, 1e6},
+                                                  .standard_error = Array1D{{1e-21, undefined}},
+                                                  .count = Array1D{{3.0, 1.0}}},
+                                                 Array1D{{1.0, 1.0}}};
+    surface.average.curve = {
+        surface.combined->wavevector, surface.combined->density, {1e5, 1e6}, spectra::Density::C1D};
     result.surfaces = {surface};
     return result;
 }
@@ -54,18 +54,18 @@ TEST(Figure1, ShowsAReconstructionAsTheAbelIntegralOfItsSpectrum) {
     StudyResult result;
     auto surface = given_surface("published");
     surface.reconstructed = true;
-    surface.average.curve.density = roughness::Density::C_iso;
+    surface.average.curve.kind = spectra::Density::C_iso;
     result.surfaces = {surface};
     const auto drawn = study_figure(result, "1");
     const auto& curve = series_of(drawn.figure.panels[0], "published (reconstruction)");
     ASSERT_EQ(curve.x.size(), 3);  // at the spectrum's end the integral is 0
     const Array1D expected =
-        spectra::profile_from_isotropic(surface.average.curve.wavevector, surface.average.curve.values, curve.x);
+        spectra::profile_from_isotropic(surface.average.curve.wavevector, surface.average.curve.density, curve.x);
     EXPECT_TRUE((curve.y == expected).all());
     EXPECT_NE(drawn.caption.find("published reconstructed from published moments"), std::string::npos) << drawn.caption;
     const auto isotropic = study_figure(result, "S3");
     EXPECT_TRUE(
-        (series_of(isotropic.figure.panels[0], "published (reconstruction)").y == surface.average.curve.values).all());
+        (series_of(isotropic.figure.panels[0], "published (reconstruction)").y == surface.average.curve.density).all());
 }
 
 TEST(Figure1, ShowsFittedSpectraWithTheirLogarithmicError) {

@@ -65,7 +65,7 @@ inline double mean_square_slope_y(const topography::HeightMap& map) {
 /// Mean C1D of the last tenth of the modes.
 inline double last_modes(const topography::HeightMap& map) {
     const auto spectrum = spectra::power_spectrum(topography::detrended(map, topography::Trend::tilt));
-    return spectrum.C1D.tail(spectrum.C1D.size() / 10).mean();
+    return spectrum.density.tail(spectrum.density.size() / 10).mean();
 }
 
 /// Codes with a blank between.

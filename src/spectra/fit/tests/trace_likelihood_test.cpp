@@ -64,10 +64,10 @@ LikelihoodSpectrum fitted(bool with_response, std::uint64_t first_seed = 1, doub
 std::vector<double> departures(const LikelihoodSpectrum& fit) {
     const auto density = spectra::density(model());
     std::vector<double> found;
-    for (Index i = 0; i < fit.wavevector.size(); i += 8) {
-        const double q = fit.wavevector[i];
-        if (q > 2.0 * pi / (60.0 * nm) && q < 0.97 * fit.band.upper)
-            found.push_back(std::log(fit.C_iso[i] / density(q)) / fit.standard_error[i]);
+    for (Index i = 0; i < fit.C_iso.wavevector.size(); i += 8) {
+        const double q = fit.C_iso.wavevector[i];
+        if (q > 2.0 * pi / (60.0 * nm) && q < 0.97 * fit.C_iso.band.upper)
+            found.push_back(std::log(fit.C_iso.density[i] / density(q)) / fit.log_standard_error[i]);
     }
     return found;
 }

@@ -152,7 +152,7 @@ Coverage measure(const Setting& setting, const Effort& effort) {
         const auto binned = draw_measurements(setting, engine);
         const Array1D truth_curve = binned.wavevector.unaryExpr([](double q) { return true_power_spectrum(q); });
         const auto truth = parameters(binned.wavevector, truth_curve),
-                   found = parameters(binned.wavevector, spectra::combine(binned).C1D);
+                   found = parameters(binned.wavevector, spectra::combine(binned).density);
         const auto without = jackknifed(binned);
         for (const auto& s : statistics) {
             const auto estimate = jackknife_estimate(s.of(found), left_out(without, s));

@@ -42,29 +42,28 @@ protected:
 };
 
 TEST_F(LargeMap, HasTheNumbersOfTheWholeMap) {
-    const auto whole = analysed(std::uint64_t{1} << 30), by_bands = analysed(nx * 16 * sizeof(double));
+    const auto whole = analysed(std::uint64_t{1} << 30), tiled = analysed(nx * 16 * sizeof(double));
     ASSERT_EQ(whole.error, "");
-    ASSERT_EQ(by_bands.error, "");
-    EXPECT_EQ(by_bands.trend, whole.trend);
-    EXPECT_EQ(by_bands.name, whole.name);
-    EXPECT_NEAR(by_bands.real_space.rms_height, whole.real_space.rms_height, 1e-10 * whole.real_space.rms_height);
-    EXPECT_NEAR(by_bands.real_space.rms_curvature, whole.real_space.rms_curvature,
-                1e-10 * whole.real_space.rms_curvature);
-    EXPECT_LT(((by_bands.spectrum.C1D - whole.spectrum.C1D) / whole.spectrum.C1D).abs().maxCoeff(), 1e-8);
-    EXPECT_NEAR(by_bands.spectrum.q_max, whole.spectrum.q_max, 1e-6 * whole.spectrum.q_max);
-    ASSERT_TRUE(whole.bands_of_uncertain_tip && by_bands.bands_of_uncertain_tip);
+    ASSERT_EQ(tiled.error, "");
+    EXPECT_EQ(tiled.trend, whole.trend);
+    EXPECT_EQ(tiled.name, whole.name);
+    EXPECT_NEAR(tiled.real_space.rms_height, whole.real_space.rms_height, 1e-10 * whole.real_space.rms_height);
+    EXPECT_NEAR(tiled.real_space.rms_curvature, whole.real_space.rms_curvature, 1e-10 * whole.real_space.rms_curvature);
+    EXPECT_LT(((tiled.spectrum.density - whole.spectrum.density) / whole.spectrum.density).abs().maxCoeff(), 1e-8);
+    EXPECT_NEAR(tiled.spectrum.band.upper, whole.spectrum.band.upper, 1e-6 * whole.spectrum.band.upper);
+    ASSERT_TRUE(whole.bands_of_uncertain_tip && tiled.bands_of_uncertain_tip);
     for (const std::size_t side : {0, 1})
-        EXPECT_NEAR((*by_bands.bands_of_uncertain_tip)[side].upper, (*whole.bands_of_uncertain_tip)[side].upper,
-                    1e-6 * whole.spectrum.q_max);
-    EXPECT_LT((by_bands.preview.map - whole.preview.map).abs().maxCoeff(), 1e-12 * whole.real_space.rms_height / 1e-9);
+        EXPECT_NEAR((*tiled.bands_of_uncertain_tip)[side].upper, (*whole.bands_of_uncertain_tip)[side].upper,
+                    1e-6 * whole.spectrum.band.upper);
+    EXPECT_LT((tiled.preview.map - whole.preview.map).abs().maxCoeff(), 1e-12 * whole.real_space.rms_height / 1e-9);
 }
 
 TEST_F(LargeMap, SaysThatItWasReadByBands) {
-    const auto by_bands = analysed(nx * 16 * sizeof(double));
-    ASSERT_FALSE(by_bands.alerts.empty());
-    EXPECT_EQ(by_bands.alerts.front().code, "LARGE_MAP");
-    EXPECT_FALSE(by_bands.slopes);
-    EXPECT_FALSE(by_bands.triangulated);
+    const auto tiled = analysed(nx * 16 * sizeof(double));
+    ASSERT_FALSE(tiled.alerts.empty());
+    EXPECT_EQ(tiled.alerts.front().code, "LARGE_MAP");
+    EXPECT_FALSE(tiled.slopes);
+    EXPECT_FALSE(tiled.triangulated);
 }
 
 }  // namespace

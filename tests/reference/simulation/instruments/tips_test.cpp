@@ -28,8 +28,8 @@ SelfAffine with_slope(double slope, double hurst_exponent, double rolloff_wavele
 const spectra::SpectrumOptions periodic_lines{.window = spectra::Window::none, .trend = topography::Trend::mean};
 
 /// Sum of C1D between two wavevectors.
-double power_between(const spectra::PowerSpectrum1D& spectrum, double lower, double upper) {
-    return (spectrum.wavevector >= lower && spectrum.wavevector <= upper).select(spectrum.C1D, 0.0).sum();
+double power_between(const spectra::MeasuredSpectrum& spectrum, double lower, double upper) {
+    return (spectrum.wavevector >= lower && spectrum.wavevector <= upper).select(spectrum.density, 0.0).sum();
 }
 
 TEST(AfmMap, OfATenNanometreBallFallsShortAtItsCutoffAsAnIndependentSimulationDoes) {

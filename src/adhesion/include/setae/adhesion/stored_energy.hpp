@@ -12,7 +12,7 @@ namespace setae::adhesion {
 ///   U_el/A_app = (E*/8) ∫ q C1D dq = (E*/8π) ∫ q² C_iso dq
 ///
 /// contact_modulus: E* [Pa], > 0; conversion: of C1D curves, exact or by Eq. (11).  Source: [D19] (8); THEORY §4.1, §7.
-[[nodiscard]] double stored_energy(double contact_modulus, const roughness::SpectrumCurve& curve,
+[[nodiscard]] double stored_energy(double contact_modulus, const spectra::Spectrum& curve,
                                    roughness::Conversion conversion = roughness::Conversion::exact);
 
 /// U_el/A_app = (E*/4) Σ_q |q| |h_q|² over the Fourier modes of a map, taken as one period; any direction, no isotropy

@@ -7,29 +7,9 @@
 #include "setae/core/arrays.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/quantity.hpp"
+#include "setae/spectra/spectrum.hpp"
 
 namespace setae::roughness {
-
-/// Which density a spectrum holds.
-enum class Density {
-    C1D,    ///< of line scans, two-sided and averaged over ±q [m³]
-    C_iso,  ///< radial average of C2D over the full circle [m⁴]
-};
-
-/// What lies between the nodes of a spectrum.
-enum class Nodes {
-    power_law,  ///< a power law from node to node: averages over bins, models
-    modes,      ///< nothing: each node is a mode of one measurement and stands for its cell, so that sums obey Parseval
-};
-
-/// A power spectral density as a curve.
-struct SpectrumCurve {
-    Array1D wavevector;  ///< q [1/m], increasing, > 0
-    Array1D values;      ///< [m³] or [m⁴], >= 0; nodes that are NaN (and 0, between power laws) are passed over
-    Band band;           ///< [1/m] what the curve stands for; the outer power laws or cells continue to its ends
-    Density density = Density::C1D;
-    Nodes nodes = Nodes::power_law;
-};
 
 /// Wavelengths between which integrals run; absent ends leave the curve's own band.
 struct WavelengthLimits {
@@ -39,10 +19,10 @@ struct WavelengthLimits {
 
 /// The curve with its band cut to the limits.
 /// @throws InvalidArgument where nothing is left, or longest <= shortest.
-[[nodiscard]] SpectrumCurve limited(SpectrumCurve curve, const WavelengthLimits& limits);
+[[nodiscard]] spectra::Spectrum limited(spectra::Spectrum curve, const WavelengthLimits& limits);
 
 /// Values of the curve at wavevectors inside its band, NaN outside; between modes that of the nearest.
-[[nodiscard]] Array1D values_at(const SpectrumCurve& curve, const ArrayView1D& wavevector);
+[[nodiscard]] Array1D values_at(const spectra::Spectrum& curve, const ArrayView1D& wavevector);
 
 /// How two-dimensional parameters follow from C1D.
 enum class Conversion {
@@ -57,7 +37,7 @@ inline constexpr int first_decade = 4;
 inline constexpr DecadeMeans no_decades{undefined, undefined, undefined, undefined, undefined, undefined};
 
 /// @throws UndefinedDataError for fewer than two usable nodes in the curve.
-[[nodiscard]] DecadeMeans decade_means(const SpectrumCurve& C1D);
+[[nodiscard]] DecadeMeans decade_means(const spectra::Spectrum& C1D);
 
 /// Parameters of an isotropic surface.
 ///
@@ -76,7 +56,7 @@ struct SpectralParameters {
 
 /// Integrals over the band. A C_iso curve is what Eq. (11) approximates, so the conversion changes C1D curves alone.
 /// @throws UndefinedDataError for fewer than two usable nodes in the curve.
-[[nodiscard]] SpectralParameters spectral_parameters(const SpectrumCurve& curve,
+[[nodiscard]] SpectralParameters spectral_parameters(const spectra::Spectrum& curve,
                                                      Conversion conversion = Conversion::exact);
 
 /// Parameters of the part of the surface with wavevectors below each of the given ones.
@@ -89,6 +69,6 @@ struct CumulativeParameters {
 };
 
 /// At the nodes inside the band and its two ends; the first entry is 0, the last equals spectral_parameters (exact).
-[[nodiscard]] CumulativeParameters cumulative_parameters(const SpectrumCurve& curve);
+[[nodiscard]] CumulativeParameters cumulative_parameters(const spectra::Spectrum& curve);
 
 }  // namespace setae::roughness

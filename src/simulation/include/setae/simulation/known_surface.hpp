@@ -29,10 +29,10 @@ struct KnownSurface {
 /// What measurements of a surface should find.
 struct SurfaceTruth {
     roughness::SpectralParameters parameters;
-    double area_ratio = 1.0;       ///< A_true/A_app
-    roughness::SpectrumCurve C1D;  ///< of lines, mean over directions; 20 nodes a decade from 1/100 of the roll-off
-                                   ///< wavevector to the short cutoff
-    std::string source;            ///< how the numbers came about
+    double area_ratio = 1.0;  ///< A_true/A_app
+    spectra::Spectrum C1D;    ///< of lines, mean over directions; 20 nodes a decade from 1/100 of the roll-off
+                              ///< wavevector to the short cutoff
+    std::string source;       ///< how the numbers came about
 };
 
 /// Moments and true area of a surface.

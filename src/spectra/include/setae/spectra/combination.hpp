@@ -44,19 +44,15 @@ struct BinnedSpectra {
 /// local slope of the plain combination, by a line through its logarithm over half a decade on either side, found in
 /// four rounds: within 1e-3 for a power law. p is limited to −6 … 2.
 /// @throws InvalidArgument if nothing lies in any band.
-[[nodiscard]] BinnedSpectra binned(std::span<const PowerSpectrum1D> spectra, const CombinationOptions& options = {});
+[[nodiscard]] BinnedSpectra binned(std::span<const MeasuredSpectrum> spectra, const CombinationOptions& options = {});
 
-/// One spectrum from many.
-struct CombinedSpectrum {
-    Array1D wavevector;        ///< geometric centres of the non-empty bins [1/m]
-    Array1D C1D;               ///< [m³]
-    Array1D standard_error;    ///< between measurements [m³]; NaN for one measurement
-    Array1D count;             ///< measurements in the bin
-    Array1D instrument_count;  ///< different instruments in the bin
-    double q_min = 0.0;        ///< lowest wavevector used [1/m]; from BinnedSpectra the lowest bin's edge
-    double q_max = 0.0;        ///< highest likewise
-    LogGrid grid;
-    std::vector<Alert> alerts;  ///< COVERAGE_GAP, SINGLE_INSTRUMENT_DECADE, DISAGREE
+/// One C1D from many, at the geometric centres of the bins that are not empty. The band is from the lowest to the
+/// highest wavevector used (of BinnedSpectra: edge of a bin); the standard error is that between measurements, NaN for
+/// one; the count that of measurements.
+struct CombinedSpectrum : Spectrum {
+    Array1D instrument_count = {};  ///< different instruments in the bin
+    LogGrid grid = {};
+    std::vector<Alert> alerts = {};  ///< COVERAGE_GAP, SINGLE_INSTRUMENT_DECADE, DISAGREE
 };
 
 /// Mean over the measurements of each bin, a map being one measurement.
@@ -66,7 +62,7 @@ struct CombinedSpectrum {
 /// The order of the measurements does not matter beyond rounding.
 /// @throws InvalidArgument if nothing lies in any band.
 /// Source: [D19] (equal weights).
-[[nodiscard]] CombinedSpectrum combine(std::span<const PowerSpectrum1D> spectra,
+[[nodiscard]] CombinedSpectrum combine(std::span<const MeasuredSpectrum> spectra,
                                        const CombinationOptions& options = {});
 [[nodiscard]] CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting = Weighting::equal);
 

@@ -13,12 +13,10 @@ struct InverseAbelOptions {
     double smoothing = 0.0;
 };
 
-/// C_iso of an isotropic surface from the spectrum of lines through it.
-struct IsotropicFromLines {
-    Array1D wavevector;      ///< [1/m]
-    Array1D C_iso;           ///< [m⁴]; NaN where C1D rises so that no isotropic surface has it
-    Array1D standard_error;  ///< [m⁴], from the errors of C1D taken as independent; NaN where they are unknown
-    Array1D ratio;           ///< C_iso over the approximation π C1D/q
+/// C_iso of an isotropic surface from the spectrum of lines through it: NaN where C1D rises so that no isotropic
+/// surface has it. Its standard error takes the errors of C1D as independent and is NaN where they are unknown.
+struct IsotropicFromLines : Spectrum {
+    Array1D ratio;  ///< C_iso over the approximation π C1D/q
 };
 
 /// The inverse Abel transform of C1D.

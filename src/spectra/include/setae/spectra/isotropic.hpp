@@ -1,38 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "setae/core/quantity.hpp"
 #include "setae/spectra/log_grid.hpp"
 #include "setae/spectra/options.hpp"
+#include "setae/spectra/spectrum.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::spectra {
-
-/// Radial average of C2D over the full circle; h_rms² = (1/2π) ∫ q C_iso dq.
-struct IsotropicSpectrum {
-    Array1D wavevector;  ///< mean |q| of the members of a bin [1/m]
-    Array1D C_iso;       ///< [m⁴]
-    Array1D count;       ///< members: wavevectors (q_x, q_y) of both signs
-    double q_min = 0.0;  ///< reliable band [1/m]
-    double q_max = 0.0;
-    std::string window;
-    std::vector<Alert> alerts;
-    topography::Metadata metadata;
-};
 
 /// C_iso of a map: mean of C2D over all (q_x, q_y) with |q| in a bin of the grid, from 2π/max(L_x, L_y) to the smaller
 /// Nyquist wavevector.
 ///
 ///   C2D(q) = |h̃(q)|²/A,  h̃ = ∫∫ w h exp(−iq·r) d²r
 ///
-/// Bins without a member are left out. Memory beside the map: its half spectrum.
+/// The wavevector of a bin is the mean |q| of its members, the count that of (q_x, q_y) of both signs; bins without a
+/// member are left out. Memory beside the map: its half spectrum.
 /// @throws UndefinedDataError if a height is undefined.
 /// Source: [J17].
-[[nodiscard]] IsotropicSpectrum isotropic_power_spectrum(const topography::HeightMap& map,
-                                                         const SpectrumOptions& options = {}, const LogGrid& grid = {});
+[[nodiscard]] MeasuredSpectrum isotropic_power_spectrum(const topography::HeightMap& map,
+                                                        const SpectrumOptions& options = {}, const LogGrid& grid = {});
 
 /// C2D [m⁴] on the full grid of modes, shape (nx, ny), entry (k, m) at q_x = 2πk/L_x for k <= nx/2, 2π(k − nx)/L_x
 /// above.

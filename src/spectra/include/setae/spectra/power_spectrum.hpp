@@ -1,51 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "setae/core/quantity.hpp"
 #include "setae/spectra/options.hpp"
+#include "setae/spectra/spectrum.hpp"
 #include "setae/topography/measurement.hpp"
 #include "setae/topography/tiled_map.hpp"
 
 namespace setae::spectra {
 
-/// Power spectral density of heights along x, two-sided and averaged over ±q.
+/// C1D of heights along x of a line scan.
 ///
-///   C1D(q) = |h̃(q)|²/L,  h̃(q) = ∫ w h exp(−iqx) dx;   h_rms² = (1/π) ∫_0^∞ C1D dq
+///   C1D(q) = |h̃(q)|²/L,  h̃(q) = ∫ w h exp(−iqx) dx
 ///
 /// Of n equidistant points the modes are q_k = 2πk/L, k = 1 … n/2 (k = 0 is left out). Where the last one lies at the
 /// Nyquist wavevector π/Δ (even n) it stands for both signs, so that Parseval reads
 ///   mean(w²h²) − (mean wh)² = (2/L) sum_k g_k C_k,  g = ½ for that mode, 1 otherwise.
-struct PowerSpectrum1D {
-    Array1D wavevector;      ///< q > 0, increasing [1/m]
-    Array1D C1D;             ///< [m³]
-    Array1D standard_error;  ///< of the mean over lines [m³], neighbouring lines taken as independent; NaN for one line
-    Array1D count;           ///< lines averaged
-    double q_min = 0.0;      ///< reliable band [1/m]
-    double q_max = 0.0;
-    double length = 0.0;  ///< L [m]
-    double pitch = 0.0;   ///< of a map's lines [m]; 0 for one line
-    std::string window;
-    std::vector<Alert> alerts;
-    topography::Metadata metadata;
-};
-
-/// Of a line scan.
+/// The count is that of lines; the standard error, of their mean, takes neighbouring lines as independent.
 /// @throws UndefinedDataError if a height is undefined, InvalidArgument if validate() does.
 /// Source: [J17].
-[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::LineScan& scan, const SpectrumOptions& options = {});
+[[nodiscard]] MeasuredSpectrum power_spectrum(const topography::LineScan& scan, const SpectrumOptions& options = {});
 
 /// Of a map as line scans along the fast axis x: the mean over the ny lines, ONE measurement.
 /// The trend is removed from the map as a whole, then the mean from every line where `trend` is not none.
-[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options = {});
+[[nodiscard]] MeasuredSpectrum power_spectrum(const topography::HeightMap& map, const SpectrumOptions& options = {});
 
 /// The same of a map larger than memory, by bands of `lines_together` scan lines; equal to the above up to rounding. A
 /// trend other than the mean takes a pass of its own, a tip radius in the metadata another.
 /// @throws as of a map, and as reliable_band of a tiled map.
-[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::TiledMap& map, Index lines_together,
-                                             const SpectrumOptions& options = {});
+[[nodiscard]] MeasuredSpectrum power_spectrum(const topography::TiledMap& map, Index lines_together,
+                                              const SpectrumOptions& options = {});
 
 /// Of a traced profile: polyline_power_spectrum, divided by segment_response where options.contour asks for it, with
 /// the alert CONTOUR_STEPS that says how large the correction is. The reliable band ends at π/(mean step).
@@ -54,13 +37,13 @@ struct PowerSpectrum1D {
 /// N)/T² (topography::TraceResponse), which may be negative for single modes but is right on average. The band then
 /// ends where the mean of C1D over neighbouring modes is no longer twice its noise floor N (K/T)² or T² < 0.1; the
 /// alert TRACE_NOISE tells where and how large both corrections are there.
-[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::Profile& profile, const SpectrumOptions& options = {});
+[[nodiscard]] MeasuredSpectrum power_spectrum(const topography::Profile& profile, const SpectrumOptions& options = {});
 
 /// Of any measurement, by its kind.
-[[nodiscard]] PowerSpectrum1D power_spectrum(const topography::Measurement& measurement,
-                                             const SpectrumOptions& options = {});
+[[nodiscard]] MeasuredSpectrum power_spectrum(const topography::Measurement& measurement,
+                                              const SpectrumOptions& options = {});
 
-/// Only what lies inside the reliable band q_min … q_max.
-[[nodiscard]] PowerSpectrum1D within_band(PowerSpectrum1D spectrum);
+/// Only the modes inside the reliable band, which then begins half a step below the first: where its cell does.
+[[nodiscard]] MeasuredSpectrum within_band(MeasuredSpectrum spectrum);
 
 }  // namespace setae::spectra

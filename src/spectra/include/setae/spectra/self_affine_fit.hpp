@@ -94,19 +94,14 @@ struct SelfAffineFit {
 /// modes × the share of a mode that is its own × independent lines, 2.5/q apart (∫ρ² of neighbouring lines of a
 /// self-affine surface). The expectation knows the Hann window's main lobe and, where the modes go up to the Nyquist
 /// wavevector, its aliases.
-[[nodiscard]] SelfAffineFit fit_self_affine(const PowerSpectrum1D& spectrum, const SelfAffineFitOptions& options = {});
+[[nodiscard]] SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options = {});
 
 /// The spectrum with its band cut to where it is the surface's to a few per cent: from the eighth mode on (a window
 /// mixes fewer) to a quarter of the highest wavevector (sampling folds back more). What is combined for a fit.
-[[nodiscard]] PowerSpectrum1D undistorted(PowerSpectrum1D spectrum);
+[[nodiscard]] MeasuredSpectrum undistorted(MeasuredSpectrum spectrum);
 
-/// C1D [m³] of the model, each wavevector said to lie in the range of the fit or not: the columns of an export.
-struct ModelCurve {
-    Array1D wavevector;      ///< [1/m]
-    Array1D C1D;             ///< [m³]
-    Array1D standard_error;  ///< of the model, from the covariance [m³]
-    std::vector<bool> extrapolated;
-};
-[[nodiscard]] ModelCurve model_curve(const SelfAffineFit& fit, const ArrayView1D& wavevector);
+/// C1D of the model with its standard error, from the covariance: the columns of an export. Its band is the range of
+/// the fit; what lies outside is extrapolated.
+[[nodiscard]] Spectrum model_spectrum(const SelfAffineFit& fit, const ArrayView1D& wavevector);
 
 }  // namespace setae::spectra

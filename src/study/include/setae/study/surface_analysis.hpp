@@ -30,7 +30,7 @@ struct MeasurementResult {
     topography::Trend trend = topography::Trend::none;
     std::vector<processing::StepRecord>
         processing;  ///< what each step of the pipeline did before the trend was removed
-    spectra::PowerSpectrum1D spectrum;
+    spectra::MeasuredSpectrum spectrum;
     roughness::RealSpaceParameters real_space;
     double arithmetic_height = 0.0;  ///< Ra or Sa [m]; NaN for polylines
     /// Reliable bands with the tip radius one standard error larger and smaller, where it has one.
@@ -45,7 +45,7 @@ struct MeasurementResult {
 
 /// One spectrum of a surface and what follows from it.
 struct SpectrumResult {
-    roughness::SpectrumCurve curve;                                 ///< cut to the wavelength limits of the study
+    spectra::Spectrum curve;                                        ///< cut to the wavelength limits of the study
     roughness::SpectralParameters parameters;                       ///< by the study's conversion
     std::optional<roughness::SpectralParameters> other_conversion;  ///< by the other one, where the curve is C1D
     double uncut_energy_per_modulus = 0.0;                          ///< U_el/(A E*) without the limits [m]
@@ -60,10 +60,9 @@ struct SpectrumResult {
 
 /// Parameters of a whole spectrum within the limits of a study and by its conversion.
 /// @throws as roughness::limited and roughness::spectral_parameters (both).
-[[nodiscard]] roughness::SpectralParameters parameters_of(const roughness::SpectrumCurve& whole,
+[[nodiscard]] roughness::SpectralParameters parameters_of(const spectra::Spectrum& whole,
                                                           const SurfaceAnalysisOptions& options);
-[[nodiscard]] SpectrumResult spectrum_result(const roughness::SpectrumCurve& whole,
-                                             const SurfaceAnalysisOptions& options);
+[[nodiscard]] SpectrumResult spectrum_result(const spectra::Spectrum& whole, const SurfaceAnalysisOptions& options);
 
 /// The spectrum fitted to all measurements of a surface, as curves, and what the fit knows beside it.
 struct FittedSpectrum {
@@ -174,9 +173,8 @@ struct SurfaceWithMap {
 
 /// C_iso of a map by transform.
 /// @throws as spectra::isotropic_power_spectrum.
-[[nodiscard]] roughness::SpectrumCurve isotropic_curve(const topography::HeightMap& map,
-                                                       const SurfaceAnalysisOptions& options,
-                                                       parallel::Threads threads);
+[[nodiscard]] spectra::Spectrum isotropic_spectrum(const topography::HeightMap& map,
+                                                   const SurfaceAnalysisOptions& options, parallel::Threads threads);
 
 /// Parameters of a spectrum cut at other wavelengths.
 [[nodiscard]] roughness::SpectralParameters parameters_within(const SpectrumResult& spectrum,

@@ -8,6 +8,7 @@
 
 #include "setae/core/quantity.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/spectra/spectrum.hpp"
 #include "setae/spectral_fit/log_spline.hpp"
 #include "setae/topography/detrend.hpp"
 #include "setae/topography/measurement.hpp"
@@ -63,11 +64,11 @@ inline constexpr double improbable_agreement = 1e-6;
 
 /// One C_iso fitted to all measurements at once.
 struct LikelihoodSpectrum {
-    Array1D wavevector;      ///< forty a decade up to q_s [1/m]
-    Array1D C_iso;           ///< [m⁴]
-    Array1D standard_error;  ///< of ln C_iso
-    Band band;  ///< from the lowest to the highest wavevector that data speak of; beyond it the prior continues
-    Eigen::MatrixXd design;  ///< ln C_iso = design · theta
+    /// Forty nodes a decade up to q_s; its band is from the lowest to the highest wavevector that data speak of, beyond
+    /// it the prior continues.
+    spectra::Spectrum C_iso;
+    Array1D log_standard_error;  ///< of ln C_iso
+    Eigen::MatrixXd design;      ///< ln C_iso = design · theta
     Eigen::VectorXd theta;
     Eigen::MatrixXd covariance;  ///< of theta: scatter of the data and between measurements, response of the tips,
                                  ///< uncertain radii and skewness, noise of the simulation

@@ -21,7 +21,7 @@ inline constexpr double share_under_hann = 0.5142857142857142;
 /// @throws InvalidArgument for sizes that differ, freedoms that are not positive, count < 1.
 /// Source: Brillinger, Time Series (2001) ch. 5 (distribution of periodograms); Franke, Härdle, Ann. Stat. 20 (1992)
 /// 121 (replicas).
-[[nodiscard]] Array2D parametric_noise(const PowerSpectrum1D& spectrum, const ArrayView1D& freedom, Index count,
+[[nodiscard]] Array2D parametric_noise(const MeasuredSpectrum& spectrum, const ArrayView1D& freedom, Index count,
                                        std::uint64_t seed);
 
 }  // namespace setae::spectra
