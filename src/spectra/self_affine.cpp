@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "self_affine_model.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/bracketing.hpp"
@@ -38,11 +39,7 @@ double reduced_moment(double order, double hurst_exponent, double ratio) {
 
 Array1D isotropic_power_spectrum(const SelfAffine& model, const ArrayView1D& wavevector) {
     check(model);
-    return wavevector.unaryExpr([&](double q) {
-        if (q > model.short_wavevector) return 0.0;
-        if (q < model.rolloff_wavevector) return model.plateau;
-        return model.plateau * std::pow(q / model.rolloff_wavevector, -2.0 - 2.0 * model.hurst_exponent);
-    });
+    return wavevector.unaryExpr([&](double q) { return isotropic_value(model, q); });
 }
 
 Array1D profile_power_spectrum(const SelfAffine& model, const ArrayView1D& wavevector) {

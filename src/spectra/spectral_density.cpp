@@ -10,6 +10,7 @@
 
 #include "abel_integral.hpp"
 #include "refined_curve.hpp"
+#include "self_affine_model.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
@@ -60,12 +61,7 @@ SpectralDensity density(const SelfAffine& model) {
           std::isfinite(model.plateau * model.short_wavevector)))
         throw InvalidArgument(fmt::format("plateau C_0 = {} m4 up to q_r = {} 1/m; expected both positive and finite",
                                           model.plateau, model.rolloff_wavevector));
-    const double exponent = -2.0 - 2.0 * model.hurst_exponent;
-    return [model, exponent](double q) {
-        if (q > model.short_wavevector) return 0.0;
-        if (q < model.rolloff_wavevector) return model.plateau;
-        return model.plateau * std::pow(q / model.rolloff_wavevector, exponent);
-    };
+    return [model](double q) { return isotropic_value(model, q); };
 }
 
 SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView1D& spectrum) {
