@@ -14,6 +14,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
+#include "setae/spectra/abel.hpp"
 
 namespace setae::spectra {
 namespace {
@@ -81,6 +82,19 @@ SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView
                 i + 1, wavevector[i], spectrum[i]));
     }
     return PowerLaws(wavevector, spectrum);
+}
+
+SpectralDensity surface_density(const ArrayView1D& wavevector, const ArrayView1D& C1D) {
+    const Index n = wavevector.size();
+    if (n < 2) throw InvalidArgument(fmt::format("C1D at {} wavevectors, expected two or more", n));
+    const double cutoff = wavevector[n - 1] * (wavevector[n - 1] / wavevector[n - 2]);
+    Array1D nodes(n + 1), values(n + 1);
+    nodes << wavevector, cutoff;
+    const Array1D inverted = isotropic_from_profile(wavevector, C1D, cutoff);
+    values << inverted,
+        inverted[n - 1] * std::pow(cutoff / wavevector[n - 1], std::log(inverted[n - 1] / inverted[n - 2]) /
+                                                                   std::log(wavevector[n - 1] / wavevector[n - 2]));
+    return tabulated_density(nodes, values);
 }
 
 SpectralDensity profile_density(const SpectralDensity& C_iso, const Band& band) {

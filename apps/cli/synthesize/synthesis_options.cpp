@@ -11,8 +11,8 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
-#include "setae/spectra/abel.hpp"
 #include "setae/spectra/self_affine.hpp"
+#include "setae/spectra/spectral_density.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
 #include "setae/tables/table_file.hpp"
 
@@ -69,17 +69,7 @@ spectra::SpectralDensity from_table(const std::string& path, bool line) {
     }
     const auto table = tables::read_power_spectrum_table(path);
     const auto &q = table.at("wavevector"), &C1D = table.at("C1D");
-    const auto of_lines = spectra::tabulated_density(q, C1D);
-    if (line) return of_lines;
-    // the surface's cutoff: where the next wavevector of the table would be
-    const Index n = q.size();
-    const double cutoff = q[n - 1] * (q[n - 1] / q[n - 2]);
-    Array1D nodes(n + 1), values(n + 1);
-    nodes << q, cutoff;
-    const Array1D inverted = spectra::isotropic_from_profile(q, C1D, cutoff);
-    values << inverted, inverted[n - 1] * std::pow(cutoff / q[n - 1], std::log(inverted[n - 1] / inverted[n - 2]) /
-                                                                          std::log(q[n - 1] / q[n - 2]));
-    return spectra::tabulated_density(nodes, values);
+    return line ? spectra::tabulated_density(q, C1D) : spectra::surface_density(q, C1D);
 }
 
 }  // namespace

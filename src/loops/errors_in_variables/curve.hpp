@@ -10,7 +10,7 @@ namespace setae::loops::errors_in_variables {
 
 /// The curve at true radii x beside the samples from `first` on, in units of the noise: one entry a channel.
 template <std::size_t channels, std::size_t parameters, class Lane>
-struct Curve {
+struct CurveBesideSamples {
     using Vector = std::array<Lane, channels>;
     Vector residual;  ///< sample − curve
     Vector tangent;   ///< by x
@@ -40,7 +40,7 @@ template <bool depth, bool radius, class Lane, bool with_mixed = false>
 [[nodiscard]] auto curve_at(const Points& points, const Parameters& at, const Lane& x, Index first) {
     constexpr Index width = Lane::SizeAtCompileTime;
     constexpr std::size_t depth_channel = 1, radius_channel = depth ? 2 : 1;
-    Curve<1 + depth + radius, depth ? 3 : 2, Lane> curve;
+    CurveBesideSamples<1 + depth + radius, depth ? 3 : 2, Lane> curve;
     const double e = at[0], g = at[1];
     const contact::jkr::CurveAt<Lane> jkr(x);
     const double wf = points.force_weight;

@@ -13,7 +13,7 @@
 namespace setae::loops {
 namespace {
 
-using Curve = contact::jkr::DepthCurve;
+using contact::jkr::DepthCurve;
 using Point = contact::jkr::CurveValue;
 
 struct HeldProblem {
@@ -34,7 +34,7 @@ struct HeldProblem {
         Eigen::Vector2d best(1.0, 1.0);
         double least = std::numeric_limits<double>::infinity();
         const auto consider = [&](double shape) {
-            const Curve curve(shape * shape_unit, radius);
+            const DepthCurve curve(shape * shape_unit, radius);
             double xx = 0.0, xy = 0.0, yy = 0.0;
             for (Index i = 0; i < depth.size(); i += stride) {
                 const double model = curve.at(depth[i]).value * modulus_unit;
@@ -55,7 +55,7 @@ struct HeldProblem {
 
     [[nodiscard]] SmallMinimum<2> minimum(const Eigen::Vector2d& from) const {
         const auto evaluate = [this](const Eigen::Vector2d& at) {
-            const Curve curve(shape_of(at), radius);
+            const DepthCurve curve(shape_of(at), radius);
             NormalEquations<2> sums;
             for (Index i = 0; i < force.size(); ++i) {
                 const Point point = curve.at(depth[i]);
@@ -76,7 +76,7 @@ struct HeldProblem {
         LeastSquaresSolution solution{
             .parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
         const Eigen::Vector2d& at = found.parameters_found;
-        const Curve curve(shape_of(at), radius);
+        const DepthCurve curve(shape_of(at), radius);
         Eigen::MatrixXd jacobian(force.size(), 2);
         solution.residuals.resize(force.size());
         for (Index i = 0; i < force.size(); ++i) {
@@ -92,7 +92,7 @@ struct HeldProblem {
 
     /// Variance of F − F(δ) [N²].
     [[nodiscard]] Array1D variances(const BranchData& data, const Eigen::Vector2d& at) const {
-        const Curve curve(shape_of(at), radius);
+        const DepthCurve curve(shape_of(at), radius);
         Array1D result(force.size());
         for (Index i = 0; i < result.size(); ++i) {
             const double slope = at[0] * modulus_unit * curve.at(depth[i]).by_abscissa;

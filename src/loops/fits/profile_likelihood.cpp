@@ -21,10 +21,10 @@ using eiv::Points;
 using eiv::Solution;
 
 /// χ² against one parameter held, from one value to the next.
-class Profile {
+class LikelihoodProfile {
 public:
     /// straight: the samples fitted, with the offset of the curvature taken off. unit: variance the rise is counted in.
-    Profile(Points straight, const Solution& best, Held held, double unit)
+    LikelihoodProfile(Points straight, const Solution& best, Held held, double unit)
         : points_(std::move(straight)), best_(best), held_(held), unit_(unit) {
         best_ = eiv::solve_carefully(points_, best.parameters, best.x);
     }
@@ -65,7 +65,7 @@ private:
 };
 
 /// Where the rise crosses the threshold on one side, between multiples of the standard error that bracket it.
-std::optional<double> crossing(Profile& profile, double best, double step, double threshold) {
+std::optional<double> crossing(LikelihoodProfile& profile, double best, double step, double threshold) {
     constexpr double furthest = 10.0;
     constexpr int halvings = 60;
     profile.begin();
@@ -84,7 +84,7 @@ std::optional<double> crossing(Profile& profile, double best, double step, doubl
     return best + inside * step;
 }
 
-ParameterProfile profiled(Profile profile, Estimate estimate, const ProfileOptions& options) {
+ParameterProfile profiled(LikelihoodProfile profile, Estimate estimate, const ProfileOptions& options) {
     ParameterProfile result{.estimate = estimate};
     const double quantile =
         student_t_quantile(0.5 + 0.5 * options.level, estimate.degrees_of_freedom.value_or(INFINITY));
@@ -134,7 +134,7 @@ ProfileLikelihood profile_likelihood(const BranchData& data, const LensAndCounte
     const Eigen::MatrixXd independent = eiv::independent_covariance(fitted);
     const auto of = [&](Held held, const Estimate& estimate, Index parameter) {
         const double unit = route.fit.covariance(parameter, parameter) / independent(parameter, parameter);
-        return profiled(Profile(straight, fitted.solution, held, unit), estimate, options);
+        return profiled(LikelihoodProfile(straight, fitted.solution, held, unit), estimate, options);
     };
     return {.contact_modulus = of(Held::modulus, route.fit.contact_modulus, 0),
             .work_of_adhesion = of(Held::work, route.fit.work_of_adhesion, 1),

@@ -113,6 +113,17 @@ TEST(ProfileDensity, RefusesBandsAndSpectraWithoutPower) {
     EXPECT_THROW((void)profile_density([](double q) { return q > 1.0 ? 0.0 : 1.0; }, {1.0, 2.0}), InvalidArgument);
 }
 
+TEST(SurfaceDensity, IsTheSurfaceWhoseLinesWereTabulated) {
+    const SelfAffine model{3.0, 0.1, 0.8, 100.0};
+    const Array1D nodes = tests::log_spaced(61, 1e-2, 100.0), q = nodes.head(60);
+    const auto C1D = profile_density(density(model), {1e-3, 100.0});
+    const auto C_iso = surface_density(q, q.unaryExpr(C1D));
+    EXPECT_EQ(C_iso(101.0), 0.0);
+    for (const double wavevector : {0.3, 1.0, 10.0, 50.0})
+        EXPECT_NEAR(C_iso(wavevector) / density(model)(wavevector), 1.0, 0.02) << wavevector;
+    EXPECT_THROW((void)surface_density(Array1D{{1.0}}, Array1D{{1.0}}), InvalidArgument);
+}
+
 TEST(MomentOfADensity, IsTheClosedFormOfTheModel) {
     // below the band the plateau gives lower^(n+2)/(n+2); the band begins and ends pieces at its kinks, a decade apart
     const SelfAffine model{2.0, 1.0, 0.7, 1000.0};

@@ -34,6 +34,13 @@ struct Anisotropy {
 /// @throws InvalidArgument for sizes that differ, fewer than two nodes, or values outside the domain, by row.
 [[nodiscard]] SpectralDensity tabulated_density(const ArrayView1D& wavevector, const ArrayView1D& spectrum);
 
+/// C_iso of the isotropic surface whose lines have a tabulated C1D: isotropic_from_profile() up to the surface's cutoff
+/// where the table's next wavevector would be, q_n²/q_{n−1}; the last power law continues to it.
+///
+/// wavevector: increasing, > 0 [1/m].  C1D > 0 [m³].
+/// @throws InvalidArgument as isotropic_from_profile() does.
+[[nodiscard]] SpectralDensity surface_density(const ArrayView1D& wavevector, const ArrayView1D& C1D);
+
 /// C1D of lines through an isotropic surface.
 ///
 ///   C1D(q_x) = (1/π) ∫_{q_x}^{q_s} C_iso(q) q dq/√(q² − q_x²)
