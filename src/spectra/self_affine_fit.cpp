@@ -230,7 +230,7 @@ Optimum best_of_starts(const Problem& problem) {
     return best;
 }
 
-/// Where the loss with one parameter held has risen by `rise`, from the optimum towards `end`; unbounded with its sign
+/// Where the loss with one parameter held has risen by `rise`, from the optimum towards `end`; infinite with its sign
 /// where it never has.
 double profile_end(const Problem& problem, const Optimum& best, Index place, double end, double rise) {
     std::vector<Index> free;

@@ -15,7 +15,7 @@
 #include "setae/core/units.hpp"
 #include "vca_tree.hpp"
 
-// OPDx files of Bruker's Dektak XT and Vision64: a opdx_signature, then a tree of typed entries. "1D_Data" and
+// OPDx files of Bruker's Dektak XT and Vision64: a signature, then a tree of typed entries. "1D_Data" and
 // "2D_Data" hold the channels, "MetaData" says which of them are heights and which is the primary one.
 namespace setae::formats {
 namespace {

@@ -28,7 +28,7 @@ constexpr int most_steps = 40;
 /// Common points without which a shift is not looked at.
 constexpr Index fewest_points = 16;
 constexpr std::size_t most_peaks = 8;
-/// A shift settled_shift to this share of a pixel.
+/// A shift settled to this share of a pixel.
 constexpr double settled_shift = 1e-5;
 /// Standard deviation [pixels] of the Gaussian that keeps noise of single pixels out of the phase correlation.
 constexpr double blur = 1.0;

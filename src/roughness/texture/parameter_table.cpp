@@ -18,7 +18,7 @@ constexpr std::string_view moments = "sine, triangle, step, parabola; surfalize"
 constexpr std::string_view curve = "ramp, sine, Gaussian quantiles, plateau with holes; surfalize on points";
 constexpr std::string_view features = "crossed cosines; surfalize";
 constexpr std::string_view line_moments = "sine, triangle, step, parabola; evaluated by an instrument (mitutoyo_2)";
-constexpr std::string_view sections_of_steps = "sections_of_steps of steps; instrument (mitutoyo_2)";
+constexpr std::string_view sections_of_steps = "sections of steps; instrument (mitutoyo_2)";
 constexpr std::string_view line_curve = "as Sk: the same code on segments";
 
 constexpr std::array table{
@@ -92,14 +92,14 @@ constexpr std::array table{
                         profile, "4.2.2", line_moments},
     ParameterDefinition{"Rt", "total_height", "max z - min z over the evaluation length", "m", profile, "4.2.6",
                         "sine, triangle; instrument (mitutoyo_2)"},
-    ParameterDefinition{"Rp", "mean_peak_height", "mean over sections_of_steps of max z", "m", profile, "5.1.3",
+    ParameterDefinition{"Rp", "mean_peak_height", "mean over sections of max z", "m", profile, "5.1.3",
                         sections_of_steps},
-    ParameterDefinition{"Rv", "mean_pit_depth", "mean over sections_of_steps of -min z", "m", profile, "5.1.5",
+    ParameterDefinition{"Rv", "mean_pit_depth", "mean over sections of -min z", "m", profile, "5.1.5",
                         sections_of_steps},
-    ParameterDefinition{"Rz", "maximum_height", "mean over sections_of_steps of max z - min z", "m", profile, "5.1",
+    ParameterDefinition{"Rz", "maximum_height", "mean over sections of max z - min z", "m", profile, "5.1",
                         sections_of_steps},
-    ParameterDefinition{"Rzx", "largest_section_height", "largest of the sections_of_steps' max z - min z", "m",
-                        profile, "4.2.7", sections_of_steps},
+    ParameterDefinition{"Rzx", "largest_section_height", "largest of the sections' max z - min z", "m", profile,
+                        "4.2.7", sections_of_steps},
     ParameterDefinition{"RSm", "mean_element_spacing",
                         "mean length of profile elements by crossing the line, 10 % height discrimination", "m",
                         profile, "5", "sine, noise on a sine; instrument (mitutoyo_2)"},
