@@ -60,7 +60,7 @@ void copying_the_map(benchmark::State& state) {
 }
 BENCHMARK(copying_the_map)->Arg(4096)->Arg(16384)->Unit(benchmark::kMillisecond);
 
-void numerics::normal_numbers(benchmark::State& state) {
+void normal_numbers(benchmark::State& state) {
     Array1D numbers(1 << 16);
     for (auto _ : state) {
         numerics::fill_normal({1, 2}, 0, numbers);
