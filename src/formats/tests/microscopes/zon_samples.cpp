@@ -7,8 +7,8 @@
 
 #include "byte_builder.hpp"
 #include "format_samples.hpp"
-#include "setae/core/constants.hpp"
 #include "profilers/vk_samples.hpp"
+#include "setae/core/constants.hpp"
 
 using namespace setae::tests;
 
