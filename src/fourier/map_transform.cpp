@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/fourier/map_transform.hpp"
-#include "setae/core/extent.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/fourier/buffer.hpp"
 
 namespace setae::fourier {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <nlohmann/json.hpp>
+
 #include "files/channel_lines.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "convert/heights_output.hpp"
 #include "convert/output_jobs.hpp"
 #include "files/file_options.hpp"

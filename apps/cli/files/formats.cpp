@@ -2,8 +2,8 @@
 #include <memory>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "files/format_pages.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "files/channel_lines.hpp"
 #include "files/file_options.hpp"
 #include "program/command.hpp"

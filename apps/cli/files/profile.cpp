@@ -4,8 +4,8 @@
 #include <memory>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "files/file_options.hpp"
 #include "files/measurement_files.hpp"
 #include "program/command.hpp"

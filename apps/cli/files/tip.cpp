@@ -3,8 +3,8 @@
 #include <memory>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "convert/heights_output.hpp"
 #include "convert/pipeline_option.hpp"
 #include "files/file_options.hpp"

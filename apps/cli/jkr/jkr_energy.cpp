@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "jkr/loop_arguments.hpp"
 #include "jkr/loop_figures.hpp"
 #include "program/command.hpp"

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "jkr/jkr_curve.hpp"
 #include "jkr/jkr_models.hpp"
 #include "jkr/loop_arguments.hpp"

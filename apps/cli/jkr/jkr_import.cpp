@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "jkr/loop_arguments.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "contour/region_argument.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"

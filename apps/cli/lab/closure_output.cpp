@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/json.hpp"

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <nlohmann/json.hpp>
+
 #include "params/parameter_text.hpp"
 #include "params/texture_options.hpp"
 #include "program/command.hpp"

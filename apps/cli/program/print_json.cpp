@@ -2,6 +2,7 @@
 #include "program/print_json.hpp"
 
 #include <nlohmann/json.hpp>
+
 #include "program/messages.hpp"
 
 namespace setae::cli {

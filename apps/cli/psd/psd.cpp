@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <nlohmann/json.hpp>
+
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"

@@ -2,8 +2,8 @@
 #include "psd/psd_fit.hpp"
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"

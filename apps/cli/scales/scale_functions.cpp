@@ -7,8 +7,8 @@
 #include <variant>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"

@@ -2,6 +2,7 @@
 #include "setae/output/fit_json.hpp"
 
 #include <nlohmann/json.hpp>
+
 #include "json_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/study/study_result.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <nlohmann/json.hpp>
+
 #include "json_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/output/fit_json.hpp"

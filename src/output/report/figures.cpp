@@ -4,8 +4,8 @@
 #include <array>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "markup.hpp"
 #include "setae/core/text.hpp"
 

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include <nlohmann/json.hpp>
+
 #include "setae/core/text.hpp"
 #include "setae/figures/typesetting.hpp"
 

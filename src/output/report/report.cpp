@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "assets.hpp"
 #include "figures.hpp"
 #include "markup.hpp"

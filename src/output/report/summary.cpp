@@ -5,8 +5,8 @@
 #include <set>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "markup.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"

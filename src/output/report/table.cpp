@@ -7,8 +7,8 @@
 #include <optional>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "markup.hpp"
 
 namespace setae::report {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <nlohmann/json.hpp>
+
 #include "json/json_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/statistics.hpp"

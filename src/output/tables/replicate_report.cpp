@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "json/json_support.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/processing/resample.hpp"
-#include "setae/core/extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/processing/interpolation.hpp"
 
 namespace setae::processing {

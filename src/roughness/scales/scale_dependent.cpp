@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/scales/scale_dependent.hpp"
-#include "setae/core/extent.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 #include "polyline_pieces.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/fourier/buffer.hpp"
 
 namespace setae::scales {

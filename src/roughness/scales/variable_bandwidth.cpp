@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/scales/variable_bandwidth.hpp"
-#include "setae/core/extent.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "polyline_pieces.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 
 namespace setae::scales {
 namespace {

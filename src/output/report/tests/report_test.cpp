@@ -7,6 +7,7 @@
 #include <set>
 
 #include <nlohmann/json.hpp>
+
 #include "markup.hpp"
 #include "pages.hpp"
 #include "setae/output/json.hpp"
