@@ -16,6 +16,19 @@ VectorXd solved_symmetric(const MatrixXd& matrix, const VectorXd& right) { retur
 
 VectorXd solved(const MatrixXd& matrix, const VectorXd& right) { return matrix.partialPivLu().solve(right); }
 MatrixXd inverse(const MatrixXd& matrix) { return matrix.inverse(); }
+bool invertible(const MatrixXd& matrix) { return Eigen::FullPivLU<MatrixXd>(matrix).isInvertible(); }
+
+std::optional<MatrixXd> cholesky(const MatrixXd& matrix) {
+    const Eigen::LLT<MatrixXd> factor(matrix);
+    if (factor.info() != Eigen::Success) return std::nullopt;
+    return factor.matrixL();
+}
+
+std::optional<MatrixXd> inverse_positive_definite(const MatrixXd& matrix) {
+    const Eigen::LLT<MatrixXd> factor(matrix);
+    if (factor.info() != Eigen::Success) return std::nullopt;
+    return factor.solve(MatrixXd::Identity(matrix.rows(), matrix.cols()));
+}
 
 VectorXd least_squares(const MatrixXd& design, const VectorXd& values) {
     return design.colPivHouseholderQr().solve(values);

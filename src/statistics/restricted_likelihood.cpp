@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include "jet.hpp"
 #include "setae/core/errors.hpp"
@@ -231,9 +231,9 @@ DesignInformation information_of(const NestedDesign& design, const Array1D& vari
             V += variances[k] / unit * (Z * Z.transpose());
             indicators.push_back(std::move(Z));
         }
-        const Eigen::LLT<Eigen::MatrixXd> factor(V);
-        if (factor.info() != Eigen::Success) throw InternalError("the covariance of replicates cannot be inverted");
-        const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(size, size));
+        const auto found = numerics::inverse_positive_definite(V);
+        if (!found) throw InternalError("the covariance of replicates cannot be inverted");
+        const Eigen::MatrixXd& inverse = *found;
         const Eigen::VectorXd column = inverse.rowwise().sum();
         const double weight = column.sum();
         const Eigen::VectorXd value = design.value.segment(static_cast<Index>(first), size).matrix();

@@ -3,11 +3,12 @@
 
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "fits/fit_support.hpp"
 #include "setae/contact/jkr_curve.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::loops::errors_in_variables {
 namespace {
@@ -24,11 +25,9 @@ Eigen::MatrixXd inverse_information(const Fitted& fitted, const Across& noise) {
     const Eigen::MatrixXd all = across_information(noise),
                           left = all - along_the_curve(fitted.points, fitted.solution).pretended;
     const Eigen::VectorXd scale = all.diagonal().cwiseSqrt().cwiseInverse();
-    const Eigen::LLT<Eigen::MatrixXd> decomposition(scale.asDiagonal() * left * scale.asDiagonal());
-    if (!scale.allFinite() || decomposition.info() != Eigen::Success)
-        return Eigen::MatrixXd::Constant(all.rows(), all.cols(), undefined);
-    return scale.asDiagonal() * decomposition.solve(Eigen::MatrixXd::Identity(all.rows(), all.cols())) *
-           scale.asDiagonal();
+    const auto inverse = numerics::inverse_positive_definite(scale.asDiagonal() * left * scale.asDiagonal());
+    if (!scale.allFinite() || !inverse) return Eigen::MatrixXd::Constant(all.rows(), all.cols(), undefined);
+    return scale.asDiagonal() * *inverse * scale.asDiagonal();
 }
 
 /// A fit's numbers in SI units: everything but its residuals (of force unless said otherwise), and what `complete`

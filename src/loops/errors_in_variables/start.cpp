@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include "fits/fit_support.hpp"
 #include "setae/contact/jkr_curve.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::loops::errors_in_variables {
 namespace {
@@ -57,7 +58,7 @@ double excess(const Fitted& fitted) {
     constexpr double curvature = 0.1, pretended = 0.05;
     const AlongTheCurve along = along_the_curve(fitted.points, fitted.solution);
     const double share =
-        across_information(across(fitted.points, fitted.solution)).ldlt().solve(along.pretended).trace();
+        numerics::solved_symmetric(across_information(across(fitted.points, fitted.solution)), along.pretended).trace();
     return std::max(std::pow(along.curvature / curvature, 2), share / pretended);
 }
 

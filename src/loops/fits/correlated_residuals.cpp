@@ -6,9 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "setae/core/constants.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::loops {
 namespace {
@@ -228,11 +229,11 @@ FitCovariance correlated_covariance(std::span<const MatrixXd> jacobians, std::sp
     const VectorXd inverse_lengths = normal.diagonal().cwiseSqrt().cwiseInverse();
     if (!normal.allFinite() || !inverse_lengths.allFinite() || !std::isfinite(squares)) return result;
     normal = (inverse_lengths.asDiagonal() * normal * inverse_lengths.asDiagonal()).eval();
-    if (!Eigen::FullPivLU<MatrixXd>(normal).isInvertible()) return result;
+    if (!numerics::invertible(normal)) return result;
     // J = B Lᵀ of the scaled columns: the covariance in the basis B is turned back by L⁻ᵀ
-    const Eigen::LLT<MatrixXd> cholesky(normal);
-    if (cholesky.info() != Eigen::Success) return result;
-    const MatrixXd back = inverse_lengths.asDiagonal() * MatrixXd(cholesky.matrixU()).inverse();
+    const auto lower = numerics::cholesky(normal);
+    if (!lower) return result;
+    const MatrixXd back = inverse_lengths.asDiagonal() * numerics::inverse(lower->transpose());
     std::vector<Series> series(jacobians.size());
     for (std::size_t s = 0; s < series.size(); ++s) {
         series[s].residuals = &residuals[s];

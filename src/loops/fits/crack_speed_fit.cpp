@@ -128,7 +128,7 @@ EdgeSpeeds speeds_of_edge(const ArrayView1D& time, const ArrayView1D& contact_ra
         design << Array1D::Ones(window), steps, steps.square();
         const Eigen::VectorXd radii = contact_radius.segment(first, window);
         const Eigen::Vector3d parabola = numerics::least_squares(design, radii);
-        const Eigen::Matrix3d inverse = (design.transpose() * design).inverse();
+        const Eigen::Matrix3d inverse = Eigen::Matrix3d(numerics::transposed_product(design, design)).inverse();
         edge.speed[i] = -parabola[1] / scale;
         edge.standard_error[i] = std::sqrt(inverse(1, 1)) / scale;  // per unit of noise
         scatter += (radii - design * parabola).squaredNorm() / static_cast<double>(window - 3);

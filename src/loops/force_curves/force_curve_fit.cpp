@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "attempt.hpp"
 #include "fits/fit_support.hpp"
@@ -17,6 +17,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/numerics/dense.hpp"
 
 namespace setae::loops {
 namespace {
@@ -142,8 +143,7 @@ private:
     }
     /// solve_linear without what the residuals say of errors.
     [[nodiscard]] LeastSquaresSolution plain(const Eigen::MatrixXd& columns) const {
-        LeastSquaresSolution solution{.parameters =
-                                          columns.colPivHouseholderQr().solve((force_ / force_unit_).matrix())};
+        LeastSquaresSolution solution{.parameters = numerics::least_squares(columns, (force_ / force_unit_).matrix())};
         solution.residuals = (force_ / force_unit_).matrix() - columns * solution.parameters;
         return solution;
     }

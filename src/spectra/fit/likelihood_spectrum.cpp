@@ -6,7 +6,7 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include "contour_kernel.hpp"
 #include "observed_groups.hpp"
@@ -15,6 +15,7 @@
 #include "setae/core/estimate.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/numerics/bracketing.hpp"
+#include "setae/numerics/dense.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
@@ -412,14 +413,13 @@ LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed
 
 Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint64_t seed) {
     const Index n = spectrum.theta.size();
-    const Eigen::LLT<Eigen::MatrixXd> root(0.5 * (spectrum.covariance + spectrum.covariance.transpose()));
-    if (root.info() != Eigen::Success) throw InternalError("covariance of the spectrum is not positive definite");
-    const Eigen::MatrixXd lower = root.matrixL();
+    const auto lower = numerics::cholesky(0.5 * (spectrum.covariance + spectrum.covariance.transpose()));
+    if (!lower) throw InternalError("covariance of the spectrum is not positive definite");
     Array2D result(count, spectrum.C_iso.wavevector.size());
     Array1D normal(n);
     for (Index r = 0; r < count; ++r) {
         numerics::fill_normal({seed, 0}, static_cast<std::uint64_t>(r * n), normal);
-        result.row(r) = (spectrum.design * (spectrum.theta + lower * normal.matrix())).array().exp().transpose();
+        result.row(r) = (spectrum.design * (spectrum.theta + *lower * normal.matrix())).array().exp().transpose();
     }
     return result;
 }

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/fourier/map_transform.hpp"
+#include "setae/numerics/dense.hpp"
 #include "setae/synthesis/height_transform.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/dilation.hpp"
@@ -95,7 +96,7 @@ Array1D smoothed(const Array1D& values, const Array1D& weights) {
     matrix(1, 1) += 1.0 / (bend * bend);
     matrix(0, 1) -= 1.0 / (bend * bend);
     matrix(1, 0) -= 1.0 / (bend * bend);
-    return matrix.ldlt().solve((weights * values).matrix()).array();
+    return numerics::solved_symmetric(matrix, Eigen::VectorXd((weights * values).matrix())).array();
 }
 
 /// Where x lies between nodes: values there are linear, and constant beyond the ends.

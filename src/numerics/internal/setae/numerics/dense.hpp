@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 namespace setae::numerics {
@@ -15,6 +17,12 @@ namespace setae::numerics {
 /// matrix⁻¹ right, by LU with pivots.
 [[nodiscard]] Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 [[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
+[[nodiscard]] bool invertible(const Eigen::MatrixXd& matrix);
+
+/// The lower triangle L of a symmetric matrix L Lᵀ, and the inverse of that matrix; nothing where it is not positive
+/// definite.
+[[nodiscard]] std::optional<Eigen::MatrixXd> cholesky(const Eigen::MatrixXd& matrix);
+[[nodiscard]] std::optional<Eigen::MatrixXd> inverse_positive_definite(const Eigen::MatrixXd& matrix);
 
 /// The x of least |design x − values|, by Householder's QR with pivots.
 [[nodiscard]] Eigen::VectorXd least_squares(const Eigen::MatrixXd& design, const Eigen::VectorXd& values);
