@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "periodic_patch.hpp"
+#include "octave.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/quantity.hpp"
@@ -23,12 +23,6 @@ constexpr Index highest_mode = PeriodicPatch::highest_mode;
 /// worst, so that a line along x, y or a diagonal comes back to a place of a patch as late as can be.
 constexpr std::array<double, 4> slopes = {0.6180339887498949, 0.41421356237309503, 0.3027756377319946,
                                           0.7320508075688772};
-
-struct Octave {
-    double cosine = 1.0, sine = 0.0;  ///< of the patch's first axis
-    double period = 0.0;              ///< [m]
-    PeriodicPatch patch;
-};
 
 /// Power of the mode cells of one octave in the octant 0 <= m <= k: ∫ C d²q/4π² over the part of the cell in the band.
 class CellPowers {
@@ -81,10 +75,6 @@ std::complex<double> phase(numerics::RandomKey key, Index k, Index m) {
                  imaginary = numerics::normal_number(key, 2 * block + 1);
     return std::complex<double>(real, imaginary) / std::sqrt(real * real + imaginary * imaginary);
 }
-
-struct ScaleMoments {
-    double height = 0.0, slope = 0.0;
-};
 
 struct MadeOctave {
     std::optional<Octave> octave;  ///< nothing where the band holds no power
