@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "alert_list.hpp"
+#include "finite_height.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::loops {
@@ -39,6 +40,31 @@ void check_sensitivity(AlertList& list, const BranchAnalysis& loading, const Ale
                  "quote W with its fit range");
 }
 
+/// What lies below a soft body of finite height stiffens the contact.
+void check_height(AlertList& list, const LoopContext& context, const Loop& loop, const LensAndCounterBody& bodies,
+                  const AlertLimits& limits) {
+    const double a = context.largest_contact_radius;
+    const auto excess = [&](double height) {
+        return 100.0 * modulus_excess(a, std::max(height, a), bodies.lens_poisson_ratio);
+    };
+    if (const auto height = bodies.soft_height()) {
+        if (a > limits.contact_radius_per_thickness * *height)
+            list.add("THIN_LAYER",
+                     fmt::format("a/h reaches {:.2f}: as on a half-space E* from force and displacement would be too "
+                                 "high by {:.0f} %; the fits are corrected as for a layer bonded to a rigid base",
+                                 a / *height, excess(*height)),
+                     "use a higher body or a smaller load where it is no such layer");
+        return;
+    }
+    if (loop.displacement.size() == 0 || !(a > limits.contact_radius_per_unknown_height * bodies.radius)) return;
+    list.add("HEIGHT_UNKNOWN",
+             fmt::format("the height of the soft body is not given and taken for infinite: E* from force and "
+                         "displacement is too high by {:.1f} % if it is {}, the sphere's radius, and by {:.1f} % at "
+                         "ten times that",
+                         excess(bodies.radius), format_value(bodies.radius, "m"), excess(10.0 * bodies.radius)),
+             "give lens_height or layer_thickness");
+}
+
 void check_size(AlertList& list, const LoopContext& context, const LensAndCounterBody& bodies,
                 const AlertLimits& limits) {
     const double strain = context.largest_contact_radius / bodies.radius;
@@ -47,17 +73,6 @@ void check_size(AlertList& list, const LoopContext& context, const LensAndCounte
                  fmt::format("a/R reaches {:.2f}; a sphere is deeper than its paraboloid there by {:.1f} % of a²/R",
                              strain, 100.0 * strain * strain / 3.0),
                  "limit the load, or treat E* and W as those of an effective paraboloid");
-    if (bodies.layer_thickness &&
-        context.largest_contact_radius > limits.contact_radius_per_thickness * *bodies.layer_thickness)
-        list.add("THIN_LAYER",
-                 fmt::format("a/h reaches {:.2f}; the base below the layer stiffens the contact",
-                             context.largest_contact_radius / *bodies.layer_thickness),
-                 "use a thicker layer or a smaller load");
-    if (bodies.lens_height && *bodies.lens_height < limits.lens_height)
-        list.add("LENS_HEIGHT",
-                 fmt::format("the lens is {} high, below {}: its mount stiffens the contact",
-                             format_value(*bodies.lens_height, "m"), format_value(limits.lens_height, "m")),
-                 "use a higher lens");
     if (context.tabor_parameter < limits.tabor_parameter)
         list.add(
             "TABOR_RANGE",
@@ -147,6 +162,7 @@ std::vector<Alert> alerts_of(const LoopAnalysis& analysis, const Loop& loop, con
     check_loop(list, analysis, limits);
     check_record(list, analysis, loop, bodies, limits);
     return list.take();
+    check_height(list, analysis.context, loop, bodies, limits);
 }
 
 }  // namespace setae::loops

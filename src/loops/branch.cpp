@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 
 #include "attempt.hpp"
+#include "finite_height.hpp"
 #include "fits/fit_support.hpp"
-#include "records/baseline.hpp"
+#include "records/channel_noise.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::loops {
@@ -116,8 +117,9 @@ const JkrFit& BranchAnalysis::primary() const {
 }
 
 BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const Selection& selection,
-                              const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    const BranchData data = branch_data(loop, baseline, selection, options);
+                              const LensAndCounterBody& bodies, const AnalysisOptions& options,
+                              const std::optional<Estimate>& elastic_modulus) {
+    const BranchData data = as_half_space(branch_data(loop, baseline, selection, options), bodies, options);
     BranchAnalysis branch{.effective_variance_first = options.effective_variance};
     const auto radius_fit = [&](RadiusErrors errors) {
         return fitted(data, bodies,
@@ -147,9 +149,11 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
                     .force_first = data.force[0],
                     .force_last = data.force[data.force.size() - 1]};
     const JkrFit& fit = branch.primary();
+    const bool measured = data.contact_radius.size() > 0;
     const Estimate contact_point =
         branch.force_displacement ? branch.force_displacement->contact_point : Estimate{.value = 0.0};
-    branch.energy_release_rate = energy_release_rates(data, bodies.radius, fit.contact_modulus, contact_point);
+    branch.energy_release_rate = energy_release_rates(
+        data, bodies.radius, elastic_modulus && measured ? *elastic_modulus : fit.contact_modulus, contact_point);
     return branch;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,12 @@ struct Selection {
 [[nodiscard]] BranchData branch_data(const Loop& loop, const Baseline& baseline, const Selection& selection,
                                      const AnalysisOptions& options);
 
-/// Every fit of one branch; a fit that cannot be made carries its reason.
+/// Every fit of one branch; a fit that cannot be made carries its reason. elastic_modulus: E* that G of measured radii
+/// is computed with, else the branch's own, which takes in what G gains with the speed of the edge.
 /// @throws UndefinedDataError where no fit can be made at all.
 [[nodiscard]] BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const Selection& selection,
-                                            const LensAndCounterBody& bodies, const AnalysisOptions& options);
+                                            const LensAndCounterBody& bodies, const AnalysisOptions& options,
+                                            const std::optional<Estimate>& elastic_modulus = {});
 
 /// The branch's primary fit alone.
 [[nodiscard]] JkrFit primary_fit(const BranchData& data, const LensAndCounterBody& bodies,

@@ -32,4 +32,21 @@ BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch, co
     return result;
 }
 
+RecedingEdge receding_edge(const LoopAnalysis& analysis, const AnalysisOptions& options) {
+    const Loop& loop = analysis.corrected;
+    if (!analysis.unloading) throw UndefinedDataError(analysis.unloading.reason);
+    // with the pinned stretch: an edge at rest bounds G0
+    const IndexRange range{.first = analysis.segments.contacts.front().unloading->first,
+                           .last = analysis.unloading->range.last};
+    const Selection selection = without_ignored(range_selection(range, "unloading"), analysis.segments);
+    if (loop.time.size() == 0) throw UndefinedDataError("the record has no time");
+    if (loop.contact_radius.size() == 0)
+        throw UndefinedDataError("the contact radius was not measured: its implied value has no speed of its own");
+    const BranchSamples frames = branch_samples(analysis, LoopBranch::unloading, options);
+    return {.time = loop.time(selection.samples),
+            .force = loop.force(selection.samples),
+            .contact_radius = loop.contact_radius(selection.samples),
+            .contact_radius_noise = frames.data.contact_radius_noise};
+}
+
 }  // namespace setae::loops

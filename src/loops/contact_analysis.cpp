@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "attempt.hpp"
+#include "finite_height.hpp"
 #include "fits/fit_support.hpp"
 #include "pinned_stretch.hpp"
 #include "records/jump.hpp"
@@ -33,15 +34,17 @@ BranchAnalysis analyse_loading(const Loop& loop, const Segments& segments, const
             {.dropped = dropped, .fit = attempt([&] {
                                      const Selection selection =
                                          without_ignored(loading_selection(loop, segments, contact, dropped), segments);
-                                     return primary_fit(branch_data(loop, segments.before, selection, options), bodies,
-                                                        options);
+                                     return primary_fit(
+                                         as_half_space(branch_data(loop, segments.before, selection, options), bodies,
+                                                       options),
+                                         bodies, options);
                                  })});
     return branch;
 }
 
 Outcome<BranchAnalysis> analyse_unloading(const Loop& loop, const Segments& segments, const ContactSegments& contact,
-                                          const std::optional<IndexRange>& pinned, const LensAndCounterBody& bodies,
-                                          const AnalysisOptions& options) {
+                                          const std::optional<IndexRange>& pinned, const BranchAnalysis& loading,
+                                          const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     if (!contact.unloading) return Outcome<BranchAnalysis>::missing("the record has no retraction");
     IndexRange range = *contact.unloading;
     if (pinned) range.first = pinned->last + 1;
@@ -50,20 +53,33 @@ Outcome<BranchAnalysis> analyse_unloading(const Loop& loop, const Segments& segm
                     contact.pull_off ? "pull-off minimum" : "last sample in contact");
     return attempt([&] {
         return analyse_branch(loop, segments.before, without_ignored(range_selection(range, name), segments), bodies,
-                              options);
+                              options, loading.primary().contact_modulus);
     });
 }
 
-/// −ΔF/Δδ of the largest step of the jump.
-double stiffness_of_jump(const Loop& loop, const IndexRange& jump) {
+/// How far the motor moves from one sample to the next, from the free flight behind the contacts, where nothing bends;
+/// 0 where the record ends before.
+double motor_step(const Loop& loop, const Segments& segments, Index at) {
+    if (!segments.after || !segments.after->range) return 0.0;
+    const auto [first, last] = *segments.after->range;
+    const double way = loop.displacement[last] - loop.displacement[first];
+    if (loop.time.size() == 0) return way / static_cast<double>(last - first);
+    return way * (loop.time[at + 1] - loop.time[at]) / (loop.time[last] - loop.time[first]);
+}
+
+/// k of |ΔF| = k (|Δδ| − vΔt) over the largest step of the jump.
+double stiffness_of_jump(const Loop& loop, const Segments& segments, const ContactSegments& contact) {
     if (loop.displacement.size() == 0) return undefined;
-    const Index at = largest_step(loop.force, jump);
-    const double step = loop.displacement[at + 1] - loop.displacement[at];
-    return step < 0.0 ? (loop.force[at + 1] - loop.force[at]) / -step : INFINITY;
+    const Index at = largest_step(loop.force, *contact.pull_off);
+    const double relaxed = loop.displacement[at] - loop.displacement[at + 1] + motor_step(loop, segments, at);
+    const double noise = segments.before.displacement_noise;
+    constexpr double deviations = 3.0;
+    const double least = noise > 0.0 ? deviations * std::sqrt(2.0) * noise : 1e-9 * std::abs(loop.displacement[at]);
+    return relaxed > least ? (loop.force[at + 1] - loop.force[at]) / relaxed : INFINITY;
 }
 
 Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const ContactSegments& contact,
-                               double radius) {
+                               double radius, double contact_modulus) {
     if (!contact.pull_off)
         return Outcome<PullOff>::missing(contact.unloading
                                              ? "the force has no minimum below the baseline before contact ends"
@@ -72,14 +88,25 @@ Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const
     PullOff result{.index = contact.pull_off->first};
     result.force = {loop.force[result.index] - baseline.force,
                     std::hypot(baseline.force_noise, baseline.force_standard_error), "baseline noise"};
-    const auto work = [&](contact::jkr::Control control) -> Estimate {
-        return {contact::jkr::work_of_adhesion_from_pull_off(result.force.value, radius, control),
-                contact::jkr::work_of_adhesion_from_pull_off(result.force.standard_error, radius, control),
-                "baseline noise"};
+    const auto work = [&](const Estimate& force, contact::jkr::Control control) -> Estimate {
+        return {contact::jkr::work_of_adhesion_from_pull_off(force.value, radius, control),
+                contact::jkr::work_of_adhesion_from_pull_off(force.standard_error, radius, control), "baseline noise"};
     };
-    result.work_of_adhesion = work(contact::jkr::Control::fixed_load);
-    result.work_of_adhesion_fixed_grips = work(contact::jkr::Control::fixed_grips);
-    result.machine_stiffness = stiffness_of_jump(loop, *contact.pull_off);
+    result.work_of_adhesion = work(result.force, contact::jkr::Control::fixed_load);
+    result.last_force = result.force;
+    result.last_force.value = loop.force[largest_step(loop.force, *contact.pull_off)] - baseline.force;
+    result.machine_stiffness = stiffness_of_jump(loop, segments, contact);
+    constexpr double stiff = 10.0;
+    const double contact_stiffness =
+        2.0 * contact_modulus *
+        contact::jkr::pull_off_at_fixed_grips({radius, contact_modulus, result.work_of_adhesion.value}).contact_radius;
+    if (!(result.machine_stiffness >= stiff * contact_stiffness))
+        result.work_of_adhesion_fixed_grips = Outcome<Estimate>::missing(
+            fmt::format("the machine, {:.3g} N/m, is not {:.0f} times stiffer than the contact that parts, {:.3g} N/m",
+                        result.machine_stiffness, stiff, contact_stiffness));
+    else if (!(result.last_force.value < 0.0))
+        result.work_of_adhesion_fixed_grips = Outcome<Estimate>::missing("no sample shows the force before the jump");
+    else result.work_of_adhesion_fixed_grips = {work(result.last_force, contact::jkr::Control::fixed_grips)};
     return result;
 }
 
@@ -99,7 +126,13 @@ Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segm
     if (!contact.pull_off) return Outcome<RetractionFit>::missing(analysis.pull_off.reason);
     return attempt([&] {
         const Selection selection = last_points(loop, segments, *contact.unloading, options.retraction_points);
-        const BranchData points = branch_data(loop, segments.before, selection, options);
+        BranchData points = branch_data(loop, segments.before, selection, options);
+        if (const auto height = bodies.soft_height(); height && analysis.unloading) {
+            const JkrFit& fit = analysis.unloading->primary();
+            points =
+                as_half_space(points, contact::layer::Layer(*height, bodies.lens_poisson_ratio),
+                              {bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)});
+        }
         // creep and drift during the loop move the contact point: the unloading branch knows its own best
         const bool known = analysis.unloading && analysis.unloading->force_displacement;
         const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
@@ -149,12 +182,14 @@ LoopContext find_context(const Loop& loop, const Segments& segments, const Conta
 }
 
 ContactPointInputs inputs_of(const Loop& loop, const Segments& segments, Index index, const ContactAnalysis& analysis,
-                             const AnalysisOptions& options) {
+                             const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     const ContactSegments& contact = segments.contacts[static_cast<std::size_t>(index)];
     ContactPointInputs inputs{.loop = loop, .segments = segments, .contact = index};
-    inputs.loading = branch_data(
-        loop, segments.before,
-        without_ignored(loading_selection(loop, segments, contact, options.samples_dropped), segments), options);
+    inputs.loading = as_half_space(
+        branch_data(loop, segments.before,
+                    without_ignored(loading_selection(loop, segments, contact, options.samples_dropped), segments),
+                    options),
+        bodies, options);
     inputs.force_displacement = analysis.loading.force_displacement;
     inputs.pointwise = analysis.loading.pointwise;
     if (analysis.unloading) inputs.unloading = analysis.unloading->primary();
@@ -171,7 +206,8 @@ void hold_contact_point(ContactAnalysis& analysis, const PreparedRecord& record,
         options.contact_point = {.mode = Mode::value, .value = value};
         ContactAnalysis held;
         held.loading = analyse_loading(record.level, record.segments, contact, bodies, options);
-        held.unloading = analyse_unloading(record.level, record.segments, contact, analysis.pinned, bodies, options);
+        held.unloading =
+            analyse_unloading(record.level, record.segments, contact, analysis.pinned, held.loading, bodies, options);
         return held;
     };
     ContactAnalysis held = analysed(contact_point.value);
@@ -218,8 +254,8 @@ void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& recor
     }
     add(analysis.loading, shifted);
     if (analysis.unloading)
-        add(*analysis.unloading.value,
-            analyse_unloading(stiffer.level, record.segments, contact, analysis.pinned, bodies, options));
+        add(*analysis.unloading.value, analyse_unloading(stiffer.level, record.segments, contact, analysis.pinned,
+                                                         analysis.loading, bodies, options));
     if (analysis.ledger) analysis.compliance->energy_change = analysis.ledger->approach.standard_error.compliance;
 }
 
@@ -259,8 +295,8 @@ ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const
     analysis.loading = analyse_loading(loop, segments, contact, bodies, free);
     analysis.context = find_context(loop, segments, contact, analysis.loading, bodies, options);
     if (options.leave_pinned_out) analysis.pinned = pinned_stretch(loop, segments, contact, analysis, bodies, options);
-    analysis.unloading = analyse_unloading(loop, segments, contact, analysis.pinned, bodies, free);
-    const ContactPointInputs inputs = inputs_of(loop, segments, index, analysis, options);
+    analysis.unloading = analyse_unloading(loop, segments, contact, analysis.pinned, analysis.loading, bodies, free);
+    const ContactPointInputs inputs = inputs_of(loop, segments, index, analysis, bodies, options);
     analysis.contact_points = attempt([&] { return contact_points(inputs, bodies, options.contact_point); });
     const bool held =
         analysis.contact_points && analysis.contact_points->chosen != ContactPointMethod::force_displacement;
@@ -268,7 +304,8 @@ ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const
         hold_contact_point(analysis, record, contact, bodies, options, analysis.contact_points->contact_point);
         analysis.context = find_context(loop, segments, contact, analysis.loading, bodies, options);
     }
-    analysis.pull_off = find_pull_off(loop, segments, contact, bodies.radius);
+    analysis.pull_off =
+        find_pull_off(loop, segments, contact, bodies.radius, analysis.loading.primary().contact_modulus.value);
     analysis.retraction = analyse_retraction(loop, segments, contact, analysis, bodies, options);
     analysis.loop = attempt([&] { return loop_energy(record.deflected, segments, index, record.drift); });
     analysis.ledger = keep_ledger(record, index, analysis, bodies, options);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "branch.hpp"
-#include "records/baseline.hpp"
+#include "records/channel_noise.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 

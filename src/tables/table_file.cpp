@@ -215,53 +215,6 @@ Table read_table(const std::string& path, const TableOptions& options) {
     return table;
 }
 
-namespace {
-
-struct LoopColumn {
-    const char* name;
-    const char* unit;
-};
-constexpr LoopColumn loop_columns[] = {{"force", "N"}, {"displacement", "m"}, {"contact_radius", "m"}, {"time", "s"}};
-
-std::string column_list(const Table& table) {
-    std::vector<std::string> names;
-    for (const auto& column : table.columns)
-        names.push_back(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
-}  // namespace
-
-void require_loop_columns(const Table& table, const std::string& path, LoopColumns wanted) {
-    const auto missing = [&](const char* what) {
-        throw FormatError(
-            path, {},
-            fmt::format("no column {}; a loop needs 'force' and 'displacement' or 'contact_radius', the table has: {}; "
-                        "name the columns by a mapping file, which `setae jkr import` makes",
-                        what, column_list(table)));
-    };
-    if (!table.find("force")) missing("'force'");
-    if (wanted == LoopColumns::complete && !table.find("displacement") && !table.find("contact_radius"))
-        missing("'displacement' or 'contact_radius'");
-    for (const auto& [name, unit] : loop_columns) {
-        const auto* column = table.find(name);
-        if (column && column->unit != unit)
-            throw FormatError(path, {},
-                              fmt::format("column '{}' has {}, expected a unit of {} as in '{} [{}]'", name,
-                                          column->unit.empty() ? "no unit" : fmt::format("the unit '{}'", column->unit),
-                                          unit, name, unit));
-    }
-}
-
-Table read_loop_table(const std::string& path, LoopColumns wanted) {
-    auto table = read_table(path);
-    for (auto& column : table.columns)
-        for (const auto& known : loop_columns)
-            if (bytes::lowered(column.name) == known.name) column.name = known.name;
-    require_loop_columns(table, path, wanted);
-    return table;
-}
-
 std::string as_csv(const Table& table) {
     std::string text;
     for (const auto& column : table.columns) {

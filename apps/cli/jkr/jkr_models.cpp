@@ -89,9 +89,11 @@ void print_models(const study::LoopModels& models) {
                         interval(models.profile->work_of_adhesion.estimate, 1e3, "mJ/m²"), models.profile->fit.method);
     if (models.crack_speed)
         text += fmt::format(
-            "  G(v) = G0 (1 + (v/v0)^n)     G0 {} mJ/m², v0 {} µm/s, n {}; {} points, speeds over a factor {:.3g}\n",
+            "  G(v) = G0 (1 + (v/v0)^n)     G0 {} mJ/m², v0 {} µm/s, n {}, E* {} MPa; {} frames, speeds over a factor "
+            "{:.3g}\n",
             cell(models.crack_speed->threshold, 1e3), cell(models.crack_speed->reference_speed, 1e6),
-            cell(models.crack_speed->exponent, 1.0), models.crack_speed->n, models.crack_speed->speed_ratio);
+            cell(models.crack_speed->exponent, 1.0), cell(models.crack_speed->contact_modulus, 1e-6),
+            models.crack_speed->n, models.crack_speed->speed_ratio);
     for (const auto& failure : models.failures) text += "  " + failure + '\n';
     print(text);
 }

@@ -97,8 +97,8 @@ void BodyArguments::add_to(Options& options) {
     options.add("--nu,--poisson-ratio", poisson_ratio, "Poisson ratio of the soft body; default 0.5");
     options.add("--counter-E", counter_modulus, "Young's modulus of the counter-body; default rigid");
     options.add("--counter-nu", counter_poisson_ratio, "its Poisson ratio; default 0");
-    options.add("--lens-height", lens_height, "height of the soft lens above its mount");
-    options.add("--layer-thickness", layer_thickness, "thickness of the soft layer on a rigid base");
+    options.add("--lens-height", lens_height, "height of the soft lens above its mount: fits are corrected for it");
+    options.add("--layer-thickness", layer_thickness, "the same of a soft layer on a rigid base");
 }
 
 loops::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {

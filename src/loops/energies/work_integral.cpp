@@ -52,8 +52,11 @@ double work(const Array1D& force, const Array1D& displacement, const IndexRange&
 
 double noise_error(const LevelRecord& record, const IndexRange& range) {
     const Array1D &force = record.force, &displacement = record.displacement;
-    const double force_variance = std::pow(record.noise.force_noise, 2),
-                 displacement_variance = std::pow(record.noise.displacement_noise, 2);
+    // neighbours whose noise is alike add up
+    const auto correlated = [](double sigma, double phi) { return sigma * sigma * (1.0 + phi) / (1.0 - phi); };
+    const double force_variance = correlated(record.noise.force_noise, record.noise.force_noise_correlation),
+                 displacement_variance =
+                     correlated(record.noise.displacement_noise, record.noise.displacement_noise_correlation);
     double variance = 0.0;
     for (Index i = range.first; i <= range.last; ++i) {
         const Index before = std::max(i - 1, range.first), next = std::min(i + 1, range.last);

@@ -7,218 +7,285 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <Eigen/Core>
-#include <Eigen/LU>
 
+#include "edge_course.hpp"
 #include "least_squares.hpp"
+#include "setae/contact/jkr_curve.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 #include "setae/numerics/dense.hpp"
 
 namespace setae::loops {
 namespace {
 
-namespace law = contact::crack_speed;
+constexpr Index fewest_frames = 8;
 
-/// Points that recede, and the least-squares problem in ln G0, ln c and ln n of G = G0 + c (v/v_ref)^n.
-struct LawProblem {
-    Array1D log_speed;  ///< ln(v/v_ref), v_ref the geometric mean
-    Array1D rate;
-    Array1D weight;  ///< 1/σ of each rate
-    double reference = 0.0;
-    bool exponent_free = true;
-
-    [[nodiscard]] Index unknowns() const { return exponent_free ? 3 : 2; }
-
-    /// The best of many exponents, G0 and c by linear regression. @throws UndefinedDataError where G does not rise.
-    [[nodiscard]] Eigen::Vector3d start(double given_exponent) const {
-        Eigen::Vector3d best = Eigen::Vector3d::Constant(undefined);
-        double least = std::numeric_limits<double>::infinity();
-        double steepest = 0.0;  // slope of the best rise, G0 whatever its sign
-        for (int k = 0; k <= 60; ++k) {
-            const double exponent = exponent_free ? 0.03 * std::pow(100.0, k / 60.0) : given_exponent;
-            Eigen::MatrixXd design(rate.size(), 2);
-            design << weight, weight * (exponent * log_speed).exp();
-            const Eigen::Vector2d linear = numerics::least_squares(design, weight * rate);
-            steepest = std::max(steepest, linear[1]);
-            const double cost = (design * linear - (weight * rate).matrix()).squaredNorm();
-            if (linear[0] > 0.0 && linear[1] > 0.0 && cost < least) {
-                least = cost;
-                best = {std::log(linear[0]), std::log(linear[1]), std::log(exponent)};
-            }
-            if (!exponent_free) break;
-        }
-        if (best.allFinite()) return best;
-        if (!(steepest > 0.0))
-            throw UndefinedDataError(
-                "the energy release rate does not rise with the speed of the edge: it holds no crack-speed law; check "
-                "the sign of the speed and that E* is that of the branch");
-        throw UndefinedDataError(
-            "the energy release rate goes to zero with the speed of the edge: its threshold G0 is not above 0 within "
-            "these data; take slower samples into the fit");
-    }
-
-    [[nodiscard]] ResidualFunction function(double log_exponent) const {
-        return {.residuals = rate.size(),
-                .parameters = unknowns(),
-                .evaluate = [this, log_exponent](const Eigen::VectorXd& at, Eigen::VectorXd& residuals,
-                                                 Eigen::MatrixXd* jacobian) {
-                    const double exponent = std::exp(exponent_free ? at[2] : log_exponent);
-                    const Array1D rise = (at[1] + exponent * log_speed).exp();
-                    residuals = weight * (rate - std::exp(at[0]) - rise);
-                    if (!jacobian) return;
-                    jacobian->col(0) = -weight * std::exp(at[0]);
-                    jacobian->col(1) = -weight * rise;
-                    if (exponent_free) jacobian->col(2) = -weight * rise * exponent * log_speed;
-                }};
-    }
-
-    [[nodiscard]] law::Law law_at(const Eigen::Vector3d& at) const {
-        // c = G0 (v_ref/v0)^n
-        return {.threshold = std::exp(at[0]),
-                .reference_speed = reference * std::exp((at[0] - at[1]) / std::exp(at[2])),
-                .exponent = std::exp(at[2])};
-    }
-};
-
-void require_points(const CrackSpeedPoints& points, const CrackSpeedOptions& options) {
-    const auto same = [&](const Array1D& series, const char* name, bool needed) {
-        if ((needed || series.size() > 0) && series.size() != points.speed.size())
-            throw InvalidArgument(
-                fmt::format("{} has {} points, speed has {}", name, series.size(), points.speed.size()));
+void require_edge(const RecedingEdge& edge, double radius, const Estimate& contact_modulus,
+                  const CrackSpeedOptions& options) {
+    const auto same = [&](const Array1D& series, const char* name) {
+        if (series.size() != edge.time.size())
+            throw InvalidArgument(fmt::format("{} has {} samples, time has {}", name, series.size(), edge.time.size()));
     };
-    same(points.energy_release_rate, "energy release rate", true);
-    same(points.speed_standard_error, "standard error of speed", false);
-    same(points.energy_release_rate_standard_error, "standard error of the energy release rate", false);
+    same(edge.force, "force");
+    same(edge.contact_radius, "contact radius");
+    if (!edge.force.allFinite()) throw InvalidArgument("forces of a receding edge must be defined");
+    for (Index i = 1; i < edge.time.size(); ++i)
+        if (!(edge.time[i] > edge.time[i - 1]))
+            throw InvalidArgument(
+                fmt::format("time must rise: sample {} at {} s follows {} s", i, edge.time[i], edge.time[i - 1]));
+    if (!(radius > 0.0)) throw InvalidArgument(fmt::format("sphere radius must be > 0, got {}", radius));
+    if (!(contact_modulus.value > 0.0))
+        throw InvalidArgument(fmt::format("contact modulus must be > 0, got {}", contact_modulus.value));
     if (options.exponent && !(*options.exponent > 0.0))
         throw InvalidArgument(fmt::format("exponent of the crack-speed law must be > 0, got {}", *options.exponent));
 }
 
-std::vector<Index> receding(const CrackSpeedPoints& points) {
-    std::vector<Index> kept;
-    for (Index i = 0; i < points.speed.size(); ++i)
-        if (points.speed[i] > 0.0 && points.energy_release_rate[i] > 0.0 &&
-            std::isfinite(points.speed[i] + points.energy_release_rate[i]))
-            kept.push_back(i);
-    return kept;
+/// The samples from the first frame to the last: only there the radii bound the course.
+RecedingEdge between_frames(const RecedingEdge& edge, std::vector<Index>& frames) {
+    for (Index i = 0; i < edge.time.size(); ++i)
+        if (edge.contact_radius[i] > 0.0) frames.push_back(i);
+    if (static_cast<Index>(frames.size()) < fewest_frames)
+        throw UndefinedDataError(fmt::format("{} frames show the receding edge; a crack-speed law needs at least {}",
+                                             frames.size(), fewest_frames));
+    const Index first = frames.front(), count = frames.back() - first + 1;
+    for (Index& frame : frames) frame -= first;
+    return {.time = edge.time.segment(first, count),
+            .force = edge.force.segment(first, count),
+            .contact_radius = edge.contact_radius.segment(first, count),
+            .contact_radius_noise = edge.contact_radius_noise};
+}
+
+/// Radii of the frames by parabolas through neighbours.
+Array1D smoothed(const Array1D& time, const Array1D& values) {
+    const Index n = values.size(), window = std::clamp<Index>(n / 12, 5, n);
+    Array1D result(n);
+    for (Index i = 0; i < n; ++i) {
+        const Index first = std::clamp<Index>(i - window / 2, 0, n - window);
+        const Array1D steps = (time.segment(first, window) - time[i]) / (time[first + window - 1] - time[first]);
+        Eigen::MatrixXd design(window, 3);
+        design << Array1D::Ones(window), steps, steps.square();
+        result[i] = numerics::least_squares(design, values.segment(first, window).matrix())[0];
+    }
+    return result;
+}
+
+/// Radii that a law predicts, and where they lie among those measured.
+class Problem {
+public:
+    Problem(const RecedingEdge& edge, double radius, const Estimate& contact_modulus, const CrackSpeedOptions& options)
+        : edge_(between_frames(edge, frames_)), radius_(radius), given_(contact_modulus), exponent_(options.exponent) {
+        const auto n = static_cast<Index>(frames_.size());
+        measured_ = edge_.contact_radius(frames_);
+        unit_ = measured_.maxCoeff() - measured_.minCoeff();
+        const Array1D time = edge_.time(frames_);
+        const Array1D course = smoothed(time, measured_);
+        rates_ = Array1D(n);
+        for (Index i = 0; i < n; ++i)
+            rates_[i] =
+                contact::jkr::energy_release_slopes(course[i], edge_.force[frames_[i]], {radius, contact_modulus.value})
+                    .value;
+        if (!(course[n - 1] < course[0]))
+            throw UndefinedDataError("the contact edge does not recede along the branch: it holds no crack-speed law");
+    }
+
+    [[nodiscard]] const Array1D& measured() const { return measured_; }
+    [[nodiscard]] double unit() const { return unit_; }
+
+    [[nodiscard]] EdgeCourse course(const EdgeParameters& at) const {
+        EdgeCourse all = edge_course(edge_, radius_, at);
+        EdgeCourse result{.contact_radius = all.contact_radius(frames_), .speed = all.speed(frames_)};
+        result.by_logarithm = all.by_logarithm(frames_, Eigen::all);
+        return result;
+    }
+
+    /// Integrated, the law is linear in its scale: a(0) − a(t) = c ∫(G − G0)^m dt, m = 1/n, G from smoothed radii. Of
+    /// many G0 and m, each with the best c, the one whose course comes nearest to the radii.
+    [[nodiscard]] EdgeParameters start() const {
+        std::vector<double> powers{1.0, 1.25, 1.6, 2.0, 2.8, 4.5, 8.0};
+        if (exponent_) powers = {1.0 / *exponent_};
+        const double lowest = rates_.minCoeff(), highest = rates_.maxCoeff();
+        EdgeParameters best;
+        double least = std::numeric_limits<double>::infinity();
+        for (const double power : powers)
+            for (const double share : {0.3, 0.6, 0.8, 0.9, 0.95, 1.0, 1.05, 1.15, 1.3, 1.6}) {
+                const double threshold = share * lowest;
+                if (!(threshold < highest)) continue;
+                const auto found = with_best_scale(threshold, power);
+                if (!found) continue;
+                const double squares = (course(*found).contact_radius - measured_).square().sum();
+                if (squares < least) least = squares, best = *found;
+            }
+        if (!std::isfinite(least))
+            throw UndefinedDataError(
+                "no law of crack speed describes how the edge recedes: G does not rise with its speed; check E* and "
+                "the zero of force");
+        return best;
+    }
+
+    /// In ln a(0), ln G0, ln v0, ln n where it is free, and ln E* where `modulus_weight` > 0 ties it to the one given:
+    /// residuals in units of the range, ln(E*/E*_given) times the weight at their end.
+    [[nodiscard]] ResidualFunction function(double modulus_weight) const {
+        const auto n = static_cast<Index>(frames_.size());
+        const bool tied = modulus_weight > 0.0;
+        return {.residuals = n + (tied ? 1 : 0),
+                .parameters = unknowns(tied),
+                .evaluate = [this, n, tied, modulus_weight](const Eigen::VectorXd& at, Eigen::VectorXd& residuals,
+                                                            Eigen::MatrixXd* jacobian) {
+                    const EdgeCourse found = course(parameters(at, tied));
+                    residuals.head(n) = ((found.contact_radius - measured_) / unit_).matrix();
+                    if (tied) residuals[n] = modulus_weight * at[at.size() - 1];
+                    if (!jacobian) return;
+                    jacobian->setZero();
+                    const std::vector<int> kept = columns(tied);
+                    for (std::size_t k = 0; k < kept.size(); ++k)
+                        jacobian->col(static_cast<Index>(k)).head(n) = found.by_logarithm.col(kept[k]) / unit_;
+                    if (tied) (*jacobian)(n, at.size() - 1) = modulus_weight;
+                }};
+    }
+
+    [[nodiscard]] Eigen::VectorXd logarithms(const EdgeParameters& at, bool tied) const {
+        Eigen::VectorXd result(unknowns(tied));
+        result.head(3) << std::log(at.first_radius), std::log(at.law.threshold), std::log(at.law.reference_speed);
+        if (!exponent_) result[3] = std::log(at.law.exponent);
+        if (tied) result[result.size() - 1] = std::log(at.contact_modulus / given_.value);
+        return result;
+    }
+
+    [[nodiscard]] EdgeParameters parameters(const Eigen::VectorXd& at, bool tied) const {
+        return {.first_radius = std::exp(at[0]),
+                .contact_modulus = given_.value * (tied ? std::exp(at[at.size() - 1]) : 1.0),
+                .law = {.threshold = std::exp(at[1]),
+                        .reference_speed = std::exp(at[2]),
+                        .exponent = exponent_ ? *exponent_ : std::exp(at[3])}};
+    }
+
+private:
+    [[nodiscard]] Index unknowns(bool tied) const { return 3 + (exponent_ ? 0 : 1) + (tied ? 1 : 0); }
+
+    /// Of EdgeCourse's derivatives, in the order of the unknowns.
+    [[nodiscard]] std::vector<int> columns(bool tied) const {
+        std::vector<int> kept{0, 2, 3};
+        if (!exponent_) kept.push_back(4);
+        if (tied) kept.push_back(1);
+        return kept;
+    }
+
+    [[nodiscard]] std::optional<EdgeParameters> with_best_scale(double threshold, double power) const {
+        const auto n = static_cast<Index>(frames_.size());
+        Eigen::MatrixXd design = Eigen::MatrixXd::Ones(n, 2);
+        const Array1D drive = ((rates_ - threshold) / threshold).max(0.0).pow(power);
+        design(0, 1) = 0.0;
+        for (Index i = 1; i < n; ++i)
+            design(i, 1) = design(i - 1, 1) -
+                           0.5 * (drive[i] + drive[i - 1]) * (edge_.time[frames_[i]] - edge_.time[frames_[i - 1]]);
+        if (!(design(n - 1, 1) < 0.0)) return std::nullopt;
+        const Eigen::VectorXd linear = numerics::least_squares(design, measured_.matrix());
+        if (!(linear[0] > 0.0 && linear[1] > 0.0)) return std::nullopt;
+        return EdgeParameters{.first_radius = linear[0],
+                              .contact_modulus = given_.value,
+                              .law = {.threshold = threshold, .reference_speed = linear[1], .exponent = 1.0 / power}};
+    }
+
+    std::vector<Index> frames_;
+    RecedingEdge edge_;
+    double radius_;
+    Estimate given_;
+    std::optional<double> exponent_;
+    Array1D measured_, rates_;
+    double unit_ = 1.0;
+};
+
+/// What E* of another branch, known to `standard_error` in ln E*, adds to a covariance whose last parameter is ln E*.
+Eigen::MatrixXd with_modulus(const Eigen::MatrixXd& covariance, double standard_error) {
+    const Eigen::VectorXd shared = covariance.col(covariance.cols() - 1);
+    return covariance - shared * shared.transpose() / (standard_error * standard_error + shared[shared.size() - 1]);
+}
+
+void require_told(const Eigen::MatrixXd& covariance, bool exponent_free) {
+    const auto uncertain = [&](Index k) { return !(covariance(k, k) <= 1.0); };
+    std::string unknown;
+    for (const auto& [k, name] : {std::pair<Index, const char*>{1, "G0"}, {2, "v0"}, {3, "n"}})
+        if ((k < 3 || exponent_free) && uncertain(k)) unknown += (unknown.empty() ? "" : ", ") + std::string(name);
+    if (unknown.empty()) return;
+    throw UndefinedDataError(fmt::format(
+        "the radii do not tell a law of crack speed: {} known to no better than a factor e; the speeds vary "
+        "too little, or G with them: unload at several speeds{}",
+        unknown, exponent_free ? " or give the exponent" : ""));
+}
+
+double rms(const Array1D& values) { return std::sqrt(values.square().mean()); }
+
+double ratio_of_speeds(const Array1D& speed) {
+    std::vector<double> receding;
+    for (const double v : speed)
+        if (v > 0.0) receding.push_back(v);
+    if (receding.empty()) return undefined;
+    std::sort(receding.begin(), receding.end());
+    return sorted_quantile(receding, 0.95) / sorted_quantile(receding, 0.05);
 }
 
 }  // namespace
 
-EdgeSpeeds speeds_of_edge(const ArrayView1D& time, const ArrayView1D& contact_radius, Index window) {
-    const Index n = time.size();
-    if (contact_radius.size() != n)
-        throw InvalidArgument(fmt::format("contact radius has {} samples, time has {}", contact_radius.size(), n));
-    if (window < 5 || window % 2 == 0)
-        throw InvalidArgument(fmt::format("window must be odd and >= 5 samples, got {}", window));
-    if (n < window) throw UndefinedDataError(fmt::format("{} samples are fewer than the window of {}", n, window));
-    for (Index i = 1; i < n; ++i)
-        if (!(time[i] > time[i - 1]))
-            throw InvalidArgument(
-                fmt::format("time must rise: sample {} at {} s follows {} s", i, time[i], time[i - 1]));
-    if (!contact_radius.allFinite())
-        throw InvalidArgument("contact radii must be defined; leave samples without one out");
-    EdgeSpeeds edge{.speed = Array1D(n), .standard_error = Array1D(n), .window = window};
-    double scatter = 0.0;
-    for (Index i = 0; i < n; ++i) {
-        const Index first = std::clamp<Index>(i - window / 2, 0, n - window);
-        const double scale = time[first + window - 1] - time[first];
-        const Array1D steps = (time.segment(first, window) - time[i]) / scale;
-        Eigen::MatrixXd design(window, 3);
-        design << Array1D::Ones(window), steps, steps.square();
-        const Eigen::VectorXd radii = contact_radius.segment(first, window);
-        const Eigen::Vector3d parabola = numerics::least_squares(design, radii);
-        const Eigen::Matrix3d inverse = Eigen::Matrix3d(numerics::transposed_product(design, design)).inverse();
-        edge.speed[i] = -parabola[1] / scale;
-        edge.standard_error[i] = std::sqrt(inverse(1, 1)) / scale;  // per unit of noise
-        scatter += (radii - design * parabola).squaredNorm() / static_cast<double>(window - 3);
-    }
-    edge.contact_radius_noise = std::sqrt(scatter / static_cast<double>(n));
-    edge.standard_error *= edge.contact_radius_noise;
-    return edge;
-}
+CrackSpeedFit fit_crack_speed(const RecedingEdge& edge, double radius, const Estimate& contact_modulus,
+                              const CrackSpeedOptions& options) {
+    require_edge(edge, radius, contact_modulus, options);
+    const Problem problem(edge, radius, contact_modulus, options);
+    const Index n = problem.measured().size();
 
-CrackSpeedFit fit_crack_speed(const CrackSpeedPoints& points, const CrackSpeedOptions& options) {
-    require_points(points, options);
-    const std::vector<Index> kept = receding(points);
-    const auto n = static_cast<Index>(kept.size());
-    CrackSpeedFit fit{.n = n, .left_out = points.speed.size() - n};
-    const Index fewest = options.exponent ? 3 : 4;
-    if (n < fewest)
-        throw UndefinedDataError(
-            fmt::format("the contact edge recedes at {} of {} points; a crack-speed law needs at least {}", n,
-                        points.speed.size(), fewest));
-    const Array1D speed = points.speed(kept), rate = points.energy_release_rate(kept);
-    fit.speed_ratio = speed.maxCoeff() / speed.minCoeff();
-    if (!(fit.speed_ratio >= options.least_speed_ratio))
-        throw UndefinedDataError(fmt::format(
-            "speeds of the edge run from {:.3g} to {:.3g} m/s, a factor {:.2g}; a crack-speed law needs {:.2g} or "
-            "more: unload at several speeds",
-            speed.minCoeff(), speed.maxCoeff(), fit.speed_ratio, options.least_speed_ratio));
-    LawProblem problem{.rate = rate, .reference = std::exp(speed.log().mean()), .exponent_free = !options.exponent};
-    problem.log_speed = (speed / problem.reference).log();
-    const bool known = points.energy_release_rate_standard_error.size() > 0;
-    // without errors of G: relative ones, of equal size
-    const Array1D rate_error = known ? Array1D(points.energy_release_rate_standard_error(kept)) : rate;
-    if (!(rate_error.minCoeff() > 0.0)) throw InvalidArgument("standard errors of the energy release rate must be > 0");
-    problem.weight = rate_error.inverse();
-
-    Eigen::Vector3d at = problem.start(options.exponent.value_or(0.0));
-    const double log_exponent = options.exponent ? std::log(*options.exponent) : 0.0;
-    const bool speed_errors = points.speed_standard_error.size() > 0;
-    LeastSquaresSolution solution;
-    const int rounds = speed_errors ? 10 : 1;
-    for (int round = 0; round < rounds; ++round) {
-        solution = solve_nonlinear(problem.function(log_exponent), at.head(problem.unknowns()));
+    // E* as given first: its residuals tell the noise where nothing else does
+    LeastSquaresSolution solution = solve_nonlinear(problem.function(0.0), problem.logarithms(problem.start(), false));
+    CrackSpeedFit fit{.n = n};
+    fit.iterations = solution.iterations;
+    const double known = edge.contact_radius_noise;
+    const double given_error = contact_modulus.standard_error / contact_modulus.value;
+    const bool tied = given_error > 0.0;
+    if (tied) {
+        const EdgeParameters held = problem.parameters(solution.parameters, false);
+        const double noise = known > 0.0 ? known / problem.unit() : rms(solution.residuals.array());
+        solution = solve_nonlinear(problem.function(noise / given_error), problem.logarithms(held, true));
         fit.iterations += solution.iterations;
-        at.head(problem.unknowns()) = solution.parameters;
-        if (round + 1 == rounds || !speed_errors) break;
-        const law::Law now = problem.law_at(at);
-        for (Index i = 0; i < n; ++i) {
-            const double slope = law::energy_release_rate_derivative(speed[i], now);
-            const double scale = known ? 1.0 : solution.residuals.norm() / std::sqrt(static_cast<double>(n));
-            problem.weight[i] =
-                1.0 / std::hypot(rate_error[i] * (scale > 0.0 ? scale : 1.0),
-                                 slope * points.speed_standard_error[kept[static_cast<std::size_t>(i)]]);
-        }
+        const ResidualFunction alone = problem.function(noise / given_error);
+        Eigen::VectorXd residuals(alone.residuals);
+        Eigen::MatrixXd jacobian(alone.residuals, alone.parameters);
+        alone.evaluate(solution.parameters, residuals, &jacobian);
+        solution.residuals = residuals.head(n);
+        solution.uncertainty = correlated_covariance(Eigen::MatrixXd(jacobian.topRows(n)), solution.residuals);
     }
+    Eigen::MatrixXd covariance = solution.uncertainty.covariance;
+    const Index last = covariance.cols() - 1;
+    fit.modulus_deviation = undefined;
+    if (tied) {
+        fit.modulus_deviation = -solution.parameters[last] *
+                                std::sqrt(covariance(last, last) + given_error * given_error) / covariance(last, last);
+        covariance = with_modulus(covariance, given_error);
+    }
+    require_told(covariance, !options.exponent);
 
-    fit.law = problem.law_at(at);
-    // ln v0 = ln v_ref + (ln G0 − ln c)/n
-    const double exponent = fit.law.exponent;
-    Eigen::Matrix3d slopes;
-    slopes << fit.law.threshold, 0.0, 0.0, fit.law.reference_speed / exponent, -fit.law.reference_speed / exponent,
-        -fit.law.reference_speed * (at[0] - at[1]) / exponent, 0.0, 0.0, exponent;
-    const Index p = problem.unknowns();
-    fit.covariance = slopes.leftCols(p) * solution.uncertainty.covariance * slopes.leftCols(p).transpose();
+    const EdgeParameters found = problem.parameters(solution.parameters, tied);
+    fit.law = found.law;
+    // of G0, v0, n, E* by the unknowns
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(4, covariance.cols());
+    slopes(0, 1) = found.law.threshold;
+    slopes(1, 2) = found.law.reference_speed;
+    if (!options.exponent) slopes(2, 3) = found.law.exponent;
+    if (tied) slopes(3, last) = found.contact_modulus;
+    fit.covariance = slopes * covariance * slopes.transpose();
     const auto estimate = [&](double value, Index k) {
         return solution.estimate(value, std::sqrt(fit.covariance(k, k)));
     };
-    fit.threshold = estimate(fit.law.threshold, 0);
-    fit.reference_speed = estimate(fit.law.reference_speed, 1);
-    fit.exponent = options.exponent ? Estimate{.value = exponent, .standard_error = 0.0, .method = "given"}
-                                    : estimate(exponent, 2);
-    fit.converged = solution.converged && fit.covariance.allFinite();
-    if (!(solution.uncertainty.covariance(0, 0) <= 1.0) || fit.law.threshold < 1e-6 * rate.minCoeff())
-        throw UndefinedDataError(
-            fmt::format("the threshold G0 = {:.2g} J/m² is known to no better than its own size: all samples are fast "
-                        "against v0; take slower samples into the fit or give the exponent",
-                        fit.law.threshold));
-    fit.residuals = rate - law::energy_release_rate(speed, fit.law);
-    fit.relative_residual = std::sqrt((fit.residuals / rate).square().mean());
-    fit.chi2_reduced = known && n > p ? solution.residuals.squaredNorm() / static_cast<double>(n - p) : undefined;
+    fit.threshold = estimate(found.law.threshold, 0);
+    fit.reference_speed = estimate(found.law.reference_speed, 1);
+    fit.exponent = options.exponent ? Estimate{.value = *options.exponent, .standard_error = 0.0, .method = "given"}
+                                    : estimate(found.law.exponent, 2);
+    fit.contact_modulus = tied ? estimate(found.contact_modulus, 3) : contact_modulus;
+    fit.converged = solution.converged;
+    fit.residuals = -problem.unit() * solution.residuals.array();
+    fit.relative_residual = rms(fit.residuals) / problem.unit();
+    fit.chi2_reduced =
+        known > 0.0 ? (fit.residuals / known).square().sum() / static_cast<double>(n - covariance.cols()) : undefined;
+    fit.speed_ratio = ratio_of_speeds(problem.course(found).speed);
     return fit;
-}
-
-CrackSpeedPoints crack_speed_points(const ArrayView1D& time, const ArrayView1D& contact_radius,
-                                    const ArrayView1D& energy_release_rate, Index window) {
-    if (energy_release_rate.size() != time.size())
-        throw InvalidArgument(
-            fmt::format("energy release rate has {} samples, time has {}", energy_release_rate.size(), time.size()));
-    EdgeSpeeds edge = speeds_of_edge(time, contact_radius, window);
-    return {.speed = std::move(edge.speed),
-            .energy_release_rate = energy_release_rate,
-            .speed_standard_error = std::move(edge.standard_error)};
 }
 
 }  // namespace setae::loops

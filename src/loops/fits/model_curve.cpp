@@ -78,9 +78,9 @@ ModelCurve::ModelCurve(ContactModel model, const LensAndCounterBody& bodies, boo
     if (!(radius_ > 0.0) || std::isinf(radius_))
         throw InvalidArgument(fmt::format("sphere radius must be > 0 m and finite, got {}", radius_));
     if (model != ContactModel::layer) return;
-    if (!bodies.layer_thickness)
-        throw InvalidArgument("the model of a layer needs its thickness; give layer_thickness or choose jkr");
-    layer_.emplace(*bodies.layer_thickness, bodies.lens_poisson_ratio);
+    const auto height = bodies.soft_height();
+    if (!height) throw InvalidArgument("the model of a layer needs its thickness; give layer_thickness or choose jkr");
+    layer_.emplace(*height, bodies.lens_poisson_ratio);
 }
 
 int ModelCurve::parameters() const {

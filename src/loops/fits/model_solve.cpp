@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "fit_support.hpp"
-#include "records/baseline.hpp"
+#include "records/channel_noise.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "attempt.hpp"
 #include "contact_analysis.hpp"
+#include "finite_height.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::loops {
@@ -32,7 +33,9 @@ struct Scan {
         return {.dropped = dropped,
                 .force_share = force_share,
                 .fit = attempt([&] {
-                    return primary_fit(branch_data(analysis.corrected, zero, selection, options), bodies, options);
+                    return primary_fit(
+                        as_half_space(branch_data(analysis.corrected, zero, selection, options), bodies, options),
+                        bodies, options);
                 })};
     }
 };

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "channel_noise.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
@@ -18,8 +19,13 @@ Array1D second_differences(const ArrayView1D& series) {
     return series.head(n - 2) - 2.0 * series.segment(1, n - 2) + series.tail(n - 2);
 }
 
-/// ⟨xy⟩/6 of second differences: 1² + 2² + 1² independent contributions.
-double noise_product(const Array1D& x, const Array1D& y) { return x.size() == 0 ? 0.0 : (x * y).mean() / 6.0; }
+/// Covariance of two channels, from second differences as white noise has it, in proportion to what their noise exceeds
+/// that by.
+double covariance_of(const Array1D& x, const FreeFlightNoise& of_x, const Array1D& y, const FreeFlightNoise& of_y) {
+    const double white = white_noise(x) * white_noise(y);
+    if (!(white > 0.0)) return 0.0;
+    return (second_differences(x) * second_differences(y)).mean() / 6.0 * (of_x.sigma * of_y.sigma / white);
+}
 
 /// Straight line through the force of a stretch: its slope, with the scatter about the line as error.
 void add_slope(Baseline& baseline, const Array1D& force, const Array1D& clock) {
@@ -56,23 +62,25 @@ Baseline given_baseline(const Loop& loop, const GivenRange& given, const std::st
 
 double median_of(Array1D values) { return median({values.data(), static_cast<std::size_t>(values.size())}); }
 
-double white_noise(const ArrayView1D& series) {
-    const Array1D differences = second_differences(series);
-    return std::sqrt(noise_product(differences, differences));
-}
-
 Baseline baseline_over(const Loop& loop, const IndexRange& range) {
     const Array1D force = loop.force.segment(range.first, range.count());
-    Baseline baseline{.range = range, .force = median_of(force), .force_noise = white_noise(force)};
+    const FreeFlightNoise noise = free_flight_noise(force);
+    Baseline baseline{.range = range,
+                      .force = median_of(force),
+                      .force_noise = noise.sigma,
+                      .force_noise_correlation = noise.correlation};
     baseline.force_scatter = std::sqrt((force - baseline.force).square().mean());
     // the median of n normal values: σ √(π/2n)
-    baseline.force_standard_error = baseline.force_scatter * std::sqrt(0.5 * pi / static_cast<double>(range.count()));
+    baseline.force_standard_error =
+        baseline.force_scatter * std::sqrt(0.5 * pi * noise.correlated_samples() / static_cast<double>(range.count()));
     add_slope(baseline, force, clock_of(loop).segment(range.first, range.count()));
+    baseline.force_slope_standard_error *= std::sqrt(noise.correlated_samples());
     if (loop.displacement.size() > 0) {
         const Array1D displacement = loop.displacement.segment(range.first, range.count());
-        baseline.displacement_noise = white_noise(displacement);
-        baseline.force_displacement_covariance =
-            noise_product(second_differences(force), second_differences(displacement));
+        const FreeFlightNoise of_displacement = free_flight_noise(displacement);
+        baseline.displacement_noise = of_displacement.sigma;
+        baseline.displacement_noise_correlation = of_displacement.correlation;
+        baseline.force_displacement_covariance = covariance_of(force, noise, displacement, of_displacement);
     }
     return baseline;
 }

@@ -10,10 +10,6 @@ namespace setae::loops {
 /// As setae::median, of a copy.
 [[nodiscard]] double median_of(Array1D values);
 
-/// σ of independent noise [unit of the series] on a smooth course: √⟨(x_{i−1} − 2x_i + x_{i+1})²/6⟩; 0 for fewer than
-/// three samples.
-[[nodiscard]] double white_noise(const ArrayView1D& series);
-
 /// When each sample was: its time where all are known and none runs backwards, else its number.
 [[nodiscard]] Array1D clock_of(const Loop& loop);
 

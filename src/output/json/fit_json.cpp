@@ -164,10 +164,12 @@ Json to_json(const loops::GlobalFit& fit) {
 }
 
 Json to_json(const loops::CrackSpeedFit& fit) {
-    Json json{{"converged", fit.converged}, {"n", fit.n}, {"left_out", fit.left_out}};
+    Json json{{"converged", fit.converged}, {"n", fit.n}};
     add(json, quantity("threshold", "G0", fit.threshold, "J/m2"));
     add(json, quantity("reference_speed", "v0", fit.reference_speed, "m/s"));
     add(json, quantity("exponent", "n", fit.exponent, "1"));
+    add(json, quantity("contact_modulus", "E*", fit.contact_modulus, "Pa"));
+    json["modulus_deviation"] = number(fit.modulus_deviation);
     json["covariance"] = matrix(fit.covariance);
     json["chi_squared_reduced"] = number(fit.chi2_reduced);
     json["relative_residual"] = number(fit.relative_residual);

@@ -90,11 +90,14 @@ Json pull_off_json(const loops::PullOff& pull_off) {
     Json json{{"index", pull_off.index}};
     add(json, quantity("force", "F_po", pull_off.force, "N"));
     auto fixed_load = quantity("work_of_adhesion", "W_po", pull_off.work_of_adhesion, "J/m2");
-    fixed_load.source = "W = 2|F_po|/(3 pi R), fixed load; [D19] (S1)";
+    fixed_load.source = "W = 2|F_po|/(3 pi R), the smallest force; [D19] (S1)";
     add(json, fixed_load);
-    auto fixed_grips = quantity("work_of_adhesion_fixed_grips", "W_po", pull_off.work_of_adhesion_fixed_grips, "J/m2");
-    fixed_grips.source = "W = 6|F_po|/(5 pi R), fixed grips";
-    add(json, fixed_grips);
+    add(json, quantity("last_force", "F_last", pull_off.last_force, "N"));
+    add_outcome(json, "work_of_adhesion_fixed_grips", pull_off.work_of_adhesion_fixed_grips, [](const Estimate& work) {
+        auto fixed_grips = quantity("work_of_adhesion_fixed_grips", "W_po", work, "J/m2");
+        fixed_grips.source = "W = 6|F_last|/(5 pi R), fixed grips";
+        return to_json(fixed_grips);
+    });
     add(json, quantity("machine_stiffness", "k", pull_off.machine_stiffness, "N/m"));
     return json;
 }

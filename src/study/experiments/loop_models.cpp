@@ -10,7 +10,6 @@ namespace {
 
 using loops::ContactModel;
 using loops::FitErrors;
-using loops::LoopBranch;
 
 loops::ModelFitOptions options_of(const LoopModelOptions& options, ContactModel model) {
     loops::ModelFitOptions fit{.model = model, .errors = options.errors, .contact_point = options.contact_point};
@@ -26,17 +25,6 @@ void attempt(LoopModels& models, const std::string& what, const Computation& com
     } catch (const Error& error) {
         models.failures.push_back(what + ": " + error.what());
     }
-}
-
-loops::CrackSpeedFit crack_speed_of(const loops::LoopAnalysis& analysis, const loops::AnalysisOptions& analysis_options,
-                                    const LoopModelOptions& options) {
-    const auto samples = loops::branch_samples(analysis, LoopBranch::unloading, analysis_options);
-    if (samples.time.size() == 0) throw UndefinedDataError("the record has no time");
-    const auto& rates = analysis.unloading->energy_release_rate;
-    if (!rates.radius_measured)
-        throw UndefinedDataError("the contact radius was not measured: its implied value has no speed of its own");
-    const auto points = loops::crack_speed_points(samples.time, rates.contact_radius, rates.energy_release_rate);
-    return loops::fit_crack_speed(points, {.exponent = options.exponent});
 }
 
 loops::ProfileLikelihood profile_of(const loops::BranchData& data, const loops::LensAndCounterBody& bodies) {
@@ -75,8 +63,11 @@ LoopModels loop_models(const loops::LoopAnalysis& analysis, const loops::LensAnd
     }
     if (options.profile) attempt(models, "profile likelihood", [&] { models.profile = profile_of(samples(), bodies); });
     if (options.crack_speed)
-        attempt(models, "crack speed",
-                [&] { models.crack_speed = crack_speed_of(analysis, analysis_options, options); });
+        attempt(models, "crack speed", [&] {
+            models.crack_speed =
+                loops::fit_crack_speed(loops::receding_edge(analysis, analysis_options), bodies.radius,
+                                       analysis.loading.primary().contact_modulus, {.exponent = options.exponent});
+        });
     return models;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "setae/core/errors.hpp"
 #include "setae/imaging/contact_radius.hpp"
@@ -33,19 +34,28 @@ auto naming(const std::string& file, Computation&& computation) {
     }
 }
 
-Table read_unmapped(const LoopSource& source) {
+OpenedLoop read_unmapped(const LoopSource& source) {
     const auto file = bytes::file_source(source.file);
-    if (tables::is_loop_file(file)) return tables::read_loop(source.file);
+    if (tables::is_loop_file(file)) return {.table = tables::read_loop(source.file)};
     if (tables::force_curve_format(file)) {
         auto curve = tables::read_force_curve(file, source.force_curve);
         if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())
             throw FormatError(source.file, {},
                               fmt::format("the file does not say the {}; give it: --spring-constant, --sensitivity",
                                           missing->second));
-        return curve;
+        return {.table = std::move(curve)};
     }
-    return tables::read_loop_table(source.file,
-                                   source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete);
+    auto loop = tables::read_loop_table(
+        source.file, source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete);
+    OpenedLoop opened{.table = std::move(loop.table)};
+    for (const auto& sentence : loop.taken)
+        opened.alerts.push_back({"COLUMN_GUESSED", source.file, sentence,
+                                 "give another by a mapping file, which `setae jkr import` makes"});
+    if (!loop.unused.empty())
+        opened.alerts.push_back({"COLUMN_UNUSED", source.file,
+                                 fmt::format("not used: {}", fmt::join(loop.unused, ", ")),
+                                 "name it force, displacement, contact_radius or time where it is one of them"});
+    return opened;
 }
 
 /// Whether a path is pictures, not a table of radii.
@@ -99,8 +109,7 @@ void align(OpenedLoop& opened, const LoopSource& source) {
              "check the clock offset"});
 }
 
-OpenedLoop on_one_clock(const LoopSource& source, Table table) {
-    OpenedLoop opened{.table = std::move(table)};
+OpenedLoop on_one_clock(const LoopSource& source, OpenedLoop opened) {
     if (!source.camera) return opened;
     tables::require_one_clock(opened.table, source.file);
     align(opened, source);
@@ -131,7 +140,7 @@ OpenedLoop open_loop(const LoopSource& source) {
 }
 
 OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping) {
-    return on_one_clock(source, tables::read_mapped_table(source.file, mapping));
+    return on_one_clock(source, {.table = tables::read_mapped_table(source.file, mapping)});
 }
 
 loops::LensAndCounterBody bodies_stated_in(const Table& loop) {

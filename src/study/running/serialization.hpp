@@ -154,15 +154,17 @@ SETAE_KEEP(IgnoredSamples, range, reason)
 SETAE_KEEP(SegmentEdits, baseline_before, baseline_after, contacts, ignored)
 SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, feature_factor, turning_share, edits)
 SETAE_KEEP(ContactPointChoice, mode, estimator, value)
-SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness, lens_height, tabor_parameter,
-           relative_residual, contact_point_share, loop_sampling_share, stiffness_ratio, pinned_modulus_ratio,
-           frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most, work_spread)
+SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness,
+           contact_radius_per_unknown_height, tabor_parameter, relative_residual, contact_point_share,
+           loop_sampling_share, stiffness_ratio, pinned_modulus_ratio, frames_missing, contact_modulus_least,
+           contact_modulus_most, work_of_adhesion_most, work_spread)
 SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, force_drift,
            extrapolate_force_drift, displacement_drift_rate, leave_pinned_out, contact_radius_noise, machine_stiffness,
            machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free,
            interaction_range, limits)
-SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, displacement_noise, force_displacement_covariance,
-           force_scatter, force_slope, force_slope_standard_error)
+SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, force_noise_correlation, displacement_noise,
+           displacement_noise_correlation, force_displacement_covariance, force_scatter, force_slope,
+           force_slope_standard_error)
 SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
 SETAE_KEEP(ContactSegments, extent, jump_in, loading, hold, unloading, pull_off, cycles)
 SETAE_KEEP(Segments, before, after, contacts, cycles, ignored)
@@ -177,7 +179,7 @@ SETAE_KEEP(FitRange, name, first, last, n, force_first, force_last)
 SETAE_KEEP(RangeSensitivity, dropped, fit)
 SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance, linear_form, force_displacement, joint,
            pointwise, energy_release_rate, sensitivity, effective_variance_first)
-SETAE_KEEP(PullOff, index, force, work_of_adhesion, work_of_adhesion_fixed_grips, machine_stiffness)
+SETAE_KEEP(PullOff, index, force, work_of_adhesion, last_force, work_of_adhesion_fixed_grips, machine_stiffness)
 SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual,
            radius_measured)
 SETAE_KEEP(LoopErrorBudget, noise, drift, compliance, sampling, discretisation, total)

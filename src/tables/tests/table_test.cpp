@@ -87,14 +87,36 @@ TEST(WholeFile, LeavesTheOldContentWhereWritingFails) {
 
 TEST(LoopTable, NeedsForcesAndUnits) {
     const TemporaryFolder folder;
-    const auto table = read_loop_table(folder.write("l.csv", "Force [mN],Displacement [um]\n1,2\n2,3\n"));
+    const auto table = read_loop_table(folder.write("l.csv", "Force [mN],Displacement [um]\n1,2\n2,3\n")).table;
     EXPECT_DOUBLE_EQ(table.at("force")[0], 1e-3);
-    const auto no_force = folder.write("a.csv", "load [mN],displacement [um]\n1,2\n2,3\n");
+    const auto no_force = folder.write("a.csv", "signal [V],displacement [um]\n1,2\n2,3\n");
     EXPECT_NE(message_of([&] { (void)read_loop_table(no_force); }).find("no column 'force'"), std::string::npos);
     const auto no_unit = folder.write("b.csv", "force,displacement [um]\n1,2\n2,3\n");
     EXPECT_NE(message_of([&] { (void)read_loop_table(no_unit); }).find("no unit"), std::string::npos);
     const auto wrong = folder.write("c.csv", "force [um],displacement [um]\n1,2\n2,3\n");
     EXPECT_NE(message_of([&] { (void)read_loop_table(wrong); }).find("unit 'm'"), std::string::npos);
+}
+
+TEST(LoopTable, TakesColumnsThatImportWouldKnowAndNamesTheOthers) {
+    const TemporaryFolder folder;
+    const auto loop = read_loop_table(
+        folder.write("l.csv", "load [mN],displacement [um],contact radius [um],humidity\n1,2,30,0.4\n2,3,40,0.4\n"));
+    EXPECT_DOUBLE_EQ(loop.table.at("force")[1], 2e-3);
+    EXPECT_DOUBLE_EQ(loop.table.at("contact_radius")[1], 40e-6);
+    ASSERT_EQ(loop.taken.size(), 2u);
+    EXPECT_NE(loop.taken[0].find("force from 'load [mN]'"), std::string::npos) << loop.taken[0];
+    EXPECT_NE(loop.taken[1].find("contact_radius from 'contact radius [um]'"), std::string::npos) << loop.taken[1];
+    EXPECT_EQ(loop.unused, std::vector<std::string>{"humidity"});
+
+    const auto area =
+        read_loop_table(folder.write("m.csv", "force [mN],contact area [um2]\n1,314.159265358979\n2,400\n"));
+    EXPECT_NEAR(area.table.at("contact_radius")[0], 10e-6, 1e-18);
+
+    // two that may be meant: neither is, and both are named
+    const auto two = read_loop_table(
+        folder.write("n.csv", "force [mN],displacement [um],radius left [um],radius right [um]\n1,2,3,4\n2,3,4,5\n"));
+    EXPECT_EQ(two.table.find("contact_radius"), nullptr);
+    EXPECT_EQ(two.unused.size(), 2u);
 }
 
 TEST(PowerSpectrumTable, DialectOfTheFieldIsTakenAsSi) {

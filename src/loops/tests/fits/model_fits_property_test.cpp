@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "setae/contact/jkr.hpp"
-#include "setae/loops/crack_speed_fit.hpp"
 #include "setae/loops/global_fit.hpp"
 #include "setae/loops/model_fits.hpp"
 
@@ -106,20 +105,6 @@ TEST(GlobalFitProperties, OfTwinsIsTheFitOfOne) {
         RC_ASSERT(std::abs(fit.contact_modulus->value / own.contact_modulus.value - 1.0) < 1e-6);
         RC_ASSERT(std::abs(fit.work_of_adhesion->value / own.work_of_adhesion->value - 1.0) < 1e-6);
         RC_ASSERT(fit.sharing.p_value > 0.99);
-    }));
-}
-
-TEST(CrackSpeedFitProperties, TheLawIsRecoveredAtEveryScale) {
-    EXPECT_TRUE(rc::check([] {
-        const contact::crack_speed::Law law{
-            .threshold = decades(1e-3, 1.0), .reference_speed = decades(1e-9, 1e-3), .exponent = between(0.2, 1.0)};
-        const double slowest = law.reference_speed * decades(1e-3, 0.3);
-        const Array1D speed = Array1D::LinSpaced(30, std::log(slowest), std::log(slowest * decades(1e2, 1e5))).exp();
-        const CrackSpeedFit fit = fit_crack_speed(
-            {.speed = speed, .energy_release_rate = contact::crack_speed::energy_release_rate(speed, law)});
-        RC_ASSERT(std::abs(fit.law.threshold / law.threshold - 1.0) < 1e-8);
-        RC_ASSERT(std::abs(fit.law.reference_speed / law.reference_speed - 1.0) < 1e-7);
-        RC_ASSERT(std::abs(fit.law.exponent / law.exponent - 1.0) < 1e-8);
     }));
 }
 

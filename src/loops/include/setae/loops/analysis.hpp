@@ -7,6 +7,7 @@
 
 #include "setae/core/quantity.hpp"
 #include "setae/loops/contact_point.hpp"
+#include "setae/loops/crack_speed_fit.hpp"
 #include "setae/loops/energy_ledger.hpp"
 #include "setae/loops/jkr_fits.hpp"
 #include "setae/loops/loop_energy.hpp"
@@ -19,16 +20,16 @@ namespace setae::loops {
 
 /// Limits beyond which a result carries an alert.
 struct AlertLimits {
-    double contact_radius_per_sphere_radius = 0.2;  ///< LARGE_STRAIN
-    double contact_radius_per_thickness = 0.1;      ///< THIN_LAYER
-    double lens_height = 700e-6;                    ///< LENS_HEIGHT [m]: below it the mount is felt
-    double tabor_parameter = 5.0;                   ///< TABOR_RANGE: JKR holds above
-    double relative_residual = 0.015;               ///< POOR_FIT: rms residual over the range of the fitted quantity
-    double contact_point_share = 0.05;              ///< CONTACT_POINT_SPREAD: of the largest penetration
-    double loop_sampling_share = 0.05;              ///< LOOP_UNDERSAMPLED: sampling error over energy
-    double stiffness_ratio = 10.0;                  ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
-    double pinned_modulus_ratio = 1.5;              ///< of E* of a later press or release to that of first loading
-    double frames_missing = 0.05;                   ///< FRAME_MISSING: share of the frames in contact
+    double contact_radius_per_sphere_radius = 0.2;    ///< LARGE_STRAIN
+    double contact_radius_per_thickness = 0.1;        ///< THIN_LAYER
+    double contact_radius_per_unknown_height = 0.01;  ///< HEIGHT_UNKNOWN, of R: E* from F–δ is then 1 % high and more
+    double tabor_parameter = 5.0;                     ///< TABOR_RANGE: JKR holds above
+    double relative_residual = 0.015;                 ///< POOR_FIT: rms residual over the range of the fitted quantity
+    double contact_point_share = 0.05;                ///< CONTACT_POINT_SPREAD: of the largest penetration
+    double loop_sampling_share = 0.05;                ///< LOOP_UNDERSAMPLED: sampling error over energy
+    double stiffness_ratio = 10.0;                    ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
+    double pinned_modulus_ratio = 1.5;                ///< of E* of a later press or release to that of first loading
+    double frames_missing = 0.05;                     ///< FRAME_MISSING: share of the frames in contact
     double contact_modulus_least = 1e3, contact_modulus_most = 1e12;  ///< UNITS_IMPLAUSIBLE outside [Pa]
     double work_of_adhesion_most = 10.0;                              ///< UNITS_IMPLAUSIBLE above [J/m²]
     double work_spread = 0.2;  ///< RANGE_SENSITIVE: spread of W over the fit ranges tried, over W
@@ -79,7 +80,7 @@ struct BranchAnalysis {
     Outcome<JkrFit> force_displacement;
     Outcome<JkrFit> joint;  ///< force, displacement and contact radius together
     Outcome<PointwiseModulus> pointwise;
-    EnergyReleaseRate energy_release_rate;
+    EnergyReleaseRate energy_release_rate;      ///< of measured radii on unloading with E* of loading
     std::vector<RangeSensitivity> sensitivity;  ///< empty on unloading
     bool effective_variance_first = false;
 
@@ -161,5 +162,10 @@ struct BranchSamples {
 /// @throws UndefinedDataError with the analysis' reason where it has no such branch.
 [[nodiscard]] BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch,
                                            const AnalysisOptions& options);
+
+/// The samples of the unloading branch of the first contact from the last press on, the pinned stretch included, with
+/// and without a camera frame.
+/// @throws UndefinedDataError where it has no such branch, or the record no time or no measured contact radius.
+[[nodiscard]] RecedingEdge receding_edge(const LoopAnalysis& analysis, const AnalysisOptions& options);
 
 }  // namespace setae::loops

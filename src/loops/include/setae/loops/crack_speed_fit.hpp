@@ -11,63 +11,50 @@
 
 namespace setae::loops {
 
-/// Speed at which a contact edge recedes, sample by sample.
-struct EdgeSpeeds {
-    Array1D speed;                      ///< v = −da/dt [m/s]
-    Array1D standard_error;             ///< of each [m/s], from the radii's scatter about the local parabolas
-    Index window = 0;                   ///< samples of each parabola
-    double contact_radius_noise = 0.0;  ///< that scatter [m]
-};
-
-/// v = −da/dt by a parabola through `window` neighbouring samples, fewer on one side at the ends.
-///
-/// window: odd, >= 5; too wide a one flattens the last moments before pull-off. time [s] rises; missing radii are left
-/// out beforehand.
-/// @throws InvalidArgument for series of different length, a time that does not rise, a window out of range;
-/// UndefinedDataError for fewer samples than the window.
-/// Source: Savitzky, Golay, Anal. Chem. 36 (1964) 1627, here for any spacing.
-[[nodiscard]] EdgeSpeeds speeds_of_edge(const ArrayView1D& time, const ArrayView1D& contact_radius, Index window = 9);
-
-/// Energy release rate against speed of a contact edge, with what is known of the errors.
-struct CrackSpeedPoints {
-    Array1D speed;                               ///< v [m/s]; those <= 0 are left out: that edge heals
-    Array1D energy_release_rate;                 ///< G [J/m²], > 0
-    Array1D speed_standard_error;                ///< [m/s], or empty
-    Array1D energy_release_rate_standard_error;  ///< [J/m²], or empty: then equal relative errors
+/// What is recorded while a contact edge recedes.
+struct RecedingEdge {
+    Array1D time;                       ///< [s], rising
+    Array1D force;                      ///< F [N], counted from its zero
+    Array1D contact_radius;             ///< a [m]; NaN between camera frames
+    double contact_radius_noise = 0.0;  ///< σ_a [m]; 0: not known, read from the residuals
 };
 
 struct CrackSpeedOptions {
     std::optional<double> exponent;  ///< n where known, else fitted
-    double least_speed_ratio = 3.0;  ///< largest over smallest speed: a smaller span tells no law
 };
 
-/// G(v) = G0 [1 + (v/v0)^n] by least squares.
+/// G(v) = G0 [1 + (v/v0)^n] of an edge, and the radii that follow from it.
 struct CrackSpeedFit {
     contact::crack_speed::Law law;
     Estimate threshold;                                    ///< G0 [J/m²]
     Estimate reference_speed;                              ///< v0 [m/s]
     Estimate exponent;                                     ///< n; without error where given
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of G0, v0, n
+    Estimate contact_modulus;                              ///< E* [Pa], that given and that of this branch together
+    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of G0, v0, n, E*
     bool converged = false;
     int iterations = 0;
-    Index n = 0;
-    Index left_out = 0;              ///< points with v <= 0
-    Array1D residuals;               ///< G − G(v) [J/m²] of the points kept
-    double relative_residual = 0.0;  ///< rms of the residuals over G
-    double chi2_reduced = 0.0;       ///< NaN where the errors of G are not known
-    double speed_ratio = 0.0;        ///< largest over smallest speed
+    Index n = 0;                     ///< frames
+    Array1D residuals;               ///< a − a(t) [m] of the frames
+    double relative_residual = 0.0;  ///< rms of the residuals over the range of a
+    double chi2_reduced = 0.0;       ///< NaN where σ_a is not known
+    double speed_ratio = 0.0;        ///< 95th over 5th percentile of the fitted speeds of receding
+    double modulus_deviation =
+        0.0;  ///< of the E* given from that of this fit, over its standard error; NaN without one
 };
 
-/// Fits the crack-speed law; errors of speed count through dG/dv (effective variance).
+/// Fits the law of crack speed to the radii of a receding edge.
 ///
-/// @throws UndefinedDataError with the reason: fewer than 4 points that recede, speeds that span less than the ratio, a
-/// G that does not rise with speed, a G0 that the data do not hold off zero; InvalidArgument for series of different
-/// length or n <= 0. Sources: Maugis, Barquins, J. Phys. D 11 (1978) 1989; Gent, Schultz, J. Adhesion 3 (1972) 281.
-[[nodiscard]] CrackSpeedFit fit_crack_speed(const CrackSpeedPoints& points, const CrackSpeedOptions& options = {});
-
-/// The points of an unloading branch: speeds_of_edge of its measured radii, and G of the same samples.
-/// @throws as speeds_of_edge, and InvalidArgument for series of different length.
-[[nodiscard]] CrackSpeedPoints crack_speed_points(const ArrayView1D& time, const ArrayView1D& contact_radius,
-                                                  const ArrayView1D& energy_release_rate, Index window = 9);
+/// The edge follows da/dt = −v(G(a, F(t))), G = (4E*a³/3R − F)²/(8πE*a³), v = v0 (G/G0 − 1)^(1/n) and 0 for G < G0. The
+/// radii computed from the measured force are fitted to those measured by least squares in a; no radius is
+/// differentiated. Free are the first radius, G0, v0, n and E*, the last held near the value given by its standard
+/// error: E* of the same branch fitted with a constant W takes in what G gains with speed, that of loading does not.
+///
+/// radius: R of the sphere [m]; contact_modulus: E* [Pa] of the loading branch; without a standard error it is held.
+/// @throws InvalidArgument for series of different length, a time that does not rise, undefined forces, R, E* or n <=
+/// 0; UndefinedDataError with the reason: fewer frames than 8, an edge that does not recede, a law the data do not
+/// tell: ln G0, ln v0 or ln n uncertain by more than 1. Sources: Maugis, Barquins, J. Phys. D 11 (1978) 1989; Gent,
+/// Schultz, J. Adhesion 3 (1972) 281.
+[[nodiscard]] CrackSpeedFit fit_crack_speed(const RecedingEdge& edge, double radius, const Estimate& contact_modulus,
+                                            const CrackSpeedOptions& options = {});
 
 }  // namespace setae::loops

@@ -44,6 +44,9 @@ struct LensAndCounterBody {
     std::optional<double> lens_height;      ///< height of the soft lens above its mount [m]
     std::optional<double> layer_thickness;  ///< thickness of the soft body where it is a layer on a rigid base [m]
 
+    /// h of the soft body above what it is fixed to [m]; nothing where neither is known: a half-space.
+    [[nodiscard]] std::optional<double> soft_height() const { return layer_thickness ? layer_thickness : lens_height; }
+
     [[nodiscard]] contact::ElasticSolid counter_body() const {
         return {.youngs_modulus = counter_youngs_modulus, .poisson_ratio = counter_poisson_ratio};
     }

@@ -2,16 +2,22 @@
 #pragma once
 
 #include "setae/loops/jkr_fits.hpp"
+#include "setae/loops/outcome.hpp"
 
 namespace setae::loops {
 
 /// Pull-off force and the work of adhesion it stands for.
 struct PullOff {
-    Index index = 0;                        ///< sample of the smallest force
-    Estimate force;                         ///< [N], < 0; its error is the noise and the baseline's
-    Estimate work_of_adhesion;              ///< (S1), W = 2|F|/(3πR): the contact parts under a fixed load
-    Estimate work_of_adhesion_fixed_grips;  ///< 6|F|/(5πR): in an infinitely stiff machine
-    double machine_stiffness = 0.0;  ///< −ΔF/Δδ of the jump [N/m]; infinite for a vertical jump, NaN where unknown
+    Index index = 0;  ///< sample of the smallest force
+    Estimate force;   ///< the smallest [N], < 0; its error is the noise and the baseline's
+    Estimate
+        work_of_adhesion;  ///< (S1), W = 2|F|/(3πR): a receding JKR edge passes −3/2 πRW in a machine of any stiffness
+    Estimate last_force;  ///< of the last sample before the jump [N]
+    /// 6|F|/(5πR) of the last force: the contact parts at −5/6 πRW in a machine that is stiff against it, and only
+    /// there. δ(F) is vertical at that point: a record with few samples reads too much.
+    Outcome<Estimate> work_of_adhesion_fixed_grips;
+    double machine_stiffness = 0.0;  ///< k of the jump [N/m], |ΔF| = k (|Δδ| − vΔt), v the speed of the motor; infinite
+                                     ///< where δ moves no more than the motor, NaN where unknown
 };
 
 /// The last points before pull-off as a JKR curve (S2).

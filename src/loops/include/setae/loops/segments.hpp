@@ -11,11 +11,13 @@ namespace setae::loops {
 
 /// A stretch of free flight: where the zero of force is, and how noisy the record.
 struct Baseline {
-    std::optional<IndexRange> range;    ///< none where the zero of force was given, not measured
-    double force = 0.0;                 ///< median [N]
-    double force_standard_error = 0.0;  ///< of the median [N]
-    double force_noise = 0.0;           ///< σ_F of one sample [N], from second differences: a slope costs nothing
-    double displacement_noise = 0.0;    ///< σ_δ of one sample [m], likewise
+    std::optional<IndexRange> range;       ///< none where the zero of force was given, not measured
+    double force = 0.0;                    ///< median [N]
+    double force_standard_error = 0.0;     ///< of the median [N]
+    double force_noise = 0.0;              ///< σ_F of one sample [N], a slope taken off
+    double force_noise_correlation = 0.0;  ///< φ of neighbouring samples, ρ_k = φ^k; 0 where they tell none
+    double displacement_noise = 0.0;       ///< σ_δ of one sample [m], likewise
+    double displacement_noise_correlation = 0.0;
     double force_displacement_covariance = 0.0;  ///< [N m]: a deflection sensor enters both channels
     double force_scatter = 0.0;                  ///< standard deviation about the median [N], slow wander included
     double force_slope = 0.0;  ///< of the force along the stretch [N a unit of its clock: s, else sample]

@@ -61,10 +61,18 @@ enum class LoopColumns {
     force_record,  ///< nothing: the contact radius comes from elsewhere
 };
 
+/// A loop's columns, and which of the file's they are.
+struct LoopTable {
+    Table table;
+    std::vector<std::string> taken;   ///< a sentence for each column that words told, such as "contact_radius from …"
+    std::vector<std::string> unused;  ///< names of the columns that play no part
+};
+
 /// A loop: column "force" [N] and "displacement" [m] or "contact_radius" [m], optionally "time" [s], in SI. Names are
-/// compared without regard to case.
+/// compared without regard to case; a column of another name is taken where words and units leave it the only one that
+/// may be meant, as `setae jkr import` recognises it ("contact radius [um]", "load [mN]").
 /// @throws FormatError that names the missing column or unit, as for a table without forces.
-[[nodiscard]] Table read_loop_table(const std::string& path, LoopColumns wanted = LoopColumns::complete);
+[[nodiscard]] LoopTable read_loop_table(const std::string& path, LoopColumns wanted = LoopColumns::complete);
 
 /// Checks that a table has a loop's columns in their units. @throws FormatError as read_loop_table.
 void require_loop_columns(const Table& table, const std::string& path, LoopColumns wanted = LoopColumns::complete);
