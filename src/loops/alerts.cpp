@@ -161,8 +161,8 @@ std::vector<Alert> alerts_of(const LoopAnalysis& analysis, const Loop& loop, con
     check_stiffness(list, analysis, loop, limits);
     check_loop(list, analysis, limits);
     check_record(list, analysis, loop, bodies, limits);
-    return list.take();
     check_height(list, analysis.context, loop, bodies, limits);
+    return list.take();
 }
 
 }  // namespace setae::loops

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
+#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
 #include "branch.hpp"
 #include "setae/contact/jkr.hpp"
@@ -13,18 +15,54 @@
 
 namespace setae::loops {
 
+namespace {
+
+using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
+
+/// JKR's curve on a half-space less that of a layer at the layer's contact radius, over √(F − F_fold), in which both
+/// are smooth, up to the largest force.
+class Shift {
+public:
+    Shift(const contact::layer::Layer& layer, const contact::AdhesiveContact& contact, double largest_force)
+        : fold_(contact::layer::pull_off_at_fixed_load(contact, layer).force),
+          step_(std::sqrt(std::max(largest_force - fold_, 0.0)) / (points - 1)) {
+        const Array1D root = step_ * Array1D::LinSpaced(points, 0.0, points - 1.0);
+        Array1D a = contact::layer::contact_radius_at_force(fold_ + root.square(), contact, layer);
+        a[0] = contact::layer::pull_off_at_fixed_load(contact, layer).contact_radius;
+        std::vector<double> force(points), displacement(points);
+        for (int i = 0; i < points; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            force[k] = contact::jkr::force(a[i], contact) - contact::layer::force(a[i], contact, layer);
+            displacement[k] =
+                contact::jkr::displacement(a[i], contact) - contact::layer::displacement(a[i], contact, layer);
+        }
+        force_ = Spline(force.begin(), force.end(), 0.0, step_);
+        displacement_ = Spline(displacement.begin(), displacement.end(), 0.0, step_);
+    }
+
+    [[nodiscard]] double force(double at) const { return force_(root(at)); }
+    [[nodiscard]] double displacement(double at) const { return displacement_(root(at)); }
+
+private:
+    static constexpr int points = 129;
+
+    [[nodiscard]] double root(double force) const {
+        return std::min(std::sqrt(std::max(force - fold_, 0.0)), step_ * (points - 1));
+    }
+
+    double fold_, step_;
+    Spline force_, displacement_;
+};
+
+}  // namespace
+
 BranchData as_half_space(const BranchData& data, const contact::layer::Layer& layer,
                          const contact::AdhesiveContact& contact) {
-    const contact::layer::State parting = contact::layer::pull_off_at_fixed_load(contact, layer);
+    const Shift shift(layer, contact, data.force.maxCoeff());
     BranchData moved = data;
     for (Index i = 0; i < data.force.size(); ++i) {
-        const double a = data.force[i] > parting.force
-                             ? contact::layer::contact_radius_at_force(data.force[i], contact, layer)
-                             : parting.contact_radius;
-        moved.force[i] += contact::jkr::force(a, contact) - contact::layer::force(a, contact, layer);
-        if (data.displacement.size() > 0)
-            moved.displacement[i] +=
-                contact::jkr::displacement(a, contact) - contact::layer::displacement(a, contact, layer);
+        moved.force[i] += shift.force(data.force[i]);
+        if (data.displacement.size() > 0) moved.displacement[i] += shift.displacement(data.force[i]);
     }
     return moved;
 }
