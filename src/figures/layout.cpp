@@ -42,8 +42,8 @@ Box cell_of(const Figure& figure, std::size_t panel) {
     const auto rows = (figure.panels.size() + columns - 1) / columns;
     const double width = figure.width_mm / static_cast<double>(columns),
                  height = figure.height_mm / static_cast<double>(rows);
-    const double left = width * static_cast<double>(panel % columns),
-                 top = figure.height_mm - height * static_cast<double>(panel / columns);
+    const std::size_t row = panel / columns, column = panel % columns;
+    const double left = width * static_cast<double>(column), top = figure.height_mm - height * static_cast<double>(row);
     return {left, left + width, top - height, top};
 }
 

@@ -63,6 +63,18 @@ const char* why_not_joined(const BranchData& data) {
     return "the noise of force, displacement or contact radius is not known";
 }
 
+/// The largest force, or where a hold begins: noise puts the largest of held forces anywhere in it. A force that is the
+/// largest within three times what the ramp needs to rise so far is that of the ramp.
+Index end_of_loading(const Loop& loop, const ContactSegments& contact) {
+    const Index first = contact.loading.first, peak = contact.loading.last;
+    if (!contact.hold || contact.hold->first <= first || contact.hold->first >= peak) return peak;
+    const Index begins = contact.hold->first;
+    const double rise = (loop.force[begins] - loop.force[first]) / static_cast<double>(begins - first);
+    const double ramp = (loop.force[peak] - loop.force[begins]) / rise;
+    constexpr double turns = 3.0;
+    return static_cast<double>(peak - begins) <= turns * std::max(ramp, 1.0) ? peak : begins;
+}
+
 }  // namespace
 
 Selection range_selection(const IndexRange& range, std::string name) {
@@ -72,8 +84,9 @@ Selection range_selection(const IndexRange& range, std::string name) {
 }
 
 Selection loading_selection(const Loop& loop, const Segments& segments, const ContactSegments& contact, Index dropped) {
-    Selection selection{.name =
-                            fmt::format("loading, from {} samples after first contact to the largest force", dropped)};
+    const Index end = end_of_loading(loop, contact);
+    Selection selection{.name = fmt::format("loading, from {} samples after first contact to the {}", dropped,
+                                            end < contact.loading.last ? "hold" : "largest force")};
     Index next = contact.loading.first + dropped;
     const auto take_until = [&](Index last) {
         for (; next <= last; ++next) selection.samples.push_back(next);
@@ -81,12 +94,12 @@ Selection loading_selection(const Loop& loop, const Segments& segments, const Co
     for (const Index index : contact.cycles) {
         const Cycle& cycle = segments.cycles[static_cast<std::size_t>(index)];
         const Index peak = cycle.loading.last;
-        if (peak >= contact.loading.last) break;
+        if (peak >= end) break;
         take_until(peak);
         next = std::max(next, cycle.unloading.last);
-        while (next < contact.loading.last && loop.force[next] < loop.force[peak]) ++next;
+        while (next < end && loop.force[next] < loop.force[peak]) ++next;
     }
-    take_until(contact.loading.last);
+    take_until(end);
     return selection;
 }
 

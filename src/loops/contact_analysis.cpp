@@ -9,6 +9,7 @@
 #include "attempt.hpp"
 #include "finite_height.hpp"
 #include "fits/fit_support.hpp"
+#include "hold_growth.hpp"
 #include "pinned_stretch.hpp"
 #include "records/jump.hpp"
 #include "setae/contact/jkr.hpp"
@@ -145,16 +146,19 @@ Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segm
 }
 
 /// Contact radius at the largest force: that of the loading fit, moved by the mean of what the last frames before it
-/// differ from the fit. The largest of noisy frames would be too large.
-double radius_at_largest_force(const Loop& loop, const Segments& segments, const IndexRange& loading,
+/// differ from the fit, at the end of a hold, in which the contact may grow. The largest of noisy frames would be too
+/// large.
+double radius_at_largest_force(const Loop& loop, const Segments& segments, const ContactSegments& contact,
                                const contact::jkr::Contact& lens) {
     constexpr Index frames = 5;
+    const IndexRange& loading = contact.loading;
+    const Index last = contact.hold ? contact.hold->last : loading.last;
     const double zero = segments.before.force;
     const double fitted = contact::jkr::contact_radius_at_force(loop.force[loading.last] - zero, lens);
     if (loop.contact_radius.size() == 0) return fitted;
     double difference = 0.0;
     Index n = 0;
-    for (Index i = loading.last; i >= loading.first && n < frames; --i) {
+    for (Index i = last; i >= loading.first && n < frames; --i) {
         if (!(loop.contact_radius[i] > 0.0)) continue;
         difference += loop.contact_radius[i] - contact::jkr::contact_radius_at_force(loop.force[i] - zero, lens);
         ++n;
@@ -170,7 +174,7 @@ LoopContext find_context(const Loop& loop, const Segments& segments, const Conta
                                      .contact_modulus = fit.contact_modulus.value,
                                      .work_of_adhesion = std::max(fit.work_of_adhesion.value, 0.0)};
     LoopContext context{.radius_measured = loop.contact_radius.size() > 0};
-    context.largest_contact_radius = radius_at_largest_force(loop, segments, contact.loading, lens);
+    context.largest_contact_radius = radius_at_largest_force(loop, segments, contact, lens);
     context.largest_contact_area = pi * context.largest_contact_radius * context.largest_contact_radius;
     context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
     context.tabor_parameter = contact::jkr::tabor_parameter(lens, options.interaction_range);
@@ -294,6 +298,7 @@ ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const
     free.contact_point = {.mode = Mode::fit};
     analysis.loading = analyse_loading(loop, segments, contact, bodies, free);
     analysis.context = find_context(loop, segments, contact, analysis.loading, bodies, options);
+    analysis.hold = hold_growth(loop, segments, contact, analysis.loading, bodies, options);
     if (options.leave_pinned_out) analysis.pinned = pinned_stretch(loop, segments, contact, analysis, bodies, options);
     analysis.unloading = analyse_unloading(loop, segments, contact, analysis.pinned, analysis.loading, bodies, free);
     const ContactPointInputs inputs = inputs_of(loop, segments, index, analysis, bodies, options);

@@ -71,7 +71,7 @@ std::optional<Array1D> solved_normal_equations(const Array2D& gram, const Array1
     }
     const Eigen::MatrixXd scaled = scale.matrix().asDiagonal() * gram.matrix() * scale.matrix().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-    const Eigen::VectorXd values = eigen.eigenvalues();
+    const Eigen::VectorXd& values = eigen.eigenvalues();
     if (!(values[0] > 1e-12 * values[terms - 1])) return std::nullopt;
     const Eigen::VectorXd along = eigen.eigenvectors().transpose() * (scale * moments).matrix();
     const Eigen::VectorXd solution = eigen.eigenvectors() * (along.array() / values.array()).matrix();

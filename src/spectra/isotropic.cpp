@@ -34,10 +34,11 @@ LineLoader radial_loader(const ArrayView2D& heights, const std::array<double, 2>
     const Index nx = heights.rows(), ny = heights.cols();
     const double dx = size[0] / static_cast<double>(nx), dy = size[1] / static_cast<double>(ny);
     const double diameter = std::min(size[0], size[1]);
+    const Index middle_x = nx / 2, middle_y = ny / 2;
     const auto line = [=](Index i) {
-        const double x = static_cast<double>(i - nx / 2) * dx;
+        const double x = static_cast<double>(i - middle_x) * dx;
         return Array1D(Array1D::NullaryExpr(
-            ny, [=](Index j) { return radial_value(x, static_cast<double>(j - ny / 2) * dy, diameter); }));
+            ny, [=](Index j) { return radial_value(x, static_cast<double>(j - middle_y) * dy, diameter); }));
     };
     Array1D power(nx);
     for (Index i = 0; i < nx; ++i) power[i] = line(i).square().sum();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -59,6 +60,19 @@ void add_branch(tables::TidyTable& table, const char* branch, const loops::Branc
     add(analysis.joint);
 }
 
+std::string hold_text(const loops::HoldGrowth& hold) {
+    std::string text = std::isfinite(hold.duration) ? format_value(hold.duration, "s", 3)
+                                                    : fmt::format("{} samples", hold.samples.count());
+    const auto add = [&](const char* what, const loops::Change& change, const char* unit) {
+        text += fmt::format(", {} {} → {}", what, format_value(change.first.value, unit),
+                            format_value(change.last.value, unit));
+    };
+    if (hold.contact_radius) add("a", *hold.contact_radius, "m");
+    else if (hold.displacement) add("δ", *hold.displacement, "m");
+    if (hold.work_of_adhesion) add("W", *hold.work_of_adhesion, "J/m2");
+    return text;
+}
+
 void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     tables::TidyTable table{
         file, {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
@@ -99,6 +113,7 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     line("W of retraction (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);
     line("loop energy", a.loop ? value(a.loop->estimate(), "J") : a.loop.reason);
     line("smooth sphere's own loss", format_value(a.context.ideal_smooth_sphere_loss, "J"));
+    if (a.hold) line("hold", hold_text(*a.hold));
     line("largest contact radius",
          format_value(a.context.largest_contact_radius, "m") + (a.context.radius_measured ? "" : " (implied)"));
     if (!a.context.applicable_model.empty()) line("model", a.context.applicable_model);

@@ -74,7 +74,7 @@ void read_list(bytes::Cursor& cursor, std::uint64_t end, OirContent& content) {
         cursor.skip(list_header_bytes);
         auto text = first_text(cursor, layout);
         if (block == properties) content.properties = std::move(text);
-        if (block == image_prefix) content.prefix = std::move(text);
+        else if (block == image_prefix) content.prefix = std::move(text);
     }
     if (cursor.position() != end)
         cursor.fail(fmt::format("a list of metadata goes on to byte {}, its chunk ends at byte {}; the file is damaged",

@@ -80,8 +80,9 @@ LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
     Path path;
     path.cost = cost[static_cast<std::size_t>(end)];
     for (long at = end;;) {
-        path.x.push_back(static_cast<double>(left + at % columns)),
-            path.y.push_back(static_cast<double>(top + at / columns));
+        const long row = at / columns, column = at % columns;
+        path.x.push_back(static_cast<double>(left + column));
+        path.y.push_back(static_cast<double>(top + row));
         if (at == start) break;
         const auto d = static_cast<std::size_t>(came[static_cast<std::size_t>(at)]);
         at -= step_y[d] * columns + step_x[d];

@@ -106,8 +106,9 @@ CurveTable BranchProblem::table(const FitParameters& at, Index entries) const {
     if (curve_.goes_on_apart()) {
         const double depth = has_displacement() ? displacement_.minCoeff() - contact_point(at) : -0.0;
         const double lowest = -std::sqrt(curve_.radius() * std::max(0.0, -depth));
-        for (Index i = entries / 2; i > 0 && lowest < 0.0; --i)
-            table.t.push_back(lowest * static_cast<double>(i) / static_cast<double>(entries / 2));
+        const Index half = entries / 2;
+        for (Index i = half; i > 0 && lowest < 0.0; --i)
+            table.t.push_back(lowest * static_cast<double>(i) / static_cast<double>(half));
         table.t.push_back(0.0);
     }
     for (Index i = 1; i <= entries; ++i)

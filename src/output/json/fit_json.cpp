@@ -10,8 +10,6 @@
 namespace setae::output {
 namespace {
 
-using loops::Outcome;
-
 /// A quantity with its estimate, or null and the reason.
 void add_estimate(Json& json, const char* name, const char* symbol, const study::Outcome<Estimate>& estimate,
                   const char* unit) {

@@ -248,11 +248,27 @@ Json cycle_json(const loops::CycleAnalysis& cycle) {
     return json;
 }
 
+Json hold_json(const loops::HoldGrowth& hold) {
+    Json json{{"samples", {{"first", hold.samples.first}, {"last", hold.samples.last}}}};
+    add(json, quantity("duration", "t", hold.duration, "s"));
+    const auto add_change = [&](const std::string& name, const std::string& symbol, const loops::Change& change,
+                                const std::string& unit) {
+        add(json, quantity(name + "_first", symbol, change.first, unit));
+        add(json, quantity(name + "_last", symbol, change.last, unit));
+    };
+    add_change("force", "F", hold.force, "N");
+    if (hold.displacement) add_change("displacement", "delta", *hold.displacement, "m");
+    if (hold.contact_radius) add_change("contact_radius", "a", *hold.contact_radius, "m");
+    if (hold.work_of_adhesion) add_change("work_of_adhesion", "W", *hold.work_of_adhesion, "J/m2");
+    return json;
+}
+
 /// What is known of one touch: the first, which stands for the record, or a further one.
 template <class Contact>
 Json contact_json(const Contact& analysis) {
     Json json;
     json["loading"] = branch_json(analysis.loading);
+    if (analysis.hold) json["hold"] = hold_json(*analysis.hold);
     add_outcome(json, "unloading", analysis.unloading, branch_json);
     add_outcome(json, "retraction", analysis.retraction, retraction_json);
     add_outcome(json, "pull_off", analysis.pull_off, pull_off_json);

@@ -12,8 +12,6 @@
 namespace setae::output {
 namespace {
 
-using roughness::SpectralParameters;
-
 Quantity named(const char* name, const char* symbol, double value, const char* unit, std::string source) {
     auto q = quantity(name, symbol, value, unit);
     q.source = std::move(source);

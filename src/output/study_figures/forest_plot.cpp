@@ -145,9 +145,9 @@ void choose_unit(ForestPlotOptions& options, const ReplicateData& data) {
     constexpr std::array units{"J/m2", "J", "Pa", "N", "m"};
     if (largest == 0.0 || std::find(units.begin(), units.end(), data.unit) == units.end()) return;
     constexpr std::array prefixes{"f", "p", "n", "u", "m", "", "k", "M", "G"};
-    const int place = std::clamp(static_cast<int>(std::floor(std::log10(largest) / 3.0)), -5, 3);
+    const long place = std::clamp(static_cast<long>(std::floor(std::log10(largest) / 3.0)), -5L, 3L);
     options.unit = prefixes[static_cast<std::size_t>(place + 5)] + data.unit;
-    options.factor = std::pow(10.0, -3 * place);
+    options.factor = std::pow(10.0, -3.0 * static_cast<double>(place));
 }
 
 void check(const ReplicateData& data, const MixedModel& model) {

@@ -20,7 +20,6 @@ namespace {
 
 using figures::Mark;
 using figures::Panel;
-using figures::Series;
 using loops::BranchAnalysis;
 using loops::IndexRange;
 using loops::JkrFit;

@@ -83,10 +83,10 @@ void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
         figure.panels.push_back(panel);
         names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", surface.name, scan->name);
     }
-    const auto rows = static_cast<double>((figure.panels.size() + static_cast<std::size_t>(figure.columns) - 1) /
-                                          static_cast<std::size_t>(figure.columns));
+    const auto columns = static_cast<std::size_t>(figure.columns);
+    const std::size_t rows = (figure.panels.size() + columns - 1) / columns;
     figure.width_mm = wide(request) ? page_mm : column_mm;
-    figure.height_mm = 40.0 * rows;
+    figure.height_mm = 40.0 * static_cast<double>(rows);
     drawn.figure = figure;
     drawn.caption = fmt::format(
         "The longest stylus scan of each surface, trend removed ({}). Thinned to the lowest and the highest point of each of 200 stretches. "

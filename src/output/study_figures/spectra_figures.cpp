@@ -15,7 +15,6 @@ namespace {
 
 using figures::Mark;
 using figures::Panel;
-using figures::Series;
 using study::MeasurementResult;
 using study::StudyResult;
 using study::SurfaceResult;

@@ -180,7 +180,8 @@ std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, cons
         for (std::size_t lane = 0; lane < group.size(); ++lane) {
             auto options = stylus_options(protocol, group[lane], key);
             options.tip = topography::SphereTip{protocol.tip_radius};
-            options.start_x = strip.pixel * static_cast<double>((strip.nx - std::llround(length / strip.pixel)) / 2);
+            const Index margin = (strip.nx - std::llround(length / strip.pixel)) / 2;
+            options.start_x = strip.pixel * static_cast<double>(margin);
             options.start_y = map.size[1] * (static_cast<double>(lane) + 0.5) / static_cast<double>(group.size());
             scans[group[lane]] = stylus_scan(touched, options);
         }
@@ -207,7 +208,8 @@ topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& p
     const double size = protocol.sizes[index], step = size / static_cast<double>(pixels);
     const Index fine = fine_points(surface, protocol.tip_radius, step, pixels);
     const Index n = fast_length(patch_over_map * static_cast<double>(pixels * fine));
-    const double pixel = step / static_cast<double>(fine), start = pixel * static_cast<double>((n - pixels * fine) / 2);
+    const Index margin = (n - pixels * fine) / 2;
+    const double pixel = step / static_cast<double>(fine), start = pixel * static_cast<double>(margin);
     const PatchShape shape{.nx = n, .ny = n, .pixel = pixel, .window = size, .pointwise = protocol.tip_radius == 0.0};
     const auto map = window_patch(surface, shape, substream(own, of_heights));
     AfmOptions options{.nx = pixels,

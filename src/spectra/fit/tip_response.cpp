@@ -54,8 +54,9 @@ Array2D read(const topography::HeightMap& surface, double radius, parallel::Thre
     const auto [step_x, step_y] = surface.pixel_size();
     Array1D x(nx * ny), y(nx * ny);
     for (Index k = 0; k < x.size(); ++k) {
-        x[k] = static_cast<double>(k % nx * stride_x) * step_x;
-        y[k] = static_cast<double>(k / nx * stride_y) * step_y;
+        const Index row = k / nx, column = k % nx;
+        x[k] = static_cast<double>(column * stride_x) * step_x;
+        y[k] = static_cast<double>(row * stride_y) * step_y;
     }
     const Array1D readings = topography::dilated_at(surface, topography::SphereTip{radius}, x, y, {.threads = threads});
     return Eigen::Map<const Array2D>(readings.data(), ny, nx).transpose();

@@ -194,8 +194,10 @@ SETAE_KEEP(EnergyLedger, contact, loop, before_contact, jump_in, approach, retra
            recovered_share, ideal_fixed_grips, ideal_this_machine, machine_stiffness, largest_contact_area,
            true_area_ratio, loss_per_apparent_area, loss_per_true_area)
 SETAE_KEEP(ComplianceEffect, stiffness, modulus_change, work_change, energy_change)
-SETAE_KEEP(ContactAnalysis, loading, pinned, unloading, pull_off, retraction, loop, context, contact_points, ledger,
-           compliance)
+SETAE_KEEP(Change, first, last)
+SETAE_KEEP(HoldGrowth, samples, duration, force, displacement, contact_radius, work_of_adhesion)
+SETAE_KEEP(ContactAnalysis, loading, hold, pinned, unloading, pull_off, retraction, loop, context, contact_points,
+           ledger, compliance)
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
 template <class Archive>

@@ -90,7 +90,8 @@ struct BranchAnalysis {
 
 /// The size of the contact at the largest force, and what a smooth ideal sphere would lose.
 struct LoopContext {
-    double largest_contact_radius = 0.0;    ///< [m]: loading fit at the largest force, moved to the last five frames
+    /// [m]: loading fit at the largest force, moved to the last five frames before unloading, at the end of a hold
+    double largest_contact_radius = 0.0;
     bool radius_measured = false;           ///< else from the fit alone
     double largest_contact_area = 0.0;      ///< π a_max² [m²]
     double ideal_smooth_sphere_loss = 0.0;  ///< of the jumps under fixed grips, with E* and W of loading [J]
@@ -118,9 +119,25 @@ struct ComplianceEffect {
     double energy_change = 0.0;   ///< of the energy of the approach [J]; that of the closed loop does not change
 };
 
+/// A quantity at the beginning and at the end of a stretch: means of a tenth of its samples each.
+struct Change {
+    Estimate first, last;
+};
+
+/// What changes while the force is held: creep, and adhesion that grows with the time of contact.
+struct HoldGrowth {
+    IndexRange samples;
+    double duration = 0.0;                   ///< [s]; NaN without time
+    Change force;                            ///< [N]
+    std::optional<Change> displacement;      ///< [m], where measured
+    std::optional<Change> contact_radius;    ///< [m], where measured
+    std::optional<Change> work_of_adhesion;  ///< G of the measured radii with E* of loading [J/m²]
+};
+
 /// All that one touch tells.
 struct ContactAnalysis {
-    BranchAnalysis loading;             ///< partial releases left out
+    BranchAnalysis loading;             ///< to where a hold begins, partial releases left out
+    std::optional<HoldGrowth> hold;     ///< where the force is held
     std::optional<IndexRange> pinned;   ///< after the last press, while the contact radius stays at its largest
     Outcome<BranchAnalysis> unloading;  ///< behind the pinned stretch where that is left out
     Outcome<PullOff> pull_off;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hold_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "branch.hpp"
+#include "setae/core/constants.hpp"
+
+namespace setae::loops {
+namespace {
+
+/// Mean of values with the standard error that their scatter tells.
+Estimate mean_of(const Array1D& values, const char* method) {
+    const auto n = static_cast<double>(values.size());
+    const double mean = values.mean();
+    return {.value = mean,
+            .standard_error = std::sqrt((values - mean).square().sum() / (n * (n - 1.0))),
+            .method = method,
+            .degrees_of_freedom = n - 1.0};
+}
+
+Change change_of(const Array1D& values, Index ends) {
+    return {mean_of(values.head(ends), "scatter of the first samples"),
+            mean_of(values.tail(ends), "scatter of the last samples")};
+}
+
+}  // namespace
+
+std::optional<HoldGrowth> hold_growth(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+                                      const BranchAnalysis& loading, const LensAndCounterBody& bodies,
+                                      const AnalysisOptions& options) {
+    if (!contact.hold) return std::nullopt;
+    const BranchData data = branch_data(loop, segments.before, range_selection(*contact.hold, "hold"), options);
+    constexpr Index fewest = 6;
+    const Index n = data.force.size();
+    if (n < fewest) return std::nullopt;
+    const Index ends = std::max<Index>(n / 10, 3);
+    HoldGrowth growth{.samples = *contact.hold, .duration = undefined, .force = change_of(data.force, ends)};
+    if (loop.time.size() > 0) growth.duration = loop.time[contact.hold->last] - loop.time[contact.hold->first];
+    if (data.displacement.size() > 0) growth.displacement = change_of(data.displacement, ends);
+    if (data.contact_radius.size() == 0) return growth;
+    growth.contact_radius = change_of(data.contact_radius, ends);
+    growth.work_of_adhesion = change_of(
+        energy_release_rates(data, bodies.radius, loading.primary().contact_modulus.value, 0.0).energy_release_rate,
+        ends);
+    return growth;
+}
+
+}  // namespace setae::loops
