@@ -93,8 +93,9 @@ MadeOctave make_octave(const spectra::SpectralDensity& C_iso, numerics::RandomKe
         made.moments.slope += power * q_squared;
     });
     if (made.moments.height == 0.0) return made;
-    const numerics::RandomKey own = numerics::substream(key, static_cast<std::uint64_t>(exponent + 4096));
-    const auto turn = static_cast<std::size_t>(exponent + 4096) % (2 * slopes.size());
+    const auto octave = static_cast<std::uint64_t>(Index{exponent} + 4096);
+    const numerics::RandomKey own = numerics::substream(key, octave);
+    const auto turn = octave % (2 * slopes.size());
     const double slope = (turn < slopes.size() ? 1.0 : -1.0) * slopes[turn % slopes.size()];
     const double length = std::sqrt(1.0 + slope * slope);
     made.octave.emplace(Octave{1.0 / length, slope / length, 2.0 * pi / spacing, PeriodicPatch([&](Index k, Index m) {
@@ -190,8 +191,9 @@ topography::HeightMap MultiscaleSurface::window(const Window& window) const {
         Array2D(window.nx, window.ny),
         {static_cast<double>(window.nx) * window.pixel_size, static_cast<double>(window.ny) * window.pixel_size}};
     octaves_->fill(map.heights.data(), map.heights.size(), threads_, [&](Index i, double& x, double& y) {
-        x = window.x + static_cast<double>(i / window.ny) * window.pixel_size;
-        y = window.y + static_cast<double>(i % window.ny) * window.pixel_size;
+        const Index row = i / window.ny, column = i % window.ny;
+        x = window.x + static_cast<double>(row) * window.pixel_size;
+        y = window.y + static_cast<double>(column) * window.pixel_size;
     });
     return map;
 }

@@ -26,9 +26,10 @@ void check(const LineGrid& grid) {
 /// √(C1D/L) of the modes 0 … n/2, zero for the mean.
 Array1D amplitudes(const spectra::SpectralDensity& C1D, const LineGrid& grid) {
     check(grid);
-    const double unit = 2.0 * pi / grid.size, highest = unit * static_cast<double>(grid.points / 2);
+    const Index modes = grid.points / 2;
+    const double unit = 2.0 * pi / grid.size, highest = unit * static_cast<double>(modes);
     const AmplitudeTable table(C1D, unit * unit * (1.0 - 1e-9), highest * highest * (1.0 + 1e-9));
-    Array1D result = Array1D::Zero(grid.points / 2 + 1);
+    Array1D result = Array1D::Zero(modes + 1);
     for (Index k = 1; k < result.size(); ++k) {
         const double q = unit * static_cast<double>(k);
         result[k] = table(q * q) / std::sqrt(grid.size);

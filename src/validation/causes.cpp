@@ -183,7 +183,7 @@ MeasuredSurface measured(const study::Study& study, const study::StudyResult& re
 
 std::vector<Comparison> readings_of(int run, const simulation::Recipe& recipe, const study::Study& study) {
     std::vector<Comparison> rows;
-    const auto result = study::run_study(study, {1});
+    const auto result = study::run_study(study, {parallel::Threads{1}});
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& known = recipe.surfaces[i].surface;
         const auto truth = simulation::surface_truth(known);

@@ -12,7 +12,6 @@
 namespace setae::validation {
 namespace {
 
-using roughness::SpectralParameters;
 using study::SpectrumResult;
 using study::StudyResult;
 

@@ -22,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using processing::Entry;
-using processing::ParameterText;
 using processing::Pipeline;
 
 constexpr const char* list_key = "steps";
@@ -133,7 +132,7 @@ Pipeline from_yaml(const std::string& text, const std::string& path) {
     try {
         root = YAML::Load(text);
     } catch (const YAML::Exception& error) {
-        builder.fail(static_cast<std::uint64_t>(error.mark.line + 1), fmt::format("YAML: {}", error.msg));
+        builder.fail(static_cast<std::uint64_t>(error.mark.line) + 1, fmt::format("YAML: {}", error.msg));
     }
     if (!root.IsMap()) builder.fail(1, fmt::format("expected a key '{}' with a list of steps", list_key));
     for (const auto& entry : root) {

@@ -18,7 +18,6 @@ namespace setae::study {
 namespace {
 
 using roughness::SpectralParameters;
-using spectra::Spectrum;
 
 std::vector<spectra::MeasuredSpectrum> spectra_of(const std::vector<MeasurementResult>& measurements) {
     std::vector<spectra::MeasuredSpectrum> found;

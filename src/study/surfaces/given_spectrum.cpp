@@ -13,8 +13,6 @@
 namespace setae::study {
 namespace {
 
-using spectra::Spectrum;
-
 /// C_iso of a self-affine model as a curve from wavelengths of 1 cm on (what lies beyond adds 1e-7 of h_rms² or less).
 /// It is one power law on either side of the roll-off, so nodes there and at the ends hold it; more show it scale by
 /// scale.
