@@ -38,6 +38,13 @@ double student_t_quantile(double probability, double degrees_of_freedom) {
     return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
 }
 
+double student_t_probability(double t, double degrees_of_freedom) {
+    if (!(degrees_of_freedom > 0.0))
+        throw InvalidArgument(fmt::format("{} degrees of freedom; expected more than 0", degrees_of_freedom));
+    if (std::isinf(degrees_of_freedom)) return normal_probability(t);
+    return boost::math::cdf(boost::math::students_t(degrees_of_freedom), t);
+}
+
 double chi_squared_exceedance(double x, double degrees_of_freedom) {
     if (!(x >= 0.0 && degrees_of_freedom > 0.0))
         throw InvalidArgument(fmt::format(

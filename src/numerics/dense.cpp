@@ -18,6 +18,8 @@ VectorXd solved(const MatrixXd& matrix, const VectorXd& right) { return matrix.p
 MatrixXd inverse(const MatrixXd& matrix) { return matrix.inverse(); }
 bool invertible(const MatrixXd& matrix) { return Eigen::FullPivLU<MatrixXd>(matrix).isInvertible(); }
 
+int rank(const Eigen::MatrixXd& matrix) { return static_cast<int>(matrix.colPivHouseholderQr().rank()); }
+
 std::optional<MatrixXd> cholesky(const MatrixXd& matrix) {
     const Eigen::LLT<MatrixXd> factor(matrix);
     if (factor.info() != Eigen::Success) return std::nullopt;

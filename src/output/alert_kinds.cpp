@@ -163,12 +163,17 @@ std::vector<AlertKind> of_loops() {
 
 std::vector<AlertKind> of_studies() {
     const char* about = "studies";
-    return {{"EMPTY_STUDY", about, "the study names no surface and no experiment"},
-            {"MODULUS_IMPLAUSIBLE", about, "E is far from what the molar mass between crosslinks gives"},
-            {"WILL_NOT_CONFORM", about, "(7) gives less than 0"},
-            {"CONFORMAL_INVALID", about, "at some wavelengths roughness stores more than it gains"},
-            {"REFERENCE_INCOMPLETE", about, "a reference's loop is not whole"},
-            {"REFERENCE_LOSS", about, "rough loops lose less than ten times what the smooth reference loses"}};
+    return {
+        {"EMPTY_STUDY", about, "the study names no surface and no experiment"},
+        {"MODULUS_IMPLAUSIBLE", about, "E is far from what the molar mass between crosslinks gives"},
+        {"WILL_NOT_CONFORM", about, "(7) gives less than 0"},
+        {"CONFORMAL_INVALID", about, "at some wavelengths roughness stores more than it gains"},
+        {"REFERENCE_INCOMPLETE", about, "a reference's loop is not whole"},
+        {"REFERENCE_HYSTERESIS", about,
+         "a smooth reference's W of retraction is not shown to be within [comparison] margin of that of approach"},
+        {"REFERENCE_LOSS", about,
+         "what a smooth reference loses per contact area, beyond the ideal sphere's jumps, is not shown to be below "
+         "[comparison] margin"}};
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <boost/math/distributions/students_t.hpp>
 
 #include "jet.hpp"
 #include "nested_design.hpp"
@@ -21,9 +20,15 @@ namespace {
 
 void check(const ReplicateData& data) {
     if (data.rows.empty()) throw InvalidArgument("no replicates; expected at least one row");
-    if (data.levels.empty() || data.levels.size() > Jet::most)
+    if (data.levels.empty() || data.levels.size() + data.crossed.size() > Jet::most)
         throw InvalidArgument(
-            fmt::format("{} levels of replicates; expected 1 to {}, the surface first", data.levels.size(), Jet::most));
+            fmt::format("{} levels of replicates, {} of them crossed; expected 1 to {} in all, the "
+                        "surface first",
+                        data.levels.size(), data.crossed.size(), Jet::most));
+    for (const auto& level : data.crossed)
+        if (std::find(data.levels.begin() + 1, data.levels.end(), level) == data.levels.end())
+            throw InvalidArgument(fmt::format("'{}' cannot cross surfaces; expected one of the levels {}", level,
+                                              fmt::join(data.levels.begin() + 1, data.levels.end(), ", ")));
     for (std::size_t i = 0; i < data.rows.size(); ++i) {
         const auto& row = data.rows[i];
         const auto where = row.name.empty() ? fmt::format("row {}", i) : fmt::format("row {} ({})", i, row.name);
@@ -103,7 +108,7 @@ Estimate with_freedom(Estimate estimate, double degrees_of_freedom, double level
 Estimate mean_of(const Fitted& fit, const std::string& surface, double level) {
     const auto place = fit.place(surface);
     if (fit.information) {
-        const auto& mean = fit.information->means[place];
+        const auto mean = fit.information->mean(place);
         return with_freedom({mean.value, std::sqrt(mean.variance), "mixed model"},
                             fit.degrees_of_freedom(mean.variance, mean.gradient), level);
     }
@@ -118,7 +123,7 @@ Estimate mean_of(const Fitted& fit, const std::string& surface, double level) {
 
 std::optional<Interval> prediction_of(const Fitted& fit, const std::string& surface, double level) {
     if (!fit.information) return std::nullopt;
-    const auto& mean = fit.information->means[fit.place(surface)];
+    const auto mean = fit.information->mean(fit.place(surface));
     const double variance = mean.variance + fit.maximum.variances.sum();
     const double reach =
         student_t_quantile(0.5 * (1.0 + level), fit.degrees_of_freedom(variance, mean.gradient + 1.0)) *
@@ -283,11 +288,9 @@ SurfaceDifference difference_of(const Fits& fits, const SurfaceMean& later, cons
     SurfaceDifference result{.later = later.surface, .earlier = earlier.surface};
     const auto* fit = fits.of(later.surface);
     if (fit == fits.of(earlier.surface) && fit->information) {
-        const auto& a = fit->information->means[fit->place(later.surface)];
-        const auto& b = fit->information->means[fit->place(earlier.surface)];
-        const double variance = a.variance + b.variance;
-        result.difference = with_freedom({a.value - b.value, std::sqrt(variance), "mixed model"},
-                                         fit->degrees_of_freedom(variance, a.gradient + b.gradient), level);
+        const auto found = fit->information->difference(fit->place(later.surface), fit->place(earlier.surface));
+        result.difference = with_freedom({found.value, std::sqrt(found.variance), "mixed model"},
+                                         fit->degrees_of_freedom(found.variance, found.gradient), level);
     } else {
         auto plain = [](Estimate estimate) {
             estimate.interval.reset();
@@ -298,12 +301,23 @@ SurfaceDifference difference_of(const Fits& fits, const SurfaceMean& later, cons
     }
     if (result.difference.uncertain()) {
         const double t = std::abs(result.difference.value) / result.difference.standard_error;
-        result.probability = result.difference.degrees_of_freedom
-                                 ? 2.0 * boost::math::cdf(boost::math::complement(
-                                             boost::math::students_t(*result.difference.degrees_of_freedom), t))
-                                 : 2.0 * normal_probability(-t);
+        result.probability =
+            2.0 * student_t_probability(
+                      -t, result.difference.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity()));
     }
     return result;
+}
+
+/// A label of the outermost groups, where these hold others, that more than one surface has.
+std::optional<std::string> label_on_two_surfaces(const ReplicateData& data, const Rows& rows) {
+    if (data.levels.size() < 3) return std::nullopt;
+    std::map<std::string, std::string> surface_of;
+    for (const auto i : rows) {
+        const auto& groups = data.rows[i].groups;
+        if (!groups[1].empty() && surface_of.try_emplace(groups[1], groups[0]).first->second != groups[0])
+            return groups[1];
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -320,7 +334,7 @@ MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& optio
     if (!excluded.empty())
         with_excluded.emplace(data, rows_that(data, [](std::size_t) { return true; }), options.pooling);
 
-    MixedModel model{.levels = data.levels, .pooling = options.pooling};
+    MixedModel model{.levels = data.levels, .crossed = data.crossed, .pooling = options.pooling};
     for (const auto& fit : fits.all()) model.fits.push_back(variance_fit(data, fit));
     std::vector<std::string> names;
     for (const auto& row : data.rows)
@@ -348,6 +362,11 @@ MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& optio
             surface.influence = influence_of(data, used, own, surface.mean, options);
         model.surfaces.push_back(std::move(surface));
     }
+    if (const auto shared = label_on_two_surfaces(data, used); shared && data.crossed.empty())
+        model.notes.push_back(
+            fmt::format("{0} {1} is on several surfaces and taken as another on each; where it is the "
+                        "same one, say that {0} is crossed",
+                        data.levels[1], *shared));
     for (std::size_t later = 1; later < model.surfaces.size(); ++later)
         for (std::size_t earlier = 0; earlier < later; ++earlier)
             model.differences.push_back(

@@ -5,8 +5,12 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
+#include <Eigen/Core>
+
+#include "setae/numerics/dense.hpp"
 
 namespace setae::statistics {
 namespace {
@@ -45,7 +49,62 @@ std::vector<int> groups_at(const std::vector<Path>& ordered, std::size_t depth) 
     return group;
 }
 
+/// Number of the group of each row by its label alone, in order of first appearance.
+std::vector<int> groups_by_label(const ReplicateData& data, const std::vector<std::size_t>& rows, std::size_t level) {
+    std::map<std::string, int> numbers;
+    std::vector<int> group;
+    for (const auto row : rows)
+        group.push_back(
+            numbers.try_emplace(data.rows[row].groups[level], static_cast<int>(numbers.size())).first->second);
+    return group;
+}
+
+int count_of(const std::vector<int>& group) { return *std::max_element(group.begin(), group.end()) + 1; }
+
+/// What the groups of surfaces and levels span: a level's degrees of freedom are the dimensions it adds.
+class Span {
+public:
+    /// nested: every grouping lies within the one before.
+    Span(const std::vector<int>& surface, bool nested) : nested_(nested) { (void)dimensions_added_by(surface); }
+
+    int dimensions_added_by(const std::vector<int>& group) {
+        int dimensions = count_of(group);
+        if (!nested_) {
+            const Index before = indicators_.cols();
+            indicators_.conservativeResize(static_cast<Index>(group.size()), before + dimensions);
+            indicators_.rightCols(dimensions).setZero();
+            for (std::size_t i = 0; i < group.size(); ++i) indicators_(static_cast<Index>(i), before + group[i]) = 1.0;
+            dimensions = numerics::rank(indicators_);
+        }
+        return dimensions - std::exchange(dimensions_, dimensions);
+    }
+
+private:
+    bool nested_;
+    Eigen::MatrixXd indicators_;
+    int dimensions_ = 0;
+};
+
+std::string one_a_surface(const std::string& level) {
+    return fmt::format("one {} a surface: what another would give is not in the standard error", level);
+}
+
+/// Adds the levels across surfaces whose variances can be told.
+void add_crossed(NestedDesign& design, const ReplicateData& data, Span& span) {
+    for (std::size_t level = 1; level < data.levels.size(); ++level) {
+        if (level_missing(data, level) || !is_crossed(data, data.levels[level])) continue;
+        auto group = groups_by_label(data, design.rows, level);
+        const int added = span.dimensions_added_by(group), groups = count_of(group);
+        if (added > 0) design.levels.push_back({{data.levels[level]}, std::move(group), groups, added, true});
+        else design.not_estimable.push_back(one_a_surface(data.levels[level]));
+    }
+}
+
 }  // namespace
+
+bool is_crossed(const ReplicateData& data, const std::string& level) {
+    return std::find(data.crossed.begin(), data.crossed.end(), level) != data.crossed.end();
+}
 
 bool level_missing(const ReplicateData& data, std::size_t level) {
     return std::all_of(data.rows.begin(), data.rows.end(),
@@ -87,17 +146,24 @@ NestedDesign nested_design(const ReplicateData& data, const std::vector<std::siz
         if (i == 0 || design.surface[i] != design.surface[i - 1])
             design.surfaces.push_back(data.rows[design.rows[i]].groups[0]);
 
-    int above = static_cast<int>(design.surfaces.size());
+    Span span(design.surface, data.crossed.empty());
+    add_crossed(design, data, span);
     for (std::size_t k = 0; k < names.size(); ++k) {
         auto group = groups_at(ordered, k + 2);
-        const int groups = group.back() + 1;
-        if (groups > above) design.levels.push_back({{names[k]}, std::move(group), groups, groups - above});
-        else if (!design.levels.empty()) design.levels.back().includes.push_back(names[k]);
-        else
-            design.not_estimable.push_back(
-                fmt::format("one {} a surface: what another would give is not in the standard error", names[k]));
-        above = groups;
+        const int added = span.dimensions_added_by(group), groups = count_of(group);
+        const auto name = is_crossed(data, names[k]) ? fmt::format("{} on a surface", names[k]) : names[k];
+        if (added > 0) design.levels.push_back({{name}, std::move(group), groups, added});
+        else if (!design.levels.empty() && !design.levels.back().crossed) design.levels.back().includes.push_back(name);
+        else if (!is_crossed(data, names[k])) design.not_estimable.push_back(one_a_surface(names[k]));
     }
+    if (!design.crossed() || design.levels.back().groups == design.size()) return design;
+    // rows and crossed groups are one for one: nothing is left to tell repeats by
+    auto nested = data;
+    nested.crossed.clear();
+    design = nested_design(nested, rows);
+    design.not_estimable.push_back(
+        fmt::format("{}: too few rows to tell them from repeats; their groups are taken as others on each surface",
+                    fmt::join(data.crossed, ", ")));
     return design;
 }
 

@@ -13,13 +13,14 @@ namespace setae::statistics {
 /// A variance that can be told from the others: between the groups of a level.
 struct DesignLevel {
     std::vector<std::string> includes;  ///< names of the levels whose groups these are, outermost first
-    std::vector<int> group;             ///< of each row of the design, rising
+    std::vector<int> group;             ///< of each row of the design, rising unless crossed
     int groups = 0;
     int degrees_of_freedom = 0;
+    bool crossed = false;  ///< its groups lie across surfaces
 };
 
-/// Rows in the order of their groups, so that every group's rows are neighbours, with the levels whose variances can be
-/// told. The last level, where there is any, has one row a group.
+/// Rows in the order of their groups, so that every nested group's rows are neighbours, with the levels whose variances
+/// can be told, crossed ones first. The last level, where there is any, is nested and has one row a group.
 struct NestedDesign {
     std::vector<std::string> surfaces;
     std::vector<std::size_t> rows;  ///< of the data
@@ -30,10 +31,14 @@ struct NestedDesign {
     std::vector<std::string> not_estimable;
 
     [[nodiscard]] Index size() const { return value.size(); }
+    [[nodiscard]] bool crossed() const { return !levels.empty() && levels.front().crossed; }
 };
 
 /// The design of some rows of valid data; surfaces in the order of their first row.
 [[nodiscard]] NestedDesign nested_design(const ReplicateData& data, const std::vector<std::size_t>& rows);
+
+/// Whether a level's labels name the same group on every surface.
+[[nodiscard]] bool is_crossed(const ReplicateData& data, const std::string& level);
 
 /// Whether no row has a label at a level.
 [[nodiscard]] bool level_missing(const ReplicateData& data, std::size_t level);

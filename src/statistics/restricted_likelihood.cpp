@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -40,8 +42,8 @@ GroupSums with_common(const GroupSums& sums, const Jet& theta) {
             sums.square + -1.0 * (theta * sums.weighted * sums.weighted * shrink)};
 }
 
-/// ln L_R of a design. `value`: deviations from the surfaces' plain means, so that little cancels.
-Jet log_likelihood(const NestedDesign& design, const Array1D& value, const std::vector<Jet>& theta) {
+/// ln L_R of a design whose levels nest. `value`: deviations from the surfaces' plain means, so that little cancels.
+Jet log_likelihood_of_nested(const NestedDesign& design, const Array1D& value, const std::vector<Jet>& theta) {
     const std::size_t depth = std::max<std::size_t>(theta.size(), 1);
     // open[k]: rows of the group that stands open at level k − 1; 0 is the surface
     std::vector<GroupSums> open(depth);
@@ -63,6 +65,120 @@ Jet log_likelihood(const NestedDesign& design, const Array1D& value, const std::
         open[0] = {};
     }
     return total;
+}
+
+/// Rows that no group joins with others.
+struct Block {
+    Index first = 0, size = 0;  ///< rows
+    Index first_surface = 0, surfaces = 0;
+};
+
+/// The surfaces one by one; all rows at once where levels cross them.
+std::vector<Block> blocks_of(const NestedDesign& design) {
+    if (design.crossed()) return {{0, design.size(), 0, static_cast<Index>(design.surfaces.size())}};
+    std::vector<Block> blocks;
+    for (Index i = 0; i < design.size(); ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        if (i == 0 || design.surface[row] != design.surface[row - 1]) blocks.push_back({i, 0, design.surface[row], 1});
+        ++blocks.back().size;
+    }
+    return blocks;
+}
+
+/// Indicators of groups in a block's rows.
+Eigen::MatrixXd indicators(const std::vector<int>& group, const Block& block) {
+    const auto begin = group.begin() + block.first, end = begin + block.size;
+    const auto [least, most] = std::minmax_element(begin, end);
+    Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(block.size, *most - *least + 1);
+    for (Index i = 0; i < block.size; ++i) Z(i, begin[i] - *least) = 1.0;
+    return Z;
+}
+
+/// V⁻¹ of a block and what means and likelihood take of it.
+struct BlockInverse {
+    std::vector<Eigen::MatrixXd> groups;  ///< Z of each level
+    Eigen::MatrixXd surfaces;             ///< X
+    Eigen::MatrixXd inverse;              ///< V⁻¹
+    Eigen::MatrixXd weighted;             ///< V⁻¹X
+    Eigen::MatrixXd means_covariance;     ///< Φ = (XᵀV⁻¹X)⁻¹
+    Eigen::MatrixXd residual;             ///< P = V⁻¹ − V⁻¹X Φ XᵀV⁻¹
+    double log_determinants = 0.0;        ///< ln det V + ln det XᵀV⁻¹X
+};
+
+/// ln det of what has a root.
+double log_determinant(const Eigen::MatrixXd& root) { return 2.0 * root.diagonal().array().log().sum(); }
+
+/// Nothing where V is singular to rounding.
+std::optional<BlockInverse> block_inverse(const NestedDesign& design, const Block& block, const Array1D& variances,
+                                          double unit) {
+    BlockInverse result{.surfaces = indicators(design.surface, block)};
+    Eigen::MatrixXd V = (design.known_variance.segment(block.first, block.size) / unit).matrix().asDiagonal();
+    for (std::size_t k = 0; k < design.levels.size(); ++k) {
+        result.groups.push_back(indicators(design.levels[k].group, block));
+        V += variances[static_cast<Index>(k)] / unit * (result.groups[k] * result.groups[k].transpose());
+    }
+    auto inverse = numerics::inverse_positive_definite(V);
+    const auto root = numerics::cholesky(V);
+    if (!inverse || !root) return std::nullopt;
+    result.inverse = std::move(*inverse);
+    result.weighted = result.inverse * result.surfaces;
+    const Eigen::MatrixXd weight = result.surfaces.transpose() * result.weighted;
+    auto means_covariance = numerics::inverse_positive_definite(weight);
+    const auto root_of_weight = numerics::cholesky(weight);
+    if (!means_covariance || !root_of_weight) return std::nullopt;
+    result.means_covariance = std::move(*means_covariance);
+    result.residual = result.inverse - result.weighted * result.means_covariance * result.weighted.transpose();
+    result.log_determinants = log_determinant(*root) + log_determinant(*root_of_weight);
+    return result;
+}
+
+/// ln L_R of a design whose levels cross, with its derivatives by θ:
+///
+///   ∂_k = −½ [tr(P K_k) − yᵀP K_k P y],  ∂_jk = −½ [2 yᵀP K_j P K_k P y − tr(P K_j P K_k)],  K = Z Zᵀ
+Jet log_likelihood_of_crossed(const NestedDesign& design, const Array1D& value, const std::vector<Jet>& theta) {
+    const std::size_t levels = theta.size();
+    Array1D variances(static_cast<Index>(levels));
+    for (std::size_t k = 0; k < levels; ++k) variances[static_cast<Index>(k)] = theta[k].value;
+    const auto found = block_inverse(design, blocks_of(design).front(), variances, 1.0);
+    if (!found) return {.value = -HUGE_VAL};
+    const auto& block = *found;
+    const Eigen::VectorXd residual = block.residual * value.matrix();
+    Jet total{.value = -0.5 * (block.log_determinants + value.matrix().dot(residual))};
+    std::vector<Eigen::VectorXd> sums;  // Zᵀ P y
+    for (std::size_t j = 0; j < levels; ++j) {
+        sums.emplace_back(block.groups[j].transpose() * residual);
+        const Eigen::MatrixXd rows = block.groups[j].transpose() * block.residual;
+        for (std::size_t k = 0; k <= j; ++k) {
+            const Eigen::MatrixXd joint = rows * block.groups[k];
+            if (k == j) {
+                const double slope = -0.5 * (joint.trace() - sums[j].squaredNorm());
+                for (std::size_t a = 0; a < Jet::most; ++a) total.first[a] += slope * theta[j].first[a];
+                for (std::size_t ab = 0; ab < total.second.size(); ++ab)
+                    total.second[ab] += slope * theta[j].second[ab];
+            }
+            const double curvature =
+                (k == j ? 1.0 : 2.0) * -0.5 * (2.0 * sums[j].dot(joint * sums[k]) - joint.squaredNorm());
+            for (std::size_t a = 0; a < Jet::most; ++a)
+                for (std::size_t b = 0; b <= a; ++b)
+                    total.second[Jet::at(a, b)] +=
+                        0.5 * curvature *
+                        (theta[j].first[a] * theta[k].first[b] + theta[j].first[b] * theta[k].first[a]);
+        }
+    }
+    return total;
+}
+
+Jet log_likelihood(const NestedDesign& design, const Array1D& value, const std::vector<Jet>& theta) {
+    return design.crossed() ? log_likelihood_of_crossed(design, value, theta)
+                            : log_likelihood_of_nested(design, value, theta);
+}
+
+GeneralizedMean contrast(const DesignInformation& information, const Eigen::VectorXd& weights) {
+    GeneralizedMean result{weights.dot(information.means), weights.dot(information.means_covariance * weights),
+                           Array1D(static_cast<Index>(information.gradients.size()))};
+    for (std::size_t k = 0; k < information.gradients.size(); ++k)
+        result.gradient[static_cast<Index>(k)] = weights.dot(information.gradients[k] * weights);
+    return result;
 }
 
 /// A design in units of its own scatter.
@@ -209,47 +325,47 @@ LikelihoodMaximum maximise_restricted_likelihood(const NestedDesign& design) {
     return best;
 }
 
+GeneralizedMean DesignInformation::mean(std::size_t surface) const {
+    return contrast(*this, Eigen::VectorXd::Unit(means.size(), static_cast<Index>(surface)));
+}
+
+GeneralizedMean DesignInformation::difference(std::size_t later, std::size_t earlier) const {
+    Eigen::VectorXd weights = Eigen::VectorXd::Unit(means.size(), static_cast<Index>(later));
+    weights[static_cast<Index>(earlier)] -= 1.0;
+    return contrast(*this, weights);
+}
+
 DesignInformation information_of(const NestedDesign& design, const Array1D& variances) {
-    const auto levels = static_cast<Index>(design.levels.size());
-    DesignInformation result;
+    const auto levels = static_cast<Index>(design.levels.size()), surfaces = static_cast<Index>(design.surfaces.size());
     // in units that keep squares of small numbers apart from 0
     const double unit = variances.sum() + design.known_variance.mean();
     if (!(unit > 0.0)) throw InternalError("a mixed model without any variance");
+    DesignInformation result{
+        .means = Eigen::VectorXd(surfaces),
+        .means_covariance = Eigen::MatrixXd::Zero(surfaces, surfaces),
+        .gradients = std::vector<Eigen::MatrixXd>(design.levels.size(), Eigen::MatrixXd::Zero(surfaces, surfaces))};
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(levels, levels);
-    const auto n = static_cast<std::size_t>(design.size());
-    for (std::size_t first = 0; first < n;) {
-        auto last = first;
-        while (last < n && design.surface[last] == design.surface[first]) ++last;
-        const auto size = static_cast<Index>(last - first);
-        std::vector<Eigen::MatrixXd> indicators;  // Z of each level
-        Eigen::MatrixXd V =
-            (design.known_variance.segment(static_cast<Index>(first), size) / unit).matrix().asDiagonal();
-        for (Index k = 0; k < levels; ++k) {
-            const auto& group = design.levels[static_cast<std::size_t>(k)].group;
-            Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(size, group[last - 1] - group[first] + 1);
-            for (Index i = 0; i < size; ++i) Z(i, group[first + static_cast<std::size_t>(i)] - group[first]) = 1.0;
-            V += variances[k] / unit * (Z * Z.transpose());
-            indicators.push_back(std::move(Z));
-        }
-        const auto found = numerics::inverse_positive_definite(V);
+    for (const auto& at : blocks_of(design)) {
+        const auto found = block_inverse(design, at, variances, unit);
         if (!found) throw InternalError("the covariance of replicates cannot be inverted");
-        const Eigen::MatrixXd& inverse = *found;
-        const Eigen::VectorXd column = inverse.rowwise().sum();
-        const double weight = column.sum();
-        const Eigen::VectorXd value = design.value.segment(static_cast<Index>(first), size).matrix();
-        const double centre = value.mean();
-        GeneralizedMean mean{centre + column.dot((value.array() - centre).matrix()) / weight, unit / weight,
-                             Array1D::Zero(levels)};
-        const Eigen::MatrixXd P = inverse - column * column.transpose() / weight;
+        const auto& block = *found;
+        const auto own = [&](Eigen::MatrixXd& of_all) {
+            return of_all.block(at.first_surface, at.first_surface, at.surfaces, at.surfaces);
+        };
+        const Eigen::VectorXd value = design.value.segment(at.first, at.size).matrix();
+        const Eigen::VectorXd centre =
+            (block.surfaces.transpose() * value).cwiseQuotient(block.surfaces.colwise().sum().transpose());
+        result.means.segment(at.first_surface, at.surfaces) =
+            centre + block.means_covariance * (block.weighted.transpose() * (value - block.surfaces * centre));
+        own(result.means_covariance) = unit * block.means_covariance;
         for (Index j = 0; j < levels; ++j) {
-            const auto& Zj = indicators[static_cast<std::size_t>(j)];
-            mean.gradient[j] = (Zj.transpose() * column).squaredNorm() / (weight * weight);
-            const Eigen::MatrixXd rows = Zj.transpose() * P;
+            const auto& Zj = block.groups[static_cast<std::size_t>(j)];
+            const Eigen::MatrixXd moved = Zj.transpose() * block.weighted * block.means_covariance;
+            own(result.gradients[static_cast<std::size_t>(j)]) = moved.transpose() * moved;
+            const Eigen::MatrixXd rows = Zj.transpose() * block.residual;
             for (Index k = 0; k <= j; ++k)
-                information(j, k) += 0.5 * (rows * indicators[static_cast<std::size_t>(k)]).squaredNorm();
+                information(j, k) += 0.5 * (rows * block.groups[static_cast<std::size_t>(k)]).squaredNorm();
         }
-        result.means.push_back(std::move(mean));
-        first = last;
     }
     information.triangularView<Eigen::StrictlyUpper>() = information.transpose();
     result.covariance = (unit * unit * numerics::inverse(information)).array();

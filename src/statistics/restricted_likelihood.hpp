@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "nested_design.hpp"
 #include "setae/core/arrays.hpp"
 
@@ -23,17 +25,22 @@ struct LikelihoodMaximum {
 /// starts.
 [[nodiscard]] LikelihoodMaximum maximise_restricted_likelihood(const NestedDesign& design);
 
-/// A surface's mean at given variances.
+/// A surface's mean, or a difference of two, at given variances.
 struct GeneralizedMean {
     double value = 0.0;
-    double variance = 0.0;  ///< 1/1ᵀV⁻¹1
-    Array1D gradient;       ///< of the variance by each level's θ
+    double variance = 0.0;
+    Array1D gradient;  ///< of the variance by each level's θ
 };
 
-/// What a design says of its means and variances at given θ.
+/// What a design says of its means and variances at given θ. X: indicators of surfaces.
 struct DesignInformation {
-    std::vector<GeneralizedMean> means;  ///< in the order of the surfaces
-    Array2D covariance;                  ///< of the variances: inverse of ½ tr(P Z_j Z_jᵀ P Z_k Z_kᵀ)
+    Eigen::VectorXd means;                   ///< μ = Φ XᵀV⁻¹y, in the order of the surfaces
+    Eigen::MatrixXd means_covariance;        ///< Φ = (XᵀV⁻¹X)⁻¹
+    std::vector<Eigen::MatrixXd> gradients;  ///< ∂Φ/∂θ of each level
+    Array2D covariance;                      ///< of the variances: inverse of ½ tr(P Z_j Z_jᵀ P Z_k Z_kᵀ)
+
+    [[nodiscard]] GeneralizedMean mean(std::size_t surface) const;
+    [[nodiscard]] GeneralizedMean difference(std::size_t later, std::size_t earlier) const;
 };
 
 /// @throws InternalError where V cannot be inverted.

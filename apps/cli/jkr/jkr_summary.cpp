@@ -34,7 +34,7 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     std::vector<std::string> files, exclude;
-    std::string group_by, exclusions, output, figure;
+    std::string group_by, crossed, exclusions, output, figure;
     study::ReplicateColumns columns;
     bool each_surface = false;
 };
@@ -79,7 +79,8 @@ ExitCode run(const Arguments& arguments) {
     std::vector<study::ExclusionRule> rules;
     if (!arguments.exclusions.empty()) rules = study::read_exclusions(arguments.exclusions);
     for (const auto& text : arguments.exclude) rules.push_back(study::parse_exclusion(text));
-    const auto tables = study::read_replicates(arguments.files, columns, rules);
+    auto tables = study::read_replicates(arguments.files, columns, rules);
+    tables.data.crossed = words_of(arguments.crossed);
     const auto model = statistics::mixed_model(
         tables.data, {.pooling = arguments.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
     const auto figure = study_figures::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
@@ -107,6 +108,9 @@ Action declare(Options& options) {
         .default_shown();
     options.add("--group-by", arguments->group_by,
                 "columns of the groups, outermost first; default: those of surface,lens,spot that there are");
+    options.add("--crossed", arguments->crossed,
+                "of these the ones whose labels name the same thing on every surface, such as lens where each lens was "
+                "pressed on all of them");
     options.add("--value", columns.value_column, "column of the values, where --quantity does not find it");
     options.add("--error", columns.error_column, "column of their standard errors, likewise");
     options.add("--unit", columns.unit, "unit of values whose column has none, such as mJ/m2");

@@ -23,7 +23,8 @@ ReferenceLoop evaluate_reference(const LoopAnalysis& analysis) {
     ReferenceLoop reference{.work_of_adhesion_loading = analysis.loading.primary().work_of_adhesion,
                             .work_of_adhesion_retraction = retraction_work(analysis),
                             .excess_energy = analysis.loop->estimate(),
-                            .ideal_loss = analysis.context.ideal_smooth_sphere_loss};
+                            .ideal_loss = analysis.context.ideal_smooth_sphere_loss,
+                            .contact_area = analysis.context.largest_contact_area};
     const Estimate gap = difference(reference.work_of_adhesion_retraction, reference.work_of_adhesion_loading);
     reference.difference_in_standard_errors = std::abs(gap.value) / gap.standard_error;
     reference.beyond_ideal = reference.excess_energy.value - reference.ideal_loss;

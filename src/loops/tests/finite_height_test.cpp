@@ -71,8 +71,9 @@ TEST(FiniteHeight, EveryRouteFindsAKnownLensOfKnownHeight) {
                     EXPECT_NEAR((*fit)->work_of_adhesion.value / 0.040, 1.0, 10.0 * within) << (*fit)->method << height;
                 }
                 EXPECT_NEAR(branch->force_displacement->contact_point.value, 0.0, 1e-5 * within);
-                if (radius_measured)
+                if (radius_measured) {
                     EXPECT_NEAR(branch->pointwise->contact_modulus.value / 0.92e6, 1.0, within) << height;
+                }
             }
         }
 }

@@ -64,9 +64,10 @@ TEST(Hold, EndsTheLoadingAndTellsHowTheContactGrows) {
         const Held held = held_loop(noise);
         const LoopAnalysis analysis = analyse(held.loop, tests::rubber_on_diamond());
         EXPECT_LE(analysis.loading.range.last, 802) << noise;
-        if (noise > 0.0)
+        if (noise > 0.0) {
             EXPECT_NE(analysis.loading.range.name.find("to the hold"), std::string::npos)
                 << analysis.loading.range.name;
+        }
         EXPECT_NEAR(analysis.loading.primary().work_of_adhesion.value / 0.040, 1.0, noise > 0.0 ? 0.02 : 1e-6);
         EXPECT_NEAR(analysis.loading.primary().contact_modulus.value / 0.92e6, 1.0, noise > 0.0 ? 0.01 : 1e-6);
         EXPECT_NEAR(analysis.context.largest_contact_radius / held.radius_after, 1.0, 2e-3);

@@ -222,6 +222,11 @@ Json pair_json(const study::PairResult& pair) {
     measured["ideal_smooth_sphere_loss"] =
         pair.ideal_loss ? to_json(quantity("ideal_smooth_sphere_loss", "E_ideal", *pair.ideal_loss, "J"))
                         : Json(nullptr);
+    if (pair.reference_share) {
+        auto share = quantity("reference_share", "(W_ret - W_app)_smooth/(W_ret - W_app)", *pair.reference_share, "1");
+        share.source = "share of the hysteresis that the smooth reference has, too";
+        measured["reference_share"] = to_json(share);
+    }
     json["measured"] = measured;
     if (pair.modified) {
         add(json, named("true_area_ratio", "A_true/A_app", pair.area_ratio, "1", "[D19] (9)"));
@@ -259,6 +264,19 @@ Json pairs_json(const study::Conclusions& result) {
     return pairs;
 }
 
+Json equivalence_json(const statistics::Equivalence& test) {
+    Json json{{"margin", number(test.margin)},
+              {"probability", number(test.probability)},
+              {"verdict", statistics::name(test.verdict)},
+              {"source", "two one-sided tests, Schuirmann 1987"},
+              {"unit", "J/m2"}};
+    json["interval"] = test.interval ? Json{{"lower", number(test.interval->lower)},
+                                            {"upper", number(test.interval->upper)},
+                                            {"level", test.interval->level}}
+                                     : Json(nullptr);
+    return json;
+}
+
 Json reference_json(const study::ReferenceResult& reference) {
     Json json{{"elastomer", reference.elastomer}, {"stage", reference.stage}};
     add(json, quantity("work_of_adhesion_approach", "W_app", reference.approach, "J/m2"));
@@ -266,6 +284,13 @@ Json reference_json(const study::ReferenceResult& reference) {
     if (reference.excess_energy) add(json, quantity("excess_energy", "E_excess", *reference.excess_energy, "J"));
     if (reference.ideal_loss) add(json, quantity("ideal_smooth_sphere_loss", "E_ideal", *reference.ideal_loss, "J"));
     if (reference.loss_ratio) add(json, quantity("loss_ratio", "E_loss/E_excess", *reference.loss_ratio, "1"));
+    if (reference.contact_area) add(json, quantity("contact_area", "pi a_max^2", *reference.contact_area, "m2"));
+    add(json, quantity("hysteresis", "W_ret - W_app", reference.hysteresis.difference, "J/m2"));
+    json["hysteresis_test"] = equivalence_json(reference.hysteresis);
+    if (const auto& loss = reference.loss_per_area) {
+        add(json, quantity("loss_per_area", "(E_excess - E_ideal)/(pi a_max^2)", loss->difference, "J/m2"));
+        json["loss_per_area_test"] = equivalence_json(*loss);
+    }
     return json;
 }
 

@@ -147,7 +147,8 @@ DataTable pairs_measured(const StudyResult& result) {
          {"*W* retraction", "J/m2"},
          {"*E*_loss", "J"},
          {"*E*_loss of a smooth sphere", "J"},
-         {"π*a*_max^2", "m2"}},
+         {"π*a*_max^2", "m2"},
+         {"share of the smooth reference in *W*_ret − *W*_app", "1"}},
         {}};
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
         const auto& pair = result.pairs[i];
@@ -157,7 +158,8 @@ DataTable pairs_measured(const StudyResult& result) {
         table.rows.push_back({TextCell{pair.surface}, TextCell{pair.elastomer}, NumberCell{joined(base, "experiments")},
                               measured("work_of_adhesion_approach"), measured("work_of_adhesion_pull_off"),
                               measured("work_of_adhesion_retraction"), measured("energy_loss"),
-                              measured("ideal_smooth_sphere_loss"), measured("contact_area")});
+                              measured("ideal_smooth_sphere_loss"), measured("contact_area"),
+                              measured("reference_share")});
     }
     return table;
 }
@@ -396,24 +398,43 @@ DataTable fits(const StudyResult& result, const Json& study) {
     return table;
 }
 
+TextCell verdict(const statistics::Equivalence& test) {
+    switch (test.verdict) {
+        case statistics::Verdict::equivalent: return {"shown"};
+        case statistics::Verdict::different: return {"no"};
+        case statistics::Verdict::undecided: break;
+    }
+    return {"not shown"};
+}
+
 DataTable references(const StudyResult& result) {
-    DataTable table{"references",
-                    "Smooth references",
-                    "",
-                    {{"elastomer", ""},
-                     {"stage", ""},
-                     {"*W* approach", "J/m2"},
-                     {"*W* retraction", "J/m2"},
-                     {"excess energy", "J"},
-                     {"loss of a smooth sphere", "J"},
-                     {"rough loss/excess", "1"}},
-                    {}};
+    DataTable table{
+        "references",
+        "Smooth references",
+        fmt::format("Without roughness both branches give the same *W* and a loop costs what an ideal smooth "
+                    "sphere's jumps do: two one-sided tests against a margin of {}.",
+                    format_value(result.study.comparison.margin, "J/m2")),
+        {{"elastomer", ""},
+         {"stage", ""},
+         {"*W* approach", "J/m2"},
+         {"*W* retraction", "J/m2"},
+         {"excess energy", "J"},
+         {"loss of a smooth sphere", "J"},
+         {"rough loss/excess", "1"},
+         {"*W*_ret − *W*_app", "J/m2"},
+         {"within the margin?", ""},
+         {"loss per area beyond a smooth sphere's", "J/m2"},
+         {"within the margin?", ""}},
+        {}};
     for (std::size_t i = 0; i < result.references.size(); ++i) {
         const auto base = fmt::format("/references/{}", i);
         const auto quantity = [&base](const char* name) { return QuantityCell{joined(base, name)}; };
-        table.rows.push_back({TextCell{result.references[i].elastomer}, TextCell{result.references[i].stage},
-                              quantity("work_of_adhesion_approach"), quantity("work_of_adhesion_retraction"),
-                              quantity("excess_energy"), quantity("ideal_smooth_sphere_loss"), quantity("loss_ratio")});
+        table.rows.push_back(
+            {TextCell{result.references[i].elastomer}, TextCell{result.references[i].stage},
+             quantity("work_of_adhesion_approach"), quantity("work_of_adhesion_retraction"), quantity("excess_energy"),
+             quantity("ideal_smooth_sphere_loss"), quantity("loss_ratio"), quantity("hysteresis"),
+             verdict(result.references[i].hysteresis), quantity("loss_per_area"),
+             result.references[i].loss_per_area ? verdict(*result.references[i].loss_per_area) : TextCell{""}});
     }
     return table;
 }

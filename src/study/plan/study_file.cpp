@@ -252,14 +252,15 @@ public:
             if (!study_.elastomer(name)) reader.fail("elastomers", fmt::format("'{}' is not declared", name));
         for (const auto& field : fields())
             reader.table(field.key, [&](TomlReader rows) { read_rows(rows, field.dimension, field.member); });
-        reader.table("contact_radius", [&](TomlReader rows) {
+        reader.table(radius_key, [&](TomlReader rows) {
             for (const auto& surface : rows.keys())
-                assign(rows, surface, rows.uncertains(surface.c_str(), dimension::length),
-                       [](PublishedPair& pair, const Estimate& value) { pair.contact_radius = value.value; });
+                assign(rows, surface, rows.uncertains(surface.c_str(), dimension::length), set_contact_radius);
         });
         reader.table("reference", [&](TomlReader rows) {
             for (const auto& field : fields())
-                assign_reference(rows, field.key, rows.uncertains(field.key, field.dimension), field.member);
+                assign_reference(rows, field.key, rows.uncertains(field.key, field.dimension),
+                                 [&](PublishedPair& pair, const Estimate& value) { pair.*field.member = value; });
+            assign_reference(rows, radius_key, rows.uncertains(radius_key, dimension::length), set_contact_radius);
             rows.finish();
         });
         reader.finish();
@@ -270,14 +271,17 @@ public:
             {"elastomers", "list of texts", "", "", "names, in the order of the rows' entries"}};
         for (const auto& field : fields())
             keys.push_back({field.key, "table", si_unit(field.dimension), "", field.meaning});
-        keys.push_back({"contact_radius", "table", si_unit(dimension::length), "", "at maximum preload"});
+        keys.push_back({radius_key, "table", si_unit(dimension::length), "", "at maximum preload"});
         keys.push_back({"reference", "table", "", "",
                         "`KEY = [one value an elastomer]` of the smooth standard, KEY one of "
-                        "approach, pull_off, retraction, loss"});
+                        "approach, pull_off, retraction, loss, contact_radius"});
         return keys;
     }
 
 private:
+    static constexpr const char* radius_key = "contact_radius";
+    static void set_contact_radius(PublishedPair& pair, const Estimate& value) { pair.contact_radius = value.value; }
+
     struct Field {
         const char* key;
         Dimension dimension;
@@ -308,11 +312,11 @@ private:
         for (std::size_t i = 0; i < values.size(); ++i) set(pair(surface, elastomers_[i]), values[i]);
     }
 
-    template <class Field>
-    void assign_reference(TomlReader& rows, const char* key, const std::vector<Estimate>& values, Field field) {
+    template <class Assign>
+    void assign_reference(TomlReader& rows, const char* key, const std::vector<Estimate>& values, Assign set) {
         if (values.empty()) return;
         require_length(rows, key, values.size());
-        for (std::size_t i = 0; i < values.size(); ++i) pair("", elastomers_[i]).*field = values[i];
+        for (std::size_t i = 0; i < values.size(); ++i) set(pair("", elastomers_[i]), values[i]);
     }
 
     void require_length(const TomlReader& rows, const char* key, std::size_t length) const {
@@ -390,6 +394,30 @@ const Keys<RoughSolid>& rough_solid_keys() {
                                  .add("poisson_ratio", &RoughSolid::poisson_ratio, dimension::none, "")
                                  .required();
     return keys;
+}
+
+const Keys<ComparisonOptions>& comparison_keys() {
+    using Options = ComparisonOptions;
+    static const auto keys =
+        Keys<Options>()
+            .add(
+                "crossed", &Options::crossed,
+                "`[\"lens\"]` where a lens's label names the same lens on every surface: it was pressed on all of them "
+                "([replicates](../guides/replicates.md)); without it a lens belongs to its surface")
+            .add("margin", &Options::margin, dimension::surface_energy,
+                 "hysteresis and loss per area of a smooth reference are tested to be smaller");
+    return keys;
+}
+
+/// @throws FormatError for a level that cannot cross surfaces and for a margin of nothing.
+ComparisonOptions read_comparison(TomlReader reader) {
+    auto options = comparison_keys().from(reader);
+    for (const auto& level : options.crossed)
+        if (level != "lens" && level != "spot")
+            reader.fail("crossed", fmt::format("'{}' is no level of replicates; expected lens or spot", level));
+    if (!(options.margin > 0.0))
+        reader.fail("margin", fmt::format("{} J/m2; expected more than 0, such as \"5 mJ/m2\"", options.margin));
+    return options;
 }
 
 /// What others reported for one fit.
@@ -473,6 +501,7 @@ Study read_study(const std::string& path) {
     study.output = reader.beside(study.title + "_results");
     top_keys().read(reader, study);
     reader.table("analysis", [&](TomlReader inner) { study.analysis = analysis_keys().from(std::move(inner)); });
+    reader.table("comparison", [&](TomlReader inner) { study.comparison = read_comparison(std::move(inner)); });
     reader.table("rough_solid", [&](TomlReader inner) {
         const auto solid = rough_solid_keys().from(std::move(inner));
         study.counter_youngs_modulus = solid.youngs_modulus.value;
@@ -523,6 +552,7 @@ std::vector<KeyTable> study_keys() {
         {"camera of [[experiments]]", "", camera_keys().descriptions()},
         {"[loops]", "How every loop is analysed, and what is fitted to it; an experiment may say otherwise.",
          loop_keys().descriptions()},
+        {"[comparison]", "How repeated loops and the smooth reference are compared.", comparison_keys().descriptions()},
         {"[published]", "Measured values of others, rows `SURFACE = [one value an elastomer]`.",
          PublishedTables::descriptions()},
         {"[reported.FIT]", "What others found by `modified`, `persson_tosatti` or `loop`; printed beside ours.",

@@ -36,7 +36,8 @@ const std::vector<LoopQuantity>& loop_quantities() {
 
 statistics::ReplicateData data_of(const StudyResult& result, const std::string& elastomer,
                                   const LoopQuantity& quantity) {
-    statistics::ReplicateData data{.quantity = quantity.name, .unit = quantity.unit};
+    statistics::ReplicateData data{
+        .crossed = result.study.comparison.crossed, .quantity = quantity.name, .unit = quantity.unit};
     for (const auto& e : result.experiments) {
         if (!e.analysis || e.input.reference || e.input.elastomer != elastomer) continue;
         const auto value = quantity.of(*e.analysis);

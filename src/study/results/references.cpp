@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "pairs.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
+#include "setae/core/units.hpp"
 #include "statistics.hpp"
 
 namespace setae::study {
@@ -44,6 +48,7 @@ ReferenceResult published_reference(const PublishedPair& published, const StudyR
     reference.retraction = published.retraction.value_or(Estimate{.value = undefined});
     reference.excess_energy = published.loss;
     reference.ideal_loss = ideal_loss(result.elastomer(published.elastomer), reference.approach.value);
+    if (published.contact_radius) reference.contact_area = pi * *published.contact_radius * *published.contact_radius;
     return reference;
 }
 
@@ -52,6 +57,62 @@ void add_loss_ratio(ReferenceResult& reference, const StudyResult& result) {
     if (!rough || !reference.excess_energy || !(reference.excess_energy->value > 0.0)) return;
     reference.loss_ratio =
         loops::loss_ratios(Array1D::Constant(1, *rough), {{.excess_energy = *reference.excess_energy}})[0];
+}
+
+Estimate hysteresis_of(const PairResult& pair) {
+    const auto& apart = pair.retraction ? pair.retraction : pair.pull_off;
+    return apart && pair.approach ? difference(*apart, *pair.approach) : Estimate{.value = undefined};
+}
+
+void compare_with_margin(ReferenceResult& reference, double margin) {
+    reference.hysteresis = statistics::test_equivalence(difference(reference.retraction, reference.approach), margin);
+    if (!reference.excess_energy || !reference.ideal_loss || !reference.contact_area) return;
+    Estimate beyond = *reference.excess_energy;
+    beyond.interval.reset();
+    beyond.value -= *reference.ideal_loss;
+    reference.loss_per_area = statistics::test_equivalence(scaled(beyond, 1.0 / *reference.contact_area), margin);
+}
+
+/// What the smooth references have of each pair's hysteresis.
+void add_shares(StudyResult& result) {
+    for (auto& pair : result.pairs) {
+        std::vector<Estimate> smooth;
+        for (const auto& reference : result.references)
+            if (reference.elastomer == pair.elastomer && std::isfinite(reference.hysteresis.difference.value))
+                smooth.push_back(reference.hysteresis.difference);
+        const Estimate rough = hysteresis_of(pair);
+        if (smooth.empty() || !(rough.value > 0.0)) continue;
+        const std::vector<Estimate> both{mean_of(smooth), rough};
+        pair.reference_share = propagated([](const Array1D& x) { return x[0] / x[1]; }, both);
+    }
+}
+
+std::string shares_of(const StudyResult& result, const std::string& elastomer) {
+    std::vector<std::string> shares;
+    for (const auto& pair : result.pairs)
+        if (pair.elastomer == elastomer && pair.reference_share)
+            shares.push_back(fmt::format("{:.0f} % of {}", 100.0 * pair.reference_share->value, pair.surface));
+    return shares.empty() ? "" : fmt::format("; of the hysteresis on rough surfaces it is {}", fmt::join(shares, ", "));
+}
+
+/// An alert unless the test shows that there is less than the margin.
+void require_equivalence(StudyResult& result, const char* code, const ReferenceResult& reference,
+                         const statistics::Equivalence& test, const char* what, const std::string& besides,
+                         const char* advice) {
+    if (test.verdict == statistics::Verdict::equivalent || !std::isfinite(test.difference.value)) return;
+    const auto shown = fmt::format("{} ± {}", format_value(test.difference.value, "J/m2"),
+                                   format_value(test.difference.standard_error, "J/m2", 2)),
+               margin = format_value(test.margin, "J/m2");
+    result.alerts.push_back(
+        {code, reference.elastomer,
+         test.verdict == statistics::Verdict::different
+             ? fmt::format("{} of the smooth reference is {}, more than the margin of {} (two one-sided tests){}", what,
+                           shown, margin, besides)
+             : fmt::format(
+                   "{} of the smooth reference is {}: that it is below the margin of {} is not shown (p = {:.2g} "
+                   "of two one-sided tests){}",
+                   what, shown, margin, test.probability, besides),
+         advice});
 }
 
 }  // namespace
@@ -66,18 +127,26 @@ void evaluate_references(StudyResult& result) {
         reference.retraction = loop.work_of_adhesion_retraction;
         reference.excess_energy = loop.excess_energy;
         reference.ideal_loss = loop.ideal_loss;
+        reference.contact_area = loop.contact_area;
         result.references.push_back(std::move(reference));
     }
     for (const auto& published : result.study.published)
         if (published.surface.empty()) result.references.push_back(published_reference(published, result));
     for (auto& reference : result.references) {
         add_loss_ratio(reference, result);
-        constexpr double wanted_ratio = 10.0;  // [D19]: rough loops lose at least an order of magnitude more
-        if (reference.loss_ratio && *reference.loss_ratio < wanted_ratio)
-            result.alerts.push_back({"REFERENCE_LOSS", reference.elastomer,
-                                     fmt::format("rough loops lose only {:.2g} times what the smooth reference loses",
-                                                 *reference.loss_ratio),
-                                     "part of the loss is not roughness: look at rate, drift and the lens"});
+        compare_with_margin(reference, result.study.comparison.margin);
+    }
+    add_shares(result);
+    for (const auto& reference : result.references) {
+        require_equivalence(
+            result, "REFERENCE_HYSTERESIS", reference, reference.hysteresis, "W of retraction less W of approach",
+            shares_of(result, reference.elastomer),
+            "part of the rough loops' hysteresis is not roughness: compare rates and holds, and take it "
+            "off before conclusions");
+        if (reference.loss_per_area)
+            require_equivalence(result, "REFERENCE_LOSS", reference, *reference.loss_per_area,
+                                "energy lost per contact area, beyond what a smooth sphere's jumps cost,", "",
+                                "part of the rough loops' loss is not roughness: look at rate, drift and the lens");
     }
     for (const auto& before : measured) {
         if (before.stage != "before") continue;

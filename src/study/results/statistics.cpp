@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "statistics.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
+
+#include "setae/statistics/mixed_model.hpp"
 
 namespace setae::study {
 
@@ -12,15 +12,12 @@ double mean_of(const std::vector<double>& values) {
 }
 
 Estimate mean_of(const std::vector<Estimate>& values) {
-    const auto n = static_cast<double>(values.size());
-    Estimate mean{.method = values.size() > 1 ? "mean over loops" : values.front().method};
-    double given = 0.0, scatter = 0.0;
-    for (const auto& v : values) {
-        mean.value += v.value / n;
-        given += v.variance() / (n * n);
-    }
-    for (const auto& v : values) scatter += std::pow(v.value - mean.value, 2) / (n * std::max(1.0, n - 1.0));
-    mean.standard_error = std::sqrt(std::max(given, scatter));
+    if (values.size() == 1) return values.front();
+    statistics::ReplicateData data{.levels = {"all"}};
+    for (const auto& value : values)
+        data.rows.push_back({value.value, value.uncertain() ? value.standard_error : undefined, {"all"}, ""});
+    auto mean = statistics::mixed_model(data, {.influence = false}).surfaces.front().mean;
+    mean.method = "mean over loops";
     return mean;
 }
 

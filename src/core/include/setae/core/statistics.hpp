@@ -26,6 +26,10 @@ namespace setae {
 /// @throws InvalidArgument unless 0 < probability < 1 and degrees_of_freedom > 0.
 [[nodiscard]] double student_t_quantile(double probability, double degrees_of_freedom);
 
+/// P(T <= t), T distributed as Student's t; as the normal distribution for infinitely many degrees of freedom.
+/// @throws InvalidArgument unless degrees_of_freedom > 0.
+[[nodiscard]] double student_t_probability(double t, double degrees_of_freedom);
+
 /// P(X >= x), X distributed as χ² with so many degrees of freedom.
 /// @throws InvalidArgument unless x >= 0 and degrees_of_freedom > 0.
 [[nodiscard]] double chi_squared_exceedance(double x, double degrees_of_freedom);

@@ -16,12 +16,13 @@ struct ReferenceLoop {
     Estimate excess_energy;                      ///< loop loss [J]
     double ideal_loss = 0.0;                     ///< the smooth sphere's own jumps [J]
     double beyond_ideal = 0.0;                   ///< excess energy minus ideal loss [J]
+    double contact_area = 0.0;                   ///< at the largest preload [m²]
 };
 
 /// @throws UndefinedDataError with the reason where the loop has no retraction or no energy.
 [[nodiscard]] ReferenceLoop evaluate_reference(const LoopAnalysis& analysis);
 
-/// Rough losses over the excess energy of the references (their mean): an order of magnitude or more is wanted.
+/// Rough losses over the excess energy of the references (their mean).
 /// @throws UndefinedDataError without references; InvalidArgument where their mean is not > 0.
 [[nodiscard]] Array1D loss_ratios(const ArrayView1D& rough_losses, const std::vector<ReferenceLoop>& references);
 

@@ -19,6 +19,9 @@ namespace setae::numerics {
 [[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 [[nodiscard]] bool invertible(const Eigen::MatrixXd& matrix);
 
+/// Number of linearly independent columns, by Householder's QR with pivots.
+[[nodiscard]] int rank(const Eigen::MatrixXd& matrix);
+
 /// The lower triangle L of a symmetric matrix L Lᵀ, and the inverse of that matrix; nothing where it is not positive
 /// definite.
 [[nodiscard]] std::optional<Eigen::MatrixXd> cholesky(const Eigen::MatrixXd& matrix);

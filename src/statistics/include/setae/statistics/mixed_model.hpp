@@ -87,7 +87,7 @@ struct SurfaceDifference {
 
 /// Means of all surfaces, the variances behind them and how the surfaces differ.
 struct MixedModel {
-    std::vector<std::string> levels;  ///< of the data
+    std::vector<std::string> levels, crossed;  ///< of the data
     Pooling pooling = Pooling::surfaces;
     std::vector<VarianceFit> fits;               ///< one where pooled, else one a surface
     std::vector<SurfaceMean> surfaces;           ///< in order of first appearance
@@ -98,20 +98,23 @@ struct MixedModel {
 /// Means of surfaces from unbalanced nested replicates by a linear mixed model.
 ///
 ///   y_i = μ_surface + b_lens + b_spot + b_repeat + e_i,  b_k ~ N(0, θ_k),  e_i ~ N(0, σ_i²) known
-///   V = Σ_k θ_k Z_k Z_kᵀ + diag σ²,  μ = 1ᵀV⁻¹y/1ᵀV⁻¹1,  Var μ = 1/1ᵀV⁻¹1   (surface by surface)
-///   2 ln L_R = −Σ_surfaces [ln det V + ln 1ᵀV⁻¹1 + (y − μ)ᵀV⁻¹(y − μ)]
+///   V = Σ_k θ_k Z_k Z_kᵀ + diag σ²,  Φ = (XᵀV⁻¹X)⁻¹,  μ = Φ XᵀV⁻¹y,  Var μ = Φ,  X the indicators of surfaces
+///   2 ln L_R = −[ln det V + ln det XᵀV⁻¹X + (y − Xμ)ᵀV⁻¹(y − Xμ)]
 ///
 /// θ_k >= 0 at the global maximum of L_R: damped Newton steps in ln θ from several starts with each set of components
 /// at 0; ν of Var μ: 2 (Var μ)²/(gᵀCg), g = ∂Var μ/∂θ, C the inverse expected information of all components
 /// (Satterthwaite; exact for balanced groups). Components at 0 are not certain to be 0: each keeps (1/2 − 1/(2π)) C of
 /// its variance, as a normal variable cut at its mean. ν >= 1. Rows without a standard error count as σ = 0: their
 /// fits' errors are part of the repeats' variance. Levels whose groups are those of the surface are left out, levels
-/// with the same groups are one: see VarianceFit. A level where every label is empty is missing.
+/// with the same groups are one: see VarianceFit. A level where every label is empty is missing. A crossed level has a
+/// variance of its own beside that of its groups on each surface, lme4's (1|lens) + (1|surface:lens): what all surfaces
+/// share leaves their differences.
 /// @throws InvalidArgument for no rows or no levels, a value that is not finite, a negative standard error, a row whose
-/// number of labels is not that of the levels, a label missing in some rows only, an exclusion without reason, of a row
-/// that is not there, or twice; UndefinedDataError where every row is excluded. Source: Patterson, Thompson, Biometrika
-/// 58 (1971) 545; Harville, J. Am. Stat. Assoc. 72 (1977) 320; Giesbrecht, Burns, Biometrics 41 (1985) 477. Cost: O(n)
-/// a step of the likelihood; O(n³) of the largest surface once, and once for each group left out.
+/// number of labels is not that of the levels, a label missing in some rows only, a crossed level that is none, an
+/// exclusion without reason, of a row that is not there, or twice; UndefinedDataError where every row is excluded.
+/// Source: Patterson, Thompson, Biometrika 58 (1971) 545; Harville, J. Am. Stat. Assoc. 72 (1977) 320; Giesbrecht,
+/// Burns, Biometrics 41 (1985) 477. Cost: O(n) a step of the likelihood, O(n³) where a level is crossed; O(n³) of the
+/// largest surface once, and once for each group left out.
 [[nodiscard]] MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& options = {});
 
 }  // namespace setae::statistics

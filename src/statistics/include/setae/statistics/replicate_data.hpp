@@ -28,6 +28,8 @@ struct Exclusion {
 struct ReplicateData {
     std::vector<std::string> levels{"surface", "lens",
                                     "spot"};  ///< outermost first; the first is the surface, a fixed effect
+    std::vector<std::string> crossed;  ///< levels whose labels name the same group on every surface, such as a lens
+                                       ///< that was pressed on all of them; groups of the others lie on one surface
     std::vector<Replicate> rows;
     std::vector<Exclusion> exclusions;
     std::string quantity = "value";  ///< what the values are, for messages and figures

@@ -124,6 +124,13 @@ struct SurfaceAnalysisOptions {
     std::vector<double> cutoff_scan;    ///< shortest wavelengths [m] for W_int against the short cutoff
 };
 
+/// How repeated loops and the smooth reference are compared.
+struct ComparisonOptions {
+    std::vector<std::string> crossed;  ///< levels of replicates whose labels name the same thing on every surface: lens
+    double margin = 5e-3;  ///< [J/m²]: a reference whose hysteresis and loss per area are shown to be smaller counts as
+                           ///< one without any; by default the ± of γ1 in [D19], which no conclusion can resolve
+};
+
 /// A study as its file says it; every number in SI.
 struct Study {
     std::string path;
@@ -131,6 +138,7 @@ struct Study {
     std::string description;
     std::string output;  ///< folder of the results
     SurfaceAnalysisOptions analysis;
+    ComparisonOptions comparison;
     double counter_youngs_modulus = 0.0;  ///< of the rough solid [Pa]
     double counter_poisson_ratio = 0.0;
     std::optional<Estimate> work_of_adhesion;  ///< W_int for predictions [J/m²]; else the fitted one

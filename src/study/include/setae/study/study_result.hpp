@@ -11,6 +11,7 @@
 #include "setae/adhesion/scale_balance.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/loops/reference_loop.hpp"
+#include "setae/statistics/equivalence.hpp"
 #include "setae/statistics/mixed_model.hpp"
 #include "setae/study/provenance.hpp"
 #include "setae/study/run_options.hpp"
@@ -54,13 +55,14 @@ struct ElastomerReplicates {
 struct PairResult {
     std::string surface;
     std::string elastomer;
-    std::optional<Estimate> approach;    ///< W_app of loading [J/m²]
-    std::optional<Estimate> pull_off;    ///< W by (S1) [J/m²]
-    std::optional<Estimate> retraction;  ///< W by (S2) [J/m²]
-    std::optional<Estimate> loss;        ///< E_loss [J]
-    std::optional<double> contact_area;  ///< π a_max² at maximum preload [m²]
-    std::optional<double> ideal_loss;    ///< of a smooth sphere with this W and E* [J]
-    int experiments = 0;                 ///< loops behind the measured values; 0 for published ones
+    std::optional<Estimate> approach;         ///< W_app of loading [J/m²]
+    std::optional<Estimate> pull_off;         ///< W by (S1) [J/m²]
+    std::optional<Estimate> retraction;       ///< W by (S2) [J/m²]
+    std::optional<Estimate> loss;             ///< E_loss [J]
+    std::optional<double> contact_area;       ///< π a_max² at maximum preload [m²]
+    std::optional<double> ideal_loss;         ///< of a smooth sphere with this W and E* [J]
+    std::optional<Estimate> reference_share;  ///< of the hysteresis W_ret − W_app, what the smooth reference has, too
+    int experiments = 0;                      ///< loops behind the measured values; 0 for published ones
 
     double area_ratio = 1.0;
     Estimate stored_energy;                                      ///< U_el/A_app [J/m²]
@@ -82,6 +84,10 @@ struct ReferenceResult {
     std::optional<Estimate> excess_energy;  ///< [J]
     std::optional<double> ideal_loss;       ///< [J]
     std::optional<double> loss_ratio;       ///< mean rough loss on this elastomer over the excess energy
+    std::optional<double> contact_area;     ///< at the largest preload [m²]
+    statistics::Equivalence hysteresis;  ///< W of retraction less that of approach, beside the study's margin [J/m²]
+    std::optional<statistics::Equivalence> loss_per_area;  ///< excess energy beyond the ideal loss over contact area
+                                                           ///< [J/m²]; where both are known
 };
 
 /// W of both branches and excess energy after the rough loops minus before.
