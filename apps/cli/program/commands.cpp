@@ -22,7 +22,9 @@ namespace params_command { Action declare(Options&); }
 namespace adhesion_command { Action declare(Options&); }
 namespace jkr_import_command { Action declare(Options&); }
 namespace jkr_radius_command { Action declare(Options&); }
+namespace jkr_camera_command { Action declare(Options&); }
 namespace jkr_lens_command { Action declare(Options&); }
+namespace jkr_stiffness_command { Action declare(Options&); }
 namespace jkr_fit_command { Action declare(Options&); }
 namespace jkr_energy_command { Action declare(Options&); }
 namespace jkr_summary_command { Action declare(Options&); }
@@ -76,7 +78,11 @@ constexpr Command table[] = {
     {"jkr", "import", "turn tables, workbooks and force curves into loop files, columns guessed and shown",
      jkr_import_command::declare},
     {"jkr", "radius", "contact radius in every frame of a recording", jkr_radius_command::declare},
-    {"jkr", "lens", "radius of curvature of a lens from a profile or an outline of it", jkr_lens_command::declare},
+    {"jkr", "lens", "radius of curvature and asphericity of a lens from a profile or a picture of its side",
+     jkr_lens_command::declare},
+    {"jkr", "camera", "pixel size, aspect and distortion of a camera from pictures of a stage micrometer",
+     jkr_camera_command::declare},
+    {"jkr", "stiffness", "stiffness of the machine from a loop on something rigid", jkr_stiffness_command::declare},
     {"jkr", "fit", "fit JKR to loops of force, displacement and contact radius", jkr_fit_command::declare},
     {"jkr", "energy", "where the energy of loops goes: ledger, error budget, course along the loop",
      jkr_energy_command::declare},

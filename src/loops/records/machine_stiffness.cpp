@@ -104,6 +104,19 @@ Estimate slope_growth(const Branch& branch, double slope) {
             .standard_error = std::hypot(above.standard_error, below.standard_error) / slope};
 }
 
+/// Of hard bodies that do not stick: up to the largest force, and from there on.
+Segments pressed_and_released(const Loop& loop) {
+    Index peak = 0;
+    (void)loop.force.maxCoeff(&peak);
+    const Index last = loop.force.size() - 1, before = std::max<Index>(1, loop.force.size() / 20);
+    Segments segments;
+    segments.before.force = median_of(loop.force.head(before));
+    segments.contacts.push_back({.loading = {0, peak}});
+    constexpr Index fewest = 10;
+    if (last - peak >= fewest) segments.contacts.back().unloading = IndexRange{peak, last};
+    return segments;
+}
+
 }  // namespace
 
 MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop, const Segments& segments, Index contact,
@@ -153,7 +166,12 @@ MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop, const Se
 }
 
 MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop) {
-    return machine_stiffness_from_rigid_contact(loop, find_segments(loop));
+    try {
+        return machine_stiffness_from_rigid_contact(loop, find_segments(loop));
+    } catch (const UndefinedDataError&) {
+        if (loop.force.size() < 20 || loop.displacement.size() == 0) throw;
+    }
+    return machine_stiffness_from_rigid_contact(loop, pressed_and_released(loop));
 }
 
 }  // namespace setae::loops

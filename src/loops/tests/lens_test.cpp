@@ -43,6 +43,62 @@ TEST(FitCircle, RecoversAnArc) {
     EXPECT_LT(circle.rms_residual, 1e-14);
 }
 
+/// A conic of revolution, by its equation solved for z at each x.
+Array1D conic_heights(const Array1D& x, double radius, double constant) {
+    const double c = 1.0 / radius;
+    // c r² − 2 s + (1 + κ) c s² = 0
+    return x.unaryExpr([&](double r) {
+        const double a = (1.0 + constant) * c;
+        return a == 0.0 ? -0.5 * c * r * r : -(1.0 - std::sqrt(1.0 - a * c * r * r)) / a;
+    });
+}
+
+TEST(FitConic, RecoversSpheresParaboloidsAndSpheroids) {
+    const Array1D x = Array1D::LinSpaced(101, -0.5e-3, 0.6e-3);
+    for (const double constant : {0.0, -1.0, -2.5, 1.5}) {
+        const Array1D z = conic_heights(x, 1.25e-3, constant);
+        for (const double side : {1.0, -1.0}) {
+            const Conic conic = fit_conic(2e-3 + x, 7e-3 + side * z);
+            EXPECT_NEAR(conic.radius.value / 1.25e-3, 1.0, 1e-8) << constant;
+            EXPECT_NEAR(conic.conic_constant.value, constant, 1e-6);
+            EXPECT_NEAR(conic.apex_x / 2e-3, 1.0, 1e-8);
+            EXPECT_NEAR(conic.apex_z / 7e-3, 1.0, 1e-8);
+            // κ r⁴/8R³ and what follows it
+            const Array1D edge = Array1D::Constant(1, 0.6e-3);
+            EXPECT_NEAR(conic.departure,
+                        side * (conic_heights(edge, 1.25e-3, constant) - conic_heights(edge, 1.25e-3, 0.0))[0], 1e-10);
+        }
+    }
+}
+
+TEST(FitConic, TellsALensThatIsNoSphereFromOneThatIs) {
+    const Array1D x = Array1D::LinSpaced(200, -0.45e-3, 0.45e-3);
+    int found = 0, false_alarms = 0, held = 0;
+    constexpr int seeds = 100;
+    for (int seed = 0; seed < seeds; ++seed) {
+        std::mt19937_64 engine(static_cast<unsigned>(seed));
+        std::normal_distribution<double> noise(0.0, 0.2e-6);
+        const auto measured = [&](double constant) -> Array1D {
+            return conic_heights(x, 1.25e-3, constant) + x.unaryExpr([&](double) { return noise(engine); });
+        };
+        found += fit_conic(x, measured(-0.5)).probability < 0.01 ? 1 : 0;
+        const auto sphere = fit_conic(x, measured(0.0));
+        false_alarms += sphere.probability < 0.05 ? 1 : 0;
+        const auto interval = *interval_of(sphere.radius);
+        held += interval.lower <= 1.25e-3 && 1.25e-3 <= interval.upper ? 1 : 0;
+    }
+    EXPECT_EQ(found, seeds);
+    EXPECT_LE(false_alarms, 12);
+    EXPECT_GE(held, 88);
+    EXPECT_LE(held, 99);
+}
+
+TEST(FitConic, RefusesPointsWithoutAnApex) {
+    const Array1D flank = Array1D::LinSpaced(40, 0.3e-3, 0.6e-3);
+    EXPECT_THROW((void)fit_conic(flank, conic_heights(flank, 1.25e-3, 0.0)), UndefinedDataError);
+    EXPECT_THROW((void)fit_conic(flank.head(5), flank.head(5).square()), UndefinedDataError);
+}
+
 TEST(FitCircle, CoversTheTruthWithItsStandardError) {
     const Arc points = arc(1.25e-3, 0.5, 60);
     int covered = 0;

@@ -42,6 +42,18 @@ TEST(MachineStiffness, OfARigidContactIsItsSlope) {
     EXPECT_NEAR(found.hysteresis, 0.0, 1e-9);
 }
 
+TEST(MachineStiffness, NeedsNoAdhesion) {
+    Loop loop = rigid_loop();
+    loop.force = loop.force.max(0.0);
+    std::mt19937_64 generator(4);
+    loop.force = tests::with_noise(loop.force, 1e-6, generator);
+    const MachineStiffness found = machine_stiffness_from_rigid_contact(loop);
+    EXPECT_NEAR(found.stiffness.value / stiffness, 1.0, 2e-3);
+    EXPECT_TRUE(std::isfinite(found.unloading.value));
+    loop.force = -loop.force;
+    EXPECT_THROW((void)machine_stiffness_from_rigid_contact(loop), UndefinedDataError);
+}
+
 TEST(MachineStiffness, CoversTheTruthWithNoise) {
     double pulls = 0.0;
     constexpr int seeds = 100;

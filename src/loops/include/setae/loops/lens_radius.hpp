@@ -26,4 +26,23 @@ struct Circle {
 /// length.
 [[nodiscard]] Circle fit_circle(const ArrayView1D& x, const ArrayView1D& y);
 
+/// The section of a surface of revolution whose radius of curvature changes away from its apex.
+///
+///   z = z0 ± s(x − x0),  c r² − 2 s + (1 + κ) c s² = 0,  c = 1/R;  to fourth order s = r²/(2R) + (1 + κ) r⁴/(8R³)
+///
+/// κ is the conic constant of optics: 0 a sphere, -1 a paraboloid, > 0 an oblate spheroid.
+struct Conic {
+    double apex_x = 0.0, apex_z = 0.0;  ///< [m]
+    Estimate radius;                    ///< R of curvature at the apex [m]
+    Estimate conic_constant;            ///< κ
+    double probability = undefined;     ///< two-sided, of a κ at least as far from 0 where the section is a circle
+    double departure = 0.0;             ///< of the conic from the circle of its apex at the point farthest from it [m]
+    double rms_residual = 0.0;          ///< of the distances from the conic [m]
+};
+
+/// The conic with the least sum of squared distances to the points, to first order in the distances.
+/// @throws UndefinedDataError for fewer than six points or where no conic of an apex among the points is found;
+/// InvalidArgument as fit_circle().
+[[nodiscard]] Conic fit_conic(const ArrayView1D& x, const ArrayView1D& z);
+
 }  // namespace setae::loops

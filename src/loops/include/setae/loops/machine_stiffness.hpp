@@ -34,7 +34,7 @@ struct RigidContactOptions {
                                                                     Index contact = 0,
                                                                     const RigidContactOptions& options = {});
 
-/// The same with the segments found first.
+/// The same with the segments found first; of bodies that do not stick, all up to the largest force and from there on.
 [[nodiscard]] MachineStiffness machine_stiffness_from_rigid_contact(const Loop& loop);
 
 }  // namespace setae::loops

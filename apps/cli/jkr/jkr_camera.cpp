@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/imaging/stage_micrometer.hpp"
+#include "setae/output/json.hpp"
+
+namespace setae::cli::jkr_camera_command {
+namespace {
+
+constexpr const char* explanation =
+    "lines       n p = c + (a.X)(1 + d r^2/r_c^2), X pixels from the picture's centre, r_c its corners, p the distance of lines\n"
+    "pixel size  |a| at the centre; with lines of both directions width and height: (a_x/w)^2 + (a_y/h)^2 = 1 for each\n"
+    "distortion  d: by how much the corners are stretched; a radius of r pixels about the centre is wrong by d r^2/r_c^2\n"
+    "errors      count lines, not places along them; with the ruling's own ± of --pitch\n"
+    "docs/guides/jkr-laboratory.md\n";
+
+struct Arguments {
+    Common common;
+    std::vector<std::string> files;
+    std::string pitch;
+};
+
+output::Json ruling_json(const imaging::RulingFit& fit) {
+    output::Json json{{"lines", fit.lines}, {"places", fit.places}, {"probability", output::number(fit.probability)}};
+    json["pixel_size"] = output::to_json(output::quantity("pixel_size", "s", fit.pixel_size, "m"));
+    json["angle"] = output::to_json(output::quantity("angle", "", fit.angle, "rad"));
+    json["distortion"] = output::to_json(output::quantity("distortion", "d", fit.distortion, "1"));
+    json["rms_residual"] = output::to_json(output::quantity("rms_residual", "", fit.rms_residual, "m"));
+    return json;
+}
+
+output::Json as_json(const imaging::CameraScale& scale) {
+    output::Json json{{"width", scale.width}, {"height", scale.height}, {"notes", scale.notes}};
+    json["pixel_size"] = output::to_json(output::quantity("pixel_size", "s", scale.pixel_size, "m"));
+    json["aspect"] =
+        scale.aspect ? output::to_json(output::quantity("aspect", "h/w", *scale.aspect, "1")) : output::Json(nullptr);
+    json["upright_lines"] = scale.across_x ? ruling_json(*scale.across_x) : output::Json(nullptr);
+    json["lying_lines"] = scale.across_y ? ruling_json(*scale.across_y) : output::Json(nullptr);
+    return json;
+}
+
+std::string with_error(const Estimate& e) {
+    return format_value(e.value, "m", 6) + (e.uncertain() ? " ± " + format_value(e.standard_error, "m", 2) : "");
+}
+
+std::string as_text(const imaging::CameraScale& scale) {
+    std::string text = fmt::format("pixel size {}\n", with_error(scale.pixel_size));
+    const auto add = [&](const char* which, const std::optional<imaging::RulingFit>& fit) {
+        if (!fit) return;
+        text += fmt::format(
+            "  {} lines: {} per pixel, {} lines at {} places, rms {}, turned by {:.2f}°; corners stretched by "
+            "{:.3f} ± {:.3f} % (p = {:.2g})\n",
+            which, with_error(fit->pixel_size), fit->lines, fit->places, format_value(fit->rms_residual, "m", 2),
+            fit->angle * 180.0 / pi, 100.0 * fit->distortion.value, 100.0 * fit->distortion.standard_error,
+            fit->probability);
+    };
+    add("upright", scale.across_x);
+    add("lying", scale.across_y);
+    if (scale.aspect)
+        text += fmt::format("  height of a pixel over its width {:.5f} ± {:.5f}\n", scale.aspect->value,
+                            scale.aspect->standard_error);
+    for (const auto& note : scale.notes) text += "  " + note + "\n";
+    return text;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.files.empty() || arguments.pitch.empty())
+        throw InvalidArgument(
+            "pictures of a stage micrometer and the distance of its lines are wanted: "
+            "setae jkr camera RULING.png --pitch \"10 um\"");
+    const auto scale =
+        imaging::camera_scale(arguments.files, parse_uncertain_quantity(arguments.pitch, dimension::length));
+    if (arguments.common.json) print_json(as_json(scale));
+    else print(as_text(scale));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("files", arguments->files, "pictures of a ruling or a grid, all by one camera at one magnification");
+    options.add("--pitch", arguments->pitch, "distance of neighbouring lines, such as \"10 um\" or \"10 ± 0.02 um\"");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::jkr_camera_command

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/loops/machine_stiffness.hpp"
+#include "setae/output/json.hpp"
+#include "setae/study/open_loop.hpp"
+
+namespace setae::cli::jkr_stiffness_command {
+namespace {
+
+constexpr const char* explanation =
+    "k           slope of force against the stage's position above a fifth of the largest force, both branches; outliers count little\n"
+    "error       scatter of the residuals, correlated as they are, and half the difference of the branches\n"
+    "curvature   change of slope from the lower to the upper half of the forces: more than a tenth is a soft contact, and refused\n"
+    "use         setae jkr fit LOOP.csv --machine-stiffness \"K ± ERROR\", or --rigid-contact with the file itself\n";
+
+struct Arguments {
+    Common common;
+    std::vector<std::string> files;
+    std::string map;
+};
+
+output::Json as_json(const std::string& file, const loops::MachineStiffness& found) {
+    output::Json json{{"file", file},
+                      {"n", found.n},
+                      {"hysteresis", output::number(found.hysteresis)},
+                      {"nonlinearity", output::number(found.nonlinearity)}};
+    const auto add = [&](const char* name, const Estimate& value) {
+        json[name] = output::to_json(output::quantity(name, "k", value, "N/m"));
+    };
+    add("machine_stiffness", found.stiffness);
+    add("loading", found.loading);
+    if (std::isfinite(found.unloading.value)) add("unloading", found.unloading);
+    else json["unloading"] = nullptr;
+    return json;
+}
+
+std::string as_text(const std::string& file, const loops::MachineStiffness& found) {
+    const auto shown = [](const Estimate& e) {
+        return format_value(e.value, "N/m", 5) + " ± " + format_value(e.standard_error, "N/m", 2);
+    };
+    std::string text =
+        fmt::format("{}: k = {}, {} samples; loading {}", file, shown(found.stiffness), found.n, shown(found.loading));
+    if (std::isfinite(found.unloading.value))
+        text += fmt::format(", unloading {}, branches apart by {:.2g} % of the deflection", shown(found.unloading),
+                            100.0 * found.hysteresis);
+    return text + fmt::format("; slope changes by {:.2g} % over the forces\n", 100.0 * found.nonlinearity);
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.files.empty())
+        throw InvalidArgument("a loop on something rigid is wanted: setae jkr stiffness RIGID.csv");
+    output::Json all = output::Json::array();
+    const ExitCode code = for_each_item(arguments.files, [&](const std::string& file) {
+        const auto loop = study::open_loop({.file = file, .mapping = arguments.map.empty() ? std::nullopt : std::optional(arguments.map)});
+        const auto found = loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(loop.table));
+        if (arguments.common.json) all.push_back(as_json(file, found));
+        else print(as_text(file, found));
+    });
+    if (arguments.common.json) print_json(arguments.files.size() == 1 && all.size() == 1 ? all.front() : all);
+    return code;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("files", arguments->files,
+                "loops of the machine on something rigid: force against the stage's position");
+    options.add("--map", arguments->map, "mapping file (TOML) that names the columns of a foreign table");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::jkr_stiffness_command
