@@ -32,6 +32,9 @@ double shared_within(double size) {
 /// τ² of each instrument.
 using Scatter = std::map<std::string, double>;
 
+/// A patch as many times wide as its heights' median wavelength has their long waves.
+constexpr double waves_a_patch = 8.0;
+
 /// Log-normal heights beyond it are another kind of surface.
 constexpr double most_skewness = 1.5;
 
@@ -48,7 +51,6 @@ public:
           smoothness_{options.bend, 0.5, 8.0 * range.lowest / 0.6} {
         for (auto& g : groups_) {
             const Index n = g.data.wavevector.size();
-            g.data.log_transfer = g.data.amplitude_response = Array1D::Zero(n);
             g.data.freedom = freedom(g, Array1D::Ones(n));
         }
     }
@@ -101,8 +103,8 @@ public:
 private:
     /// Whether a group of modes tells of the surface: inside the band, and the tip leaves enough of it.
     [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
-        return g.data.wavevector[k] <= g.band_end && std::exp(g.data.log_transfer[k]) >= options_.least_transfer &&
-               g.data.periodogram[k] > 0.0;
+        const bool seen = g.tip.log_transfer.size() == 0 || std::exp(g.tip.log_transfer[k]) >= options_.least_transfer;
+        return g.data.wavevector[k] <= g.band_end && seen && g.data.periodogram[k] > 0.0;
     }
 
     /// ν of every group of modes, 0 outside the band and where the tip leaves too little.
@@ -126,8 +128,7 @@ private:
     void find_independent_shares() {
         for (auto& g : groups_) {
             if (!g.contour) continue;
-            const Array1D C_iso = g.data.nodes.unaryExpr(
-                [&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); });
+            const Array1D C_iso = C_iso_at(g.data.nodes);
             g.independent_share = independent_share(*g.contour, g.data.nodes, C_iso, options_.threads);
         }
     }
@@ -178,27 +179,83 @@ private:
             if (!(g.tip_radius > 0.0)) continue;
             if (!done[g.tip_radius]) simulate_tip(g.tip_radius);
             done[g.tip_radius] = true;
-            const Array1D expected = expected_transfer(g);
+            const Array1D before = expected_transfer(g);
             g.tip = sampled(responses_.at(g.tip_radius), line_density, g.pixel_size, g.data.wavevector);
-            change += (g.data.freedom * (g.tip.log_transfer - expected).square()).sum();
+            take_tip(g);
+            const Array1D now = (with_tip(g) / without_tip(g)).log();
+            change += (g.data.freedom * (now - before).square()).sum();
             weight += g.data.freedom.sum();
-            g.data.log_transfer = g.tip.log_transfer;
-            g.data.amplitude_response = g.tip.amplitude_response;
             const bool fine = g.tip_radius < 0.25 * wavelength_;
             g.data.amplitude_order = fine ? 5.0 : 1.0;
             g.data.amplitude_end = fine ? pi / g.tip_radius : spline_.shortest();
             g.data.reference_amplitude = amplitude(g);
         }
+        flatten_below(end_of_unseen());
         return rounds_ > 0 && change < small_change * small_change * weight;
+    }
+
+    /// What the tip follows and what it adds to the periodogram of the fitted surface, with their answers to C_iso ∝ A.
+    void take_tip(ObservedGroup& g) const {
+        const auto followed = followed_at(responses_.at(g.tip_radius), g.data.nodes);
+        g.data.tip_radius = g.tip_radius;
+        g.data.log_followed = followed.log_square;
+        g.data.followed_response = followed.response;
+        g.data.added = g.tip.added_share * without_tip(g);
+        g.data.added_response = g.tip.added_response;
+        g.data.added_errors = g.tip.added_errors;
+        g.data.reference_amplitude = 0.0;
+    }
+
+    /// Up to where, of the waves longer than those that carry heights, more than half of what a tip reads is its own.
+    [[nodiscard]] double end_of_unseen() const {
+        constexpr double half = 0.5, longer = 3.0;
+        double end = 0.0;
+        for (const auto& g : groups_)
+            for (Index k = 0; k < g.tip.log_transfer.size(); ++k)
+                if (g.data.wavevector[k] < 2.0 * pi / (longer * wavelength_) &&
+                    g.tip.added_share[k] > half * std::exp(g.tip.log_transfer[k]))
+                    end = std::max(end, g.data.wavevector[k]);
+        return end;
+    }
+
+    /// Of waves of which nearly nothing is read, ln C_iso is taken to change by e^0.47 a decade.
+    void flatten_below(double end) {
+        constexpr double slope = 0.15;
+        if (!(end > smoothness_.slope_end)) return;
+        smoothness_.slope = slope;
+        smoothness_.slope_end = end;
+    }
+
+    [[nodiscard]] Array1D C_iso_at(const Array1D& nodes) const {
+        return nodes.unaryExpr([&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); });
+    }
+
+    /// Periodogram that the fitted surface would have without tip and noise …
+    [[nodiscard]] Array1D without_tip(const ObservedGroup& g) const {
+        return (g.data.response.matrix() * C_iso_at(g.data.nodes).matrix()).array();
+    }
+
+    /// … and with the tip.
+    [[nodiscard]] Array1D with_tip(const ObservedGroup& g) const {
+        const double change =
+            g.data.reference_amplitude > 0.0 ? std::log(amplitude(g) / g.data.reference_amplitude) : 0.0;
+        const Array1D followed =
+            C_iso_at(g.data.nodes) * (g.data.log_followed + g.data.followed_response * change).exp();
+        return (g.data.response.matrix() * followed.matrix()).array() +
+               g.data.added * (g.data.added_response * change).exp();
     }
 
     void simulate_tip(double radius) {
         const bool uncertain = std::any_of(groups_.begin(), groups_.end(), [&](const ObservedGroup& g) {
             return g.tip_radius == radius && g.tip_radius_error > 0.0;
         });
+        const double step = simulation_step(radius, wavelength_, 0.5 * options_.shortest_wavelength);
+        // what a tip adds to waves longer than heights are wide takes many of them
+        const bool has_long_waves = step * static_cast<double>(options_.tip_points) > waves_a_patch * wavelength_;
         TipSimulation simulation{.tip_radius = radius,
-                                 .step = simulation_step(radius, wavelength_, 0.5 * options_.shortest_wavelength),
+                                 .step = step,
                                  .points = options_.tip_points,
+                                 .length = has_long_waves ? options_.tip_length : options_.tip_points,
                                  .radius_response = uncertain,
                                  .correlation_length = 0.5 * wavelength_,
                                  .seed = options_.seed,
@@ -212,6 +269,7 @@ private:
             simulation.repetitions = 1;
             responses_[radius] = tip_response(C_iso(), simulation);
         } else {
+            simulation.repetitions = has_long_waves ? 4 : 2;
             responses_[radius] = tip_response(C_iso(), simulation, responses_.at(radius));
         }
     }
@@ -220,7 +278,7 @@ private:
     /// at least three measurements show that the heights are not Gaussian, and where the simulated patch lacks the
     /// longest waves.
     [[nodiscard]] Estimate surface_skewness(const TipSimulation& simulation) const {
-        constexpr double waves_a_patch = 8.0, significant = 4.0;
+        constexpr double significant = 4.0;
         const Estimate gaussian{0.0, 0.0}, measured = measured_skewness(simulation.tip_radius);
         if (!measured.uncertain() ||
             simulation.step * static_cast<double>(simulation.points) < waves_a_patch * wavelength_)
@@ -249,10 +307,10 @@ private:
         return spline_moment(spline_, fit_.theta, g.data.amplitude_order, g.data.amplitude_end).value;
     }
 
-    /// ln T the fit has used.
+    /// ln T that the fit has used.
     [[nodiscard]] Array1D expected_transfer(const ObservedGroup& g) const {
-        if (!(g.data.reference_amplitude > 0.0)) return g.data.log_transfer;
-        return g.data.log_transfer + g.data.amplitude_response * std::log(amplitude(g) / g.data.reference_amplitude);
+        if (!(g.data.reference_amplitude > 0.0)) return Array1D::Zero(g.data.wavevector.size());
+        return (with_tip(g) / without_tip(g)).log();
     }
 
     /// How the spectrum answers to relative changes of a group's periodograms.

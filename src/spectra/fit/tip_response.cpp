@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/fourier/map_transform.hpp"
 #include "setae/numerics/dense.hpp"
+#include "setae/spectra/abel.hpp"
 #include "setae/synthesis/height_transform.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/dilation.hpp"
@@ -23,23 +26,29 @@ namespace {
 constexpr double bins_a_decade = 8.0;
 constexpr double amplitude_step = 1.2, radius_step = 1.1, skewness_step = 0.2;
 
+/// Of ln C_added in a band, where one patch alone was simulated: measured on twelve patches.
+constexpr double error_of_one_patch = 0.1;
+
 /// Every second pixel along x, every eighth line: what is read.
 constexpr Index stride_x = 2, stride_y = 8;
 
-/// Σ over lines of |F|², a line a column, for modes 1 … n/2 − 1.
-Array1D line_power(const Array2D& lines, parallel::Threads threads) {
-    const Index modes = lines.rows() / 2, blocks = fourier::block_count(lines.cols());
-    Array2D power = Array2D::Zero(blocks, modes);
-    fourier::transform_lines(
-        lines, [](Index, double*) {},
+/// |H(k, m)|² of a real map, k = 1 … nx/2 − 1 down the rows and m = 0 … ny/2 along them, with that of H(−k, m): both
+/// signs of the wavevector along y.
+Array2D wave_power(const Array2D& heights, parallel::Threads threads) {
+    const Index nx = heights.rows(), ny = heights.cols();
+    Array2D power(nx / 2 - 1, ny / 2 + 1);
+    fourier::transform_map(
+        nx, ny, [&](Index i, double* line) { Eigen::Map<Array1D>(line, ny) = heights.row(i).transpose(); },
         [&](const fourier::SpectrumBlock& block) {
-            for (Index m = 0; m < block.lines; ++m)
-                for (Index k = 1; k < modes; ++k) power(block.index, k) += std::norm(block.line(m)[k]);
+            for (Index l = 0; l < block.lines; ++l) {
+                const Index m = block.first + l;
+                const bool both = m > 0 && 2 * m < ny;
+                for (Index k = 1; k < nx / 2; ++k)
+                    power(k - 1, m) = std::norm(block.line(l)[k]) + (both ? std::norm(block.line(l)[nx - k]) : 0.0);
+            }
         },
         threads);
-    Array1D sum = Array1D::Zero(modes);
-    for (Index b = 0; b < blocks; ++b) sum += power.row(b).transpose();
-    return sum.tail(modes - 1);
+    return power;
 }
 
 /// Heights on the coarse grid, lines along x as columns.
@@ -77,6 +86,13 @@ struct Bins {
         for (Index b = 0; b < size(); ++b) result[b] = values.segment(first[b] - 1, first[b + 1] - first[b]).sum();
         return result;
     }
+    [[nodiscard]] double modes(Index b) const { return static_cast<double>(first[b + 1] - first[b]); }
+    /// The bin that holds a mode, whole or not.
+    [[nodiscard]] Index of(double mode) const {
+        const auto above = std::upper_bound(first.begin(), first.end(), static_cast<Index>(mode + 1e-9));
+        return static_cast<Index>(above - first.begin()) - 1;
+    }
+    [[nodiscard]] Index highest() const { return first.back() - 1; }
     [[nodiscard]] double centre(Index b) const {
         return std::sqrt(static_cast<double>(first[b]) * static_cast<double>(first[b + 1] - 1));
     }
@@ -84,20 +100,26 @@ struct Bins {
     Index last_bin = -1;
 };
 
-/// Whittaker smoothing: Σ w (y − x)² + Σ (Δ²x)²/s².
-Array1D smoothed(const Array1D& values, const Array1D& weights) {
-    constexpr double bend = 0.09;  // per bin: what ln T turns by
+/// Whittaker smoothing: Σ w (y − x)² + Σ (Δ²x)²/s². At long waves x ends at `limit` where that is known, else flat, to
+/// s of the first bin. bends: s, a value a bin.
+Array1D smoothed(const Array1D& values, const Array1D& weights, const Array1D& bends,
+                 std::optional<double> limit = std::nullopt) {
     const Index n = values.size();
     Eigen::MatrixXd matrix = weights.matrix().asDiagonal();
+    Eigen::VectorXd right = (weights * values).matrix();
     for (Index i = 0; i + 2 < n; ++i) {
         const Eigen::Vector3d row(1.0, -2.0, 1.0);
-        matrix.block(i, i, 3, 3) += row * row.transpose() / (bend * bend);
+        matrix.block(i, i, 3, 3) += row * row.transpose() / (bends[i + 1] * bends[i + 1]);
     }
-    matrix(0, 0) += 1.0 / (bend * bend);  // flat at long waves
-    matrix(1, 1) += 1.0 / (bend * bend);
-    matrix(0, 1) -= 1.0 / (bend * bend);
-    matrix(1, 0) -= 1.0 / (bend * bend);
-    return numerics::solved_symmetric(matrix, Eigen::VectorXd((weights * values).matrix())).array();
+    const double at_end = 1.0 / (bends[0] * bends[0]);
+    if (limit) {
+        matrix(0, 0) += at_end;
+        right[0] += at_end * *limit;
+    } else {
+        const Eigen::Vector2d difference(1.0, -1.0);
+        matrix.block(0, 0, 2, 2) += difference * difference.transpose() * at_end;
+    }
+    return numerics::solved_symmetric(matrix, right).array();
 }
 
 /// Where x lies between nodes: values there are linear, and constant beyond the ends.
@@ -120,9 +142,10 @@ private:
 
 topography::HeightMap gaussian_patch(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation,
                                      double step, int repetition) {
-    const double size = step * static_cast<double>(simulation.points);
     return synthesis::random_surface(
-        C_iso, {simulation.points, simulation.points, size, size},
+        C_iso,
+        {simulation.length, simulation.points, step * static_cast<double>(simulation.length),
+         step * static_cast<double>(simulation.points)},
         {.key = {simulation.seed, static_cast<std::uint64_t>(repetition)}, .threads = simulation.threads});
 }
 
@@ -135,46 +158,203 @@ topography::HeightMap with_skewness(topography::HeightMap patch, double skewness
     return patch;
 }
 
-/// Sums of line power over repetitions, a bin a column.
-struct PowerSums {
-    Array1D surface, touched, higher, blunter, skewed_surface, skewed;
-    Array2D single;  ///< ln T of each repetition
+/// wave_power() of the surface, of what the tip reads, and of how far it is held off the surface.
+struct WavePowers {
+    Array2D surface, touched, lifted;
 };
 
-PowerSums power_sums(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, const Bins& bins,
-                     bool with_derivatives) {
-    const Index count = bins.size();
-    const double radius = simulation.tip_radius;
-    const Array1D none = Array1D::Zero(count);
-    PowerSums sums{none, none, none, none, none, none, Array2D(simulation.repetitions, count)};
-    const auto power = [&](const Array2D& lines) { return bins.sums(line_power(lines, simulation.threads)); };
-    for (int r = 0; r < simulation.repetitions; ++r) {
-        const auto parent = gaussian_patch(C_iso, simulation, simulation.step, r);
-        auto patch = with_skewness(parent, simulation.skewness);
-        const Array1D surface = power(every_point_read(patch)),
-                      touched = power(read(patch, radius, simulation.threads));
-        sums.surface += surface;
-        sums.touched += touched;
-        sums.single.row(r) = (touched / surface).log().transpose();
-        if (!with_derivatives) continue;
-        if (simulation.radius_response) sums.blunter += power(read(patch, radius * radius_step, simulation.threads));
-        patch.heights *= std::sqrt(amplitude_step);
-        sums.higher += power(read(patch, radius, simulation.threads)) / amplitude_step;
-        if (!simulation.skewness_response) continue;
-        patch = with_skewness(parent, simulation.skewness + skewness_step);
-        sums.skewed_surface += power(every_point_read(patch));
-        sums.skewed += power(read(patch, radius, simulation.threads));
+/// At the wavevectors of a response.
+struct Transfer {
+    Array1D log_transfer, log_followed, log_added;  ///< ln T, ln a², ln C_added
+};
+
+/// What a set of patches is read with, and what its powers mean.
+class Reading {
+public:
+    Reading(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation)
+        : simulation_(simulation), bins_(simulation.length / stride_x / 2 - 1) {
+        const double length = simulation.step * static_cast<double>(simulation.length),
+                     width = simulation.step * static_cast<double>(simulation.points);
+        unit_x_ = 2.0 * pi / length;
+        unit_y_ = 2.0 * pi / width;
+        beyond_ = static_cast<Index>(decades_beyond * bins_a_decade);
+        wavevector_.resize(beyond_ + bins_.size());
+        for (Index i = 0; i < beyond_; ++i)
+            wavevector_[i] = unit_x_ * std::pow(10.0, -static_cast<double>(beyond_ - i) / bins_a_decade);
+        for (Index b = 0; b < bins_.size(); ++b) wavevector_[beyond_ + b] = unit_x_ * bins_.centre(b);
+        independent_lines_ = std::max(4.0, width / std::max(simulation.correlation_length, simulation.step * stride_y));
+        // Σ over m of |H|² is ny² times the mean power of lines, and that C1D · length/sample²
+        const auto lines = static_cast<double>(simulation.points / stride_y);
+        const double sample = simulation.step * stride_x;
+        power_unit_ = sample * sample / length / (lines * lines);
+        set_density(C_iso);
+        const double carrying = pi / simulation.correlation_length;  // 2π over the wavelength of the heights' median
+        const auto bends = [&](double longest) {
+            return Array1D(bend * (longest / carrying * wavevector_.tail(bins_.size())).max(least_bend).min(1.0));
+        };
+        bends_of_followed_ = bends(3.0);
+        bends_of_added_ = bends(10.0);
     }
-    return sums;
+
+    [[nodiscard]] const Array1D& wavevector() const { return wavevector_; }
+
+    /// Hats over ln q, a row each, a factor of three apart; the first is 1 at all longer waves, the last at all
+    /// shorter.
+    [[nodiscard]] Array2D bands() const {
+        const Array1D place = (wavevector_ / wavevector_[beyond_]).log() / std::log(band_step);
+        const auto bands = static_cast<Index>(std::floor(place[place.size() - 1])) + 1;
+        Array2D hats(bands, place.size());
+        for (Index j = 0; j < bands; ++j)
+            hats.row(j) =
+                (1.0 - (place.max(0.0).min(static_cast<double>(bands - 1)) - static_cast<double>(j)).abs()).max(0.0);
+        return hats;
+    }
+
+    /// Modes behind each wavevector, none beyond the patch.
+    [[nodiscard]] Array1D modes() const {
+        return Array1D::NullaryExpr(wavevector_.size(),
+                                    [&](Index i) { return i < beyond_ ? 0.0 : bins_.modes(i - beyond_); });
+    }
+
+    [[nodiscard]] WavePowers powers(const topography::HeightMap& patch, double radius) const {
+        const Array2D surface = every_point_read(patch), touched = read(patch, radius, simulation_.threads);
+        return {wave_power(surface, simulation_.threads), wave_power(touched, simulation_.threads),
+                wave_power(touched - surface, simulation_.threads)};
+    }
+
+    /// Of patches whose spectrum is `scale` times the one given: H_read = a H + H_added, ⟨H* H_added⟩ = 0.
+    [[nodiscard]] Transfer transfer(const WavePowers& sums, int repetitions, double scale) const {
+        const Array2D shared = 0.5 * (sums.touched + sums.surface - sums.lifted);
+        const Array1D followed = followed_share(sums, shared);
+        const Array1D log_added = added_power(sums, shared, followed, repetitions, scale);
+        Transfer result{Array1D(wavevector_.size()), Array1D(wavevector_.size()), Array1D(wavevector_.size())};
+        for (Index i = 0; i < wavevector_.size(); ++i) {
+            const Index b = std::max<Index>(0, i - beyond_);
+            result.log_followed[i] = std::log(std::max(followed[b] * followed[b], least_followed));
+            result.log_added[i] = log_added[b];
+        }
+        result.log_transfer = log_transfer(result.log_followed, result.log_added, scale);
+        return result;
+    }
+
+    /// ln T = ln [(Abel integral of a² C_iso + C_added)/C1D].
+    [[nodiscard]] Array1D log_transfer(const Array1D& log_followed, const Array1D& log_added, double scale) const {
+        const Array1D x = wavevector_.log();
+        const Array1D followed =
+            nodes_.unaryExpr([&](double q) { return std::exp(Place(x, std::log(q)).of(log_followed)); }) * C_iso_;
+        return ((spectra::profile_from_isotropic(nodes_, followed, wavevector_) + log_added.exp() / scale) / density_)
+            .log();
+    }
+
+private:
+    static constexpr double band_step = 3.0;
+    static constexpr double decades_beyond = 3.0;   ///< of waves longer than the patch
+    static constexpr double least_added = 1e-12;    ///< of C1D: a tip that fits everywhere adds rounding
+    static constexpr double least_followed = 1e-8;  ///< a²: of waves that it cannot enter a tip follows nothing
+    static constexpr double bend = 0.09;            ///< what a and ln C_added may turn by, a bin, at short waves …
+    static constexpr double least_bend = 0.1;  ///< … and this much of it where they are flat: ever less at waves that
+                                               ///< are longer than those that carry heights, three and ten times
+
+    void set_density(const spectra::SpectralDensity& C_iso) {
+        constexpr double nodes_a_decade = 40.0;
+        const double lowest = 0.5 * wavevector_[0], highest = pi / simulation_.step;
+        const auto count = static_cast<Index>(std::ceil(nodes_a_decade * std::log10(highest / lowest))) + 1;
+        nodes_ = Array1D::LinSpaced(count, std::log(lowest), std::log(highest)).exp();
+        C_iso_ = nodes_.unaryExpr([&](double q) { return C_iso(q); });
+        C_iso_ = C_iso_.max(1e-30 * C_iso_.maxCoeff());
+        density_ = spectra::profile_from_isotropic(nodes_, C_iso_, wavevector_);
+    }
+
+    [[nodiscard]] double wavevector_of(Index k, Index m) const {
+        return std::hypot(unit_x_ * static_cast<double>(k + 1), unit_y_ * static_cast<double>(m));
+    }
+
+    /// a of waves of every direction, a bin each: the regression of what is read on the surface.
+    [[nodiscard]] Array1D followed_share(const WavePowers& sums, const Array2D& shared) const {
+        Array1D surface = Array1D::Zero(bins_.size()), together = surface, left = surface, counts = surface;
+        for (Index k = 0; k < shared.rows(); ++k)
+            for (Index m = 0; m < shared.cols(); ++m) {
+                const Index b = bins_.of(wavevector_of(k, m) / unit_x_);
+                if (b >= bins_.size()) continue;
+                surface[b] += sums.surface(k, m);
+                together[b] += shared(k, m);
+                left[b] += sums.touched(k, m);
+                counts[b] += m > 0 ? 2.0 : 1.0;
+            }
+        const Array1D follows = together / surface;
+        left = (left - together * follows).max(least_added * surface);
+        constexpr double of_endless_waves = 1.0;  // what is lifted or tilted as a whole is followed
+        return smoothed(follows, counts * surface / left, bends_of_followed_, of_endless_waves);
+    }
+
+    /// ln C_added of lines, a bin each: what is read and not followed.
+    [[nodiscard]] Array1D added_power(const WavePowers& sums, const Array2D& shared, const Array1D& followed,
+                                      int repetitions, double scale) const {
+        const Array1D x = wavevector_.tail(bins_.size()).log();
+        Array1D line(shared.rows());
+        for (Index k = 0; k < shared.rows(); ++k) {
+            line[k] = 0.0;
+            for (Index m = 0; m < shared.cols(); ++m) {
+                const double a = Place(x, std::log(wavevector_of(k, m))).of(followed);
+                line[k] += sums.touched(k, m) - 2.0 * a * shared(k, m) + a * a * sums.surface(k, m);
+            }
+        }
+        const Array1D modes = Array1D::NullaryExpr(bins_.size(), [&](Index b) { return bins_.modes(b); });
+        const Array1D added = (bins_.sums(line) / modes * (power_unit_ / repetitions))
+                                  .max(least_added * scale * density_.tail(bins_.size()));
+        return smoothed(added.log(), independent_lines_ * repetitions * modes, bends_of_added_);
+    }
+
+    TipSimulation simulation_;
+    Bins bins_;
+    Index beyond_ = 0;
+    double unit_x_ = 0.0, unit_y_ = 0.0;  ///< between modes [1/m]
+    Array1D wavevector_;
+    Array1D bends_of_followed_, bends_of_added_;
+    double independent_lines_ = 0.0, power_unit_ = 0.0;
+    Array1D nodes_, C_iso_;
+    Array1D density_;  ///< C1D at the wavevectors
+};
+
+void add(WavePowers& sum, const WavePowers& powers) {
+    if (sum.surface.size() == 0) {
+        sum = powers;
+        return;
+    }
+    sum.surface += powers.surface;
+    sum.touched += powers.touched;
+    sum.lifted += powers.lifted;
 }
 
-/// Smoothed departures of the repetitions from their mean, over √(n(n − 1)).
-Array2D simulation_errors(const Array2D& single, const Array1D& weights) {
-    if (single.rows() < 2) return Array2D(0, single.cols());
-    const auto n = static_cast<double>(single.rows());
-    Array2D errors = (single.rowwise() - single.colwise().mean()) / std::sqrt(n * (n - 1.0));
-    for (Index r = 0; r < errors.rows(); ++r) errors.row(r) = smoothed(errors.row(r).transpose(), weights).transpose();
-    return errors;
+/// Standard errors of the mean of ln C_added in each band, times the band.
+Array2D added_errors(const Reading& reading, const std::vector<Transfer>& each) {
+    Array2D bands = reading.bands();
+    const Array1D modes = reading.modes();
+    const auto n = static_cast<double>(each.size());
+    for (Index j = 0; j < bands.rows(); ++j) {
+        const Array1D weights = modes * bands.row(j).transpose();
+        double sum = 0.0, squares = 0.0;
+        for (const auto& one : each) {
+            const double level = (weights * (one.log_added - each.front().log_added)).sum() / weights.sum();
+            sum += level;
+            squares += level * level;
+        }
+        const double variance = (squares - sum * sum / n) / (n * (n - 1.0));
+        bands.row(j) *= each.size() > 1 ? std::sqrt(std::max(variance, 0.0)) : error_of_one_patch;
+    }
+    return bands;
+}
+
+/// What repetitions differ by in what they follow, from their mean and over √(n(n − 1)), as ln T.
+Array2D simulation_errors(const Reading& reading, const Transfer& all, const std::vector<Transfer>& each) {
+    const auto repetitions = static_cast<Index>(each.size());
+    if (repetitions < 2) return Array2D(0, all.log_transfer.size());
+    Array2D errors(repetitions, all.log_transfer.size());
+    for (Index r = 0; r < repetitions; ++r)
+        errors.row(r) =
+            reading.log_transfer(each[static_cast<std::size_t>(r)].log_followed, all.log_added, 1.0).transpose();
+    const auto n = static_cast<double>(repetitions);
+    return (errors.rowwise() - errors.colwise().mean().eval()) / std::sqrt(n * (n - 1.0));
 }
 
 void require(const TipSimulation& simulation) {
@@ -187,28 +367,44 @@ void require(const TipSimulation& simulation) {
 
 TipResponse simulated(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, bool with_derivatives) {
     require(simulation);
-    const Bins bins(simulation.points / stride_x / 2 - 1);
-    const double size = simulation.step * static_cast<double>(simulation.points);
-    const auto sums = power_sums(C_iso, simulation, bins, with_derivatives);
-    // independent values behind a bin: its modes, and lines a correlation length apart
-    const double lines = std::max(4.0, size / std::max(simulation.correlation_length, simulation.step * stride_y)) *
-                         static_cast<double>(simulation.repetitions);
-    const Array1D weights = Array1D::NullaryExpr(
-        bins.size(), [&](Index b) { return lines * static_cast<double>(bins.first[b + 1] - bins.first[b]); });
-    const auto log_ratio = [&](const Array1D& over, const Array1D& under) {
-        return smoothed((over / under).log(), weights);
+    const Reading reading(C_iso, simulation);
+    const double radius = simulation.tip_radius;
+    WavePowers plain, blunter, higher, skewed;
+    std::vector<Transfer> each;
+    for (int r = 0; r < simulation.repetitions; ++r) {
+        const auto parent = gaussian_patch(C_iso, simulation, simulation.step, r);
+        auto patch = with_skewness(parent, simulation.skewness);
+        const auto powers = reading.powers(patch, radius);
+        add(plain, powers);
+        each.push_back(reading.transfer(powers, 1, 1.0));
+        if (!with_derivatives) continue;
+        if (simulation.radius_response) add(blunter, reading.powers(patch, radius * radius_step));
+        patch.heights *= std::sqrt(amplitude_step);
+        add(higher, reading.powers(patch, radius));
+        if (simulation.skewness_response)
+            add(skewed, reading.powers(with_skewness(parent, simulation.skewness + skewness_step), radius));
+    }
+    const auto transfer = [&](const WavePowers& sums, double scale) {
+        return reading.transfer(sums, simulation.repetitions, scale);
     };
-    TipResponse response;
-    response.wavevector = Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / size * bins.centre(b); });
-    response.log_transfer = log_ratio(sums.touched, sums.surface);
-    response.amplitude_response = response.radius_response = response.skewness_response = Array1D::Zero(bins.size());
-    if (with_derivatives) response.amplitude_response = log_ratio(sums.higher, sums.touched) / std::log(amplitude_step);
+    const auto own = transfer(plain, 1.0);
+    TipResponse response{.wavevector = reading.wavevector(),
+                         .log_transfer = own.log_transfer,
+                         .log_followed = own.log_followed,
+                         .log_added = own.log_added};
+    const Array1D none = Array1D::Zero(response.wavevector.size());
+    response.followed_response = response.added_response = response.radius_response = response.skewness_response = none;
+    if (with_derivatives) {
+        const auto of_higher = transfer(higher, amplitude_step);
+        response.followed_response = (of_higher.log_followed - own.log_followed) / std::log(amplitude_step);
+        response.added_response = (of_higher.log_added - own.log_added) / std::log(amplitude_step);
+    }
     if (with_derivatives && simulation.radius_response)
-        response.radius_response = log_ratio(sums.blunter, sums.touched) / std::log(radius_step);
+        response.radius_response = (transfer(blunter, 1.0).log_transfer - own.log_transfer) / std::log(radius_step);
     if (with_derivatives && simulation.skewness_response)
-        response.skewness_response =
-            (log_ratio(sums.skewed, sums.skewed_surface) - response.log_transfer) / skewness_step;
-    response.simulation_errors = simulation_errors(sums.single, weights);
+        response.skewness_response = (transfer(skewed, 1.0).log_transfer - own.log_transfer) / skewness_step;
+    response.added_errors = added_errors(reading, each);
+    response.simulation_errors = simulation_errors(reading, own, each);
     return response;
 }
 
@@ -225,7 +421,8 @@ TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulat
 TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation,
                          const TipResponse& before) {
     TipResponse response = simulated(C_iso, simulation, false);
-    response.amplitude_response = before.amplitude_response;
+    response.followed_response = before.followed_response;
+    response.added_response = before.added_response;
     response.radius_response = before.radius_response;
     response.skewness_response = before.skewness_response;
     return response;
@@ -234,8 +431,9 @@ TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulat
 double added_skewness(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation) {
     constexpr double coarser = 4.0;
     require(simulation);
-    const auto patch =
-        with_skewness(gaussian_patch(C_iso, simulation, coarser * simulation.step, 0), simulation.skewness);
+    auto square = simulation;
+    square.length = square.points;
+    const auto patch = with_skewness(gaussian_patch(C_iso, square, coarser * simulation.step, 0), simulation.skewness);
     return skewness_of(read(patch, simulation.tip_radius, simulation.threads)) - skewness_of(every_point_read(patch));
 }
 
@@ -243,29 +441,47 @@ SampledResponse sampled(const TipResponse& response, const spectra::SpectralDens
                         const ArrayView1D& wavevectors) {
     const Array1D x = response.wavevector.log();
     constexpr int aliases = 12;
-    const Index n = wavevectors.size(), repetitions = response.simulation_errors.rows();
+    const Index n = wavevectors.size(), repetitions = response.simulation_errors.rows(),
+                bands = response.added_errors.rows();
     const auto zero = Array1D::Zero(n);
-    SampledResponse result{zero, zero, zero, zero, Array2D::Zero(repetitions, n)};
+    SampledResponse result{zero, zero, zero, zero, zero, Array2D::Zero(bands, n), Array2D::Zero(repetitions, n)};
     for (Index k = 0; k < n; ++k) {
-        double plain = 0.0, read = 0.0;
+        double plain = 0.0, read = 0.0, added = 0.0;
         for (int m = -aliases; m <= aliases; ++m) {
             const double q = std::abs(wavevectors[k] + 2.0 * pi * m / pixel_size), power = C1D(q);
             const Place place(x, std::log(q));
-            const double kept = power * std::exp(place.of(response.log_transfer));
+            const double kept = power * std::exp(place.of(response.log_transfer)),
+                         own = power > 0.0 ? std::exp(place.of(response.log_added)) : 0.0;
             plain += power;
             read += kept;
-            result.amplitude_response[k] += kept * place.of(response.amplitude_response);
+            added += own;
+            result.added_response[k] += own * place.of(response.added_response);
             result.radius_response[k] += kept * place.of(response.radius_response);
             result.skewness_response[k] += kept * place.of(response.skewness_response);
             for (Index r = 0; r < repetitions; ++r)
                 result.simulation_errors(r, k) += kept * place.of(response.simulation_errors.row(r).transpose());
+            for (Index j = 0; j < bands; ++j)
+                result.added_errors(j, k) += own * place.of(response.added_errors.row(j).transpose());
         }
         result.log_transfer[k] = plain > 0.0 ? std::log(read / plain) : 0.0;
-        const double share = read > 0.0 ? 1.0 / read : 0.0;
-        result.amplitude_response[k] *= share;
+        result.added_share[k] = plain > 0.0 ? added / plain : 0.0;
+        const double share = read > 0.0 ? 1.0 / read : 0.0, of_added = added > 0.0 ? 1.0 / added : 0.0;
+        result.added_response[k] *= of_added;
         result.radius_response[k] *= share;
         result.skewness_response[k] *= share;
         result.simulation_errors.col(k) *= share;
+        result.added_errors.col(k) *= of_added;
+    }
+    return result;
+}
+
+FollowedShare followed_at(const TipResponse& response, const ArrayView1D& wavevectors) {
+    const Array1D x = response.wavevector.log();
+    FollowedShare result{Array1D(wavevectors.size()), Array1D(wavevectors.size())};
+    for (Index i = 0; i < wavevectors.size(); ++i) {
+        const Place place(x, std::log(wavevectors[i]));
+        result.log_square[i] = place.of(response.log_followed);
+        result.response[i] = place.of(response.followed_response);
     }
     return result;
 }

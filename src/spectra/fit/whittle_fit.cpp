@@ -75,7 +75,7 @@ std::vector<NoisePrior> noise_priors(const std::vector<PeriodogramClass>& classe
 }
 
 /// Parameters: theta, then one ln σ² for each class that has noise, one for all classes of an instrument whose noise is
-/// known beforehand.
+/// known beforehand, and some η for each tip.
 class Problem {
 public:
     Problem(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness)
@@ -83,12 +83,16 @@ public:
         for (const auto& c : classes) {
             designs_.push_back(spline.design(c.nodes).sparseView());
             noise_index_.push_back(index_of_noise(c));
+            added_index_.push_back(index_of_added(c));
             responds_ = responds_ || c.reference_amplitude > 0.0;
         }
         prior_centre_ = Eigen::VectorXd::Zero(parameters_);
         precision_ = Eigen::MatrixXd::Zero(parameters_, parameters_);
         add_smoothness(smoothness);
         add_noise_priors();
+        for (std::size_t c = 0; c < classes.size(); ++c)
+            if (const Index at = added_index_[c]; at >= 0)
+                precision_.diagonal().segment(at, classes[c].added_errors.rows()).setOnes();
     }
 
     [[nodiscard]] Index parameters() const { return parameters_; }
@@ -162,6 +166,14 @@ private:
         return place->second;
     }
 
+    /// Of a tip's first η among the parameters; −1 without.
+    [[nodiscard]] Index index_of_added(const PeriodogramClass& c) {
+        if (c.added.size() == 0 || c.added_errors.rows() == 0) return -1;
+        const auto [place, is_new] = tips_.emplace(c.tip_radius, parameters_);
+        if (is_new) parameters_ += c.added_errors.rows();
+        return place->second;
+    }
+
     void add_smoothness(const Smoothness& smoothness) {
         const Index n = spline_.coefficients();
         const double bend = 1.0 / (smoothness.bend * smoothness.bend),
@@ -191,29 +203,42 @@ private:
         const auto& c = classes_[index];
         const Eigen::VectorXd theta = x.head(spline_.coefficients());
         const Array1D f = (designs_[index] * theta).array().exp();
-        Array1D log_transfer = c.log_transfer;
+        double change = 0.0;              // of ln A
         Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta
         if (c.reference_amplitude > 0.0) {
             const auto amplitude = spline_moment(spline_, theta, c.amplitude_order, c.amplitude_end);
-            log_transfer +=
-                c.amplitude_response * std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
+            change = std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
             amplitude_slope = amplitude.gradient / amplitude.value;
         }
-        const Eigen::MatrixXd scaled = (c.response.colwise() * log_transfer.exp()).matrix() * f.matrix().asDiagonal();
+        Array1D followed = f;
+        if (c.log_followed.size() > 0) followed *= (c.log_followed + c.followed_response * change).exp();
+        const Eigen::MatrixXd scaled = c.response.matrix() * followed.matrix().asDiagonal();
         const Array1D surface = scaled.rowwise().sum().array();
-        Array1D expected = surface;
+        Array1D expected = surface, added;
+        if (c.added.size() > 0) {
+            Array1D raised = c.added_response * change;
+            if (const Index at = added_index_[index]; at >= 0)
+                raised += (c.added_errors.matrix().transpose() * x.segment(at, c.added_errors.rows())).array();
+            added = c.added * raised.exp();
+            expected += added;
+        }
         Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(c.wavevector.size(), parameters_);
         derivative.leftCols(spline_.coefficients()) = scaled * designs_[index];
         if (const Index at = noise_index_[index]; at >= 0) {
             derivative.col(at) = (c.noise_response * std::exp(x[at])).matrix();
             expected += derivative.col(at).array();
         }
+        if (const Index at = added_index_[index]; at >= 0)
+            derivative.middleCols(at, c.added_errors.rows()) =
+                (c.added_errors.rowwise() * added.transpose()).transpose().matrix();
         expected = expected.max(1e-300);
         derivative = expected.inverse().matrix().asDiagonal() * derivative;
         Eigen::MatrixXd total = derivative;
-        if (amplitude_slope.size() > 0)
-            total.leftCols(spline_.coefficients()) +=
-                (c.amplitude_response * surface / expected).matrix() * amplitude_slope.transpose();
+        if (amplitude_slope.size() > 0) {
+            Array1D answer = (scaled * c.followed_response.matrix()).array();
+            if (added.size() > 0) answer += c.added_response * added;
+            total.leftCols(spline_.coefficients()) += (answer / expected).matrix() * amplitude_slope.transpose();
+        }
         const Array1D ratio = c.periodogram / expected;
         for (Index k = 0; k < ratio.size(); ++k)
             if (c.freedom[k] > 0.0) s.objective -= c.freedom[k] * (std::log(expected[k]) + ratio[k]);
@@ -228,7 +253,8 @@ private:
     const std::vector<PeriodogramClass>& classes_;
     const LogSpline& spline_;
     std::vector<Eigen::SparseMatrix<double>> designs_;  ///< four coefficients a node
-    std::vector<Index> noise_index_;
+    std::vector<Index> noise_index_, added_index_;
+    std::map<double, Index> tips_;              ///< η by radius
     std::map<std::string, Index> known_noise_;  ///< of instruments whose noise is known beforehand
     Index parameters_;
     bool responds_ = false;  ///< a tip's T to the fit

@@ -21,11 +21,16 @@ struct PeriodogramClass {
                                   ///< stated; empty where none is fitted
     double noise_known_to = 0.0;  ///< standard deviation of ln σ² about 0 known beforehand, σ² then one for all classes
                                   ///< of an instrument; 0: found from the periodogram
-    Array1D log_transfer;              ///< ln T of the tip, 0 without
-    Array1D amplitude_response;        ///< ∂ ln T/∂ ln A, A the amplitude below
+    Array1D log_followed;       ///< ln a² of the tip at the nodes; empty without
+    Array1D followed_response;  ///< ∂ ln a²/∂ ln A, A the amplitude below
+    Array1D added;              ///< what the tip adds to the periodogram [m³]; empty without
+    Array1D added_response;     ///< ∂ ln added/∂ ln A
+    Array2D added_errors;  ///< ε_j of E_added = exp(Σ η_j ε_j) added, a row each; η of variance 1 and the same for all
+                           ///< classes of a tip
+    double tip_radius = 0.0;           ///< tells tips apart [m]
     double amplitude_order = 1.0;      ///< A = ∫_0^{amplitude_end} q^order C_iso dq
     double amplitude_end = 0.0;        ///< [1/m]
-    double reference_amplitude = 0.0;  ///< A that log_transfer was simulated at; 0: T does not respond
+    double reference_amplitude = 0.0;  ///< A that both were simulated at; 0: the tip does not respond
 };
 
 /// How smooth ln C_iso is taken to be.
@@ -41,19 +46,19 @@ struct WhittleFit {
     Array1D log_noise;           ///< ln σ² of each class, in the unit of its noise_response; NaN where none
     Eigen::MatrixXd covariance;  ///< of theta, with the tip's response
     Eigen::MatrixXd gain;  ///< ∂theta/∂score: how theta answers to a change Jᵀν δ(ln E) of what is expected
-    std::vector<Eigen::MatrixXd> jacobian;  ///< ∂ ln E/∂theta of each class at fixed T
+    std::vector<Eigen::MatrixXd> jacobian;  ///< ∂ ln E/∂theta of each class at fixed tip
     std::vector<Array1D> expected;          ///< E[P] of each class
     double log_likelihood = 0.0;
     int iterations = 0;
     bool converged = false;
 };
 
-/// Maximises  −Σ ν (ln E + P/E) − ½ Σ (Δ²θ)²/s² − weak terms,  E = T K C_iso + σ² N,  by Fisher scoring with a step
-/// limit.
+/// Maximises  −Σ ν (ln E + P/E) − ½ Σ (Δ²θ)²/s² − weak terms,  E = K a² C_iso + e^(Σηε) E_added + σ² N,  by Fisher
+/// scoring with a step limit.
 ///
-/// T answers to the fit's own amplitude, ln T = ln T_0 + s (ln A − ln A_0), in E and in the step, so that few
-/// simulations of the tip suffice. Covariance: H1⁻¹ (J₀ᵀνJ₀ + Q) H1⁻ᵀ, H1 = J₀ᵀν(J₀ + J_T) + Q. start: theta to begin
-/// with; empty: from the periodograms.
+/// a² and E_added answer to the fit's own amplitude, ln a² = ln a_0² + s (ln A − ln A_0), in E and in the step, so that
+/// few simulations of the tip suffice. Covariance: H1⁻¹ (J₀ᵀνJ₀ + Q) H1⁻ᵀ, H1 = J₀ᵀν(J₀ + J_T) + Q. start: theta to
+/// begin with; empty: from the periodograms.
 /// @throws InvalidArgument where no class has a value to fit.
 /// Source: Whittle likelihood of expected periodograms, Sykulski et al., Biometrika 106 (2019) 251; response of T
 /// derived here.

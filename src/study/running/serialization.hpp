@@ -124,9 +124,10 @@ SETAE_KEEP(TipFactor, instrument, tip_radius, wavevector, transfer)
 /// The settings that decide a result: all but the threads.
 template <class Archive>
 void serialize(Archive& archive, LikelihoodOptions& of) {
-    auto& [shortest_wavelength, bend, tip_factor, tip_band, least_transfer, rounds, tip_points, seed, threads] = of;
+    auto& [shortest_wavelength, bend, tip_factor, tip_band, least_transfer, rounds, tip_points, tip_length, seed,
+           threads] = of;
     static_cast<void>(threads);
-    archive(shortest_wavelength, bend, tip_factor, tip_band, least_transfer, rounds, tip_points, seed);
+    archive(shortest_wavelength, bend, tip_factor, tip_band, least_transfer, rounds, tip_points, tip_length, seed);
 }
 
 }  // namespace setae::spectral_fit

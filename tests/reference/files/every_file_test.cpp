@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 
 #include <gtest/gtest.h>
 
@@ -148,7 +149,9 @@ TEST(EveryFile, CutAnywhereIsRefusedWithThePlace) {
             const auto length = content.size() * k / cuts;
             if (length >= announced) break;
             const auto error = error_of(content.substr(0, length), options);
-            const bool has_place = error.find("at byte ") != std::string::npos || error.starts_with("cut:");
+            // what is left may look like text, whose places are lines
+            const bool has_place =
+                error.find("at byte ") != std::string::npos || std::regex_search(error, std::regex("^cut:[0-9]+: "));
             EXPECT_TRUE(has_place) << "cut at " << length << " of " << content.size() << ": '" << error << "'";
         }
         ++looked_at;

@@ -80,18 +80,24 @@ TEST(KnownSurfaces, AreMissedWithoutTheCutoffAndTheTip) {
         only(validation_with({.tip_band = false, .threads = {2}}, "without_cutoff"), "likelihood"), where_tips_end);
     EXPECT_LT(with.chi_squared, 2.5 * with.count);
     EXPECT_GT(without_both.chi_squared, 20.0 * without_both.count);
-    EXPECT_GT(without_cutoff.chi_squared, 3.0 * with_cutoff.chi_squared);
+    // what a tip adds is part of the model: beyond the cutoff it misleads less than a factor T did, which tripled this
+    EXPECT_GT(without_cutoff.chi_squared, 1.5 * with_cutoff.chi_squared);
 }
 
 // THEORY §4.2: the paper's route reads slope and curvature low, segments between contour points doing most of it.
 TEST(KnownSurfaces, AreMissedByThePapersRoute) {
+    int curvatures = 0, slopes = 0;
     for (const auto& c : only(complete(), "paper")) {
         if (c.quantity == "rms_curvature") {
             EXPECT_NEAR(c.deviation(), -0.36, 0.08) << c.item;
+            ++curvatures;
         } else if (c.quantity == "rms_slope") {
             EXPECT_NEAR(c.deviation(), -0.17, 0.08) << c.item;
+            ++slopes;
         }
     }
+    EXPECT_GE(curvatures, 2);
+    EXPECT_EQ(slopes, curvatures);
 }
 
 TEST(KnownSurfaces, GiveTheSameBytesForAnyNumberOfThreads) {

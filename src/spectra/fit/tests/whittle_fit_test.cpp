@@ -27,7 +27,7 @@ PeriodogramClass direct(double from, double to, double freedom) {
     c.response = Eigen::MatrixXd::Identity(n, n).array();
     c.periodogram = c.nodes.unaryExpr([](double q) { return truth(q); });
     c.freedom = Array1D::Constant(n, freedom);
-    c.log_transfer = c.amplitude_response = Array1D::Zero(n);
+    c.log_followed = c.followed_response = Array1D::Zero(n);
     return c;
 }
 
@@ -71,14 +71,43 @@ TEST(WhittleFit, LetsTheTipAnswerToTheAmplitude) {
     c.amplitude_order = 1.0;
     c.amplitude_end = 1e8;
     c.reference_amplitude = 1.2 * A;
-    c.amplitude_response = Array1D::Constant(c.nodes.size(), -0.3 / std::log(1.2) * 0.2);
-    c.log_transfer = Array1D::Constant(c.nodes.size(), -0.3 * 1.2);
+    c.followed_response = Array1D::Constant(c.nodes.size(), -0.3 / std::log(1.2) * 0.2);
+    c.log_followed = Array1D::Constant(c.nodes.size(), -0.3 * 1.2);
     const auto fit = fit_whittle({c}, spline(), {});
     EXPECT_TRUE(fit.converged);
     EXPECT_NEAR(log_error(fit, 1e6), 0.0, 0.01);
     // without the answer it keeps what the wrong T says
     c.reference_amplitude = 0.0;
     EXPECT_NEAR(log_error(fit_whittle({c}, spline(), {}), 1e6), 0.06, 0.01);
+}
+
+/// A tip that follows an eighth of the power below 1e6 1/m, and adds seven times as much.
+PeriodogramClass mostly_added(double freedom) {
+    auto c = direct(1e5, 1e6, freedom);
+    c.log_followed = Array1D::Constant(c.nodes.size(), std::log(0.125));
+    c.added = 0.875 * c.periodogram;
+    c.added_response = Array1D::Zero(c.nodes.size());
+    c.periodogram = 0.125 * c.periodogram + c.added;
+    return c;
+}
+
+TEST(WhittleFit, TakesOffWhatATipAdds) {
+    const auto fit = fit_whittle({mostly_added(1e6), direct(1e6, 9.9e7, 1e4)}, spline(), {});
+    EXPECT_TRUE(fit.converged);
+    for (const double q : {2e5, 5e5, 7e6}) EXPECT_NEAR(log_error(fit, q), 0.0, 5e-3) << q;
+}
+
+// 1 % of what is added is 7 % of what is followed: a band of added power known to 1 % leaves C_iso unknown to as much.
+TEST(WhittleFit, KnowsNoMoreThanWhatTheTipAddsIsKnownTo) {
+    const auto error = [](double known_to) {
+        auto c = mostly_added(1e6);
+        if (known_to > 0.0) c.added_errors = Array2D::Constant(1, c.nodes.size(), known_to);
+        const auto fit = fit_whittle({c, direct(1e7, 9.9e7, 1e4)}, spline(), {.bend = 3.0, .slope = 3.0});
+        const Eigen::MatrixXd design = spline().design(Array1D::Constant(1, 3e5));
+        return std::sqrt((design * fit.covariance * design.transpose())(0, 0));
+    };
+    EXPECT_LT(error(0.0), 0.02);
+    EXPECT_NEAR(error(0.01), 0.07, 0.015);
 }
 
 // P is gamma distributed with ν about E: the covariance is the scatter of the fits. 300 fits know a standard deviation

@@ -28,7 +28,8 @@ struct LikelihoodOptions {
     bool tip_band = true;         ///< use tip-based data below 2π/l_c alone
     double least_transfer = 0.4;  ///< use tip-based data where T is larger
     int rounds = 5;               ///< most simulations of each tip; they end when T settles
-    Index tip_points = 1024;      ///< of a side of the simulated patch
+    Index tip_points = 1024;      ///< of the simulated patch across the lines that are read …
+    Index tip_length = 2048;      ///< … and along them
     std::uint64_t seed = 1;
     parallel::Threads threads;
 };
