@@ -104,6 +104,7 @@ std::vector<AlertKind> of_surfaces() {
                      spectral_fit::improbable_agreement)},
         {"MEASUREMENTS_SCATTER", about,
          "an instrument's measurements differ from each other beyond what their waves explain"},
+        {"FILES_LEFT_OUT", about, "measurements of a surface failed; its spectrum rests on the others"},
         {"LIKELIHOOD_FAILED", about, "the likelihood could not be fitted; the average stands for it"},
         {"NOT_CONVERGED", about, "an iteration ended before its change was small: of a fit, a trace, a facet level"},
         {"ROLLOFF_NOT_SEEN", about, "the longest waves seen still carry much of the height"},

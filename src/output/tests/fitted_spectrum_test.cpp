@@ -106,6 +106,19 @@ TEST_F(FittedSpectrum, LeavesTheAverageWhereItIsRefused) {
     EXPECT_TRUE(has_alert(result, "LIKELIHOOD_FAILED"));
 }
 
+TEST_F(FittedSpectrum, SaysWhichFilesItHasToDoWithout) {
+    auto missing = walk(2);
+    missing.file += ".gone";
+    const auto result = study::analyse_surface(surface("two", {walk(1), missing}), {}, {1});
+    EXPECT_EQ(result.method, study::SpectrumMethod::average);
+    const auto alert = std::find_if(result.alerts.begin(), result.alerts.end(),
+                                    [](const Alert& a) { return a.code == "FILES_LEFT_OUT"; });
+    ASSERT_NE(alert, result.alerts.end());
+    EXPECT_NE(alert->message.find("1 of 2"), std::string::npos);
+    EXPECT_NE(alert->message.find("in place of the likelihood"), std::string::npos);
+    EXPECT_FALSE(has_alert(study::analyse_surface(surface("two", {walk(1), walk(2)}), {}, {1}), "FILES_LEFT_OUT"));
+}
+
 // Increments of variance s² a step Δ: C1D = s²/(Δ q²) up to the turn of sampling; here over the decade 2e5 … 2e6 1/m.
 TEST_F(FittedSpectrum, HoldsTheSpectrumOfRandomWalks) {
     const auto result =

@@ -10,6 +10,7 @@
 
 #include "patch_multigrid.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/topography/gaps.hpp"
 
 namespace setae::processing {
 namespace {
@@ -103,32 +104,9 @@ Filling fill_in_place(HeightMap& map, parallel::Threads threads) {
 }
 
 Filling fill_in_place(LineScan& scan) {
-    Array1D& heights = scan.heights;
-    const Index n = heights.size();
-    std::vector<Index> defined;
-    for (Index i = 0; i < n; ++i)
-        if (!std::isnan(heights[i])) defined.push_back(i);
-    if (defined.empty()) refuse_empty(scan.metadata);
-    Filling filling{n - static_cast<Index>(defined.size()), 0};
-    const auto bridge = [&](Index from, Index to) {  // to > from; beyond n: wrapped
-        if (to - from < 2) return;
-        ++filling.patches;
-        const double lower = heights[from], upper = heights[to % n];
-        for (Index i = from + 1; i < to; ++i) {
-            const double t = static_cast<double>(i - from) / static_cast<double>(to - from);
-            heights[i % n] = (1.0 - t) * lower + t * upper;
-        }
-    };
-    for (std::size_t k = 1; k < defined.size(); ++k) bridge(defined[k - 1], defined[k]);
-    const Index first = defined.front(), last = defined.back();
-    if (scan.periodic) {
-        bridge(last, first + n);
-    } else {
-        filling.patches += (first > 0) + (last + 1 < n);
-        heights.head(first).setConstant(heights[first]);
-        heights.tail(n - 1 - last).setConstant(heights[last]);
-    }
-    return filling;
+    const auto gaps = topography::bridge_gaps(scan.heights, scan.periodic);
+    if (gaps.points == scan.heights.size()) refuse_empty(scan.metadata);
+    return {gaps.points, gaps.count};
 }
 
 StepRecord record_of(const Filling& filling, Index points) {

@@ -12,6 +12,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/fourier/buffer.hpp"
 #include "setae/fourier/transform.hpp"
+#include "setae/numerics/random_numbers.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/topography/trace_response.hpp"
 
@@ -98,8 +99,10 @@ Array1D integration_grid(double length, double mean_step, double shortest) {
     std::vector<double> q{0.0};
     const double step = 2.0 * pi / (4.0 * length), dense_end = std::min(shortest, 2.0 * pi / mean_step);
     for (const double part : {0.125, 0.25, 0.5}) q.push_back(part * step);
-    for (Index g = 1; static_cast<double>(g) * step < dense_end * (1.0 - 1e-9); ++g)
-        q.push_back(static_cast<double>(g) * step);
+    constexpr double steps_each = 2048.0;
+    for (double g = 1.0; g * step < dense_end * (1.0 - 1e-9);
+         g = g < steps_each ? g + 1.0 : g * (1.0 + 1.0 / steps_each))
+        q.push_back(g * step);
     constexpr double growth = 1.018;
     for (double next = dense_end; next < shortest * (1.0 - 1e-9); next *= growth) q.push_back(next);
     q.push_back(shortest);
@@ -255,6 +258,22 @@ ContourKernel contour_kernel(const topography::Profile& contour, const ArrayView
     }
     kernel.response = (power.matrix() * quadrature(grid, nodes).matrix()).array() / (2.0 * pi * length);
     return kernel;
+}
+
+Array1D white_noise(const topography::Profile& contour, parallel::Threads threads) {
+    require_points(contour);
+    const Operator transform(contour.positions);
+    const ModeBins bins(transform.modes());
+    const Index n = contour.positions.size();
+    constexpr Index pairs = 256;  // a draw in the real part, another in the imaginary one
+    Array2D power(bins.size(), pairs);
+    parallel::for_each_index(static_cast<std::size_t>(pairs), threads, [&](std::size_t pair) {
+        const numerics::RandomKey key{0, pair};
+        const auto own = static_cast<std::uint64_t>(n);
+        power.col(static_cast<Index>(pair)) =
+            bins.means(transform.power(numerics::normal_numbers(key, 0, n), numerics::normal_numbers(key, own, n)));
+    });
+    return power.rowwise().mean() / (4.0 * transform.length());
 }
 
 Array1D independent_share(const topography::Profile& contour, const ArrayView1D& nodes, const ArrayView1D& C_iso,

@@ -18,6 +18,7 @@
 #include "setae/numerics/dense.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/spectra/abel.hpp"
+#include "setae/spectra/spectral_density.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectral_fit/independent_lines.hpp"
 
@@ -41,6 +42,9 @@ constexpr double most_skewness = 1.5;
 /// rms change of ln T, weighted by freedoms, that ends the rounds.
 constexpr double small_change = 0.005;
 
+/// Longer curves are scans, of nearly equal steps.
+constexpr Index most_points_of_shares = 2048;
+
 /// Fit and everything it is repeated with.
 class JointFit {
 public:
@@ -58,10 +62,12 @@ public:
     void run() {
         refit();
         find_independent_shares();
+        take_gaps();
         count_lines();
         refit();
         bool settled = !options_.tip_factor;
         while (!settled && rounds_ < options_.rounds) {
+            take_gaps();
             settled = simulate_tips();
             refit();
             count_lines();
@@ -125,9 +131,28 @@ private:
         return [this, theta = fit_.theta](double q) { return spline_.value(theta, q); };
     }
 
+    /// What bridged gaps do to the periodograms of lines as the fit expects them.
+    void take_gaps() {
+        for (std::size_t c = 0; c < groups_.size(); ++c) {
+            auto& g = groups_[c];
+            if (g.gaps.empty()) continue;
+            const ScanShape shape{g.gaps.front().undefined.rows(), g.trend_degree};
+            const auto read = spectra::tabulated_density(g.data.wavevector, fit_.expected[c]);
+            Array1D factor = Array1D::Ones(g.data.wavevector.size());
+            for (std::size_t m = 0; m < g.gaps.size(); ++m)
+                factor +=
+                    (gap_factor(g.gaps[m], shape, g.pixel_size, read, options_.seed + m, options_.threads) - 1.0) /
+                    g.measurements;
+            const Array1D change = g.gap_factor.size() > 0 ? Array1D(factor / g.gap_factor) : factor;
+            g.data.response.colwise() *= change;
+            g.data.noise_response *= change;
+            g.gap_factor = factor;
+        }
+    }
+
     void find_independent_shares() {
         for (auto& g : groups_) {
-            if (!g.contour) continue;
+            if (!g.contour || g.contour->positions.size() > most_points_of_shares) continue;
             const Array1D C_iso = C_iso_at(g.data.nodes);
             g.independent_share = independent_share(*g.contour, g.data.nodes, C_iso, options_.threads);
         }

@@ -65,71 +65,87 @@ std::string class_name(const topography::Metadata& metadata, Index points, doubl
                        metadata.instrument.type.empty() ? "scan" : metadata.instrument.type, points, size * 1e6);
 }
 
-void add_uniform(std::vector<ObservedGroup>& groups, const topography::HeightMap& map, const ObservedSurface& observed,
+/// Where the instrument stops to tell of the surface.
+double band_end(const ObservedSurface& observed, double nyquist, const LikelihoodOptions& options) {
+    if (!options.tip_band) return nyquist;
+    return std::min(nyquist, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
+}
+
+/// Name, instrument and the wavevectors of the groups of modes over a length.
+ObservedGroup described(const topography::Metadata& metadata, Index points, double length, const ModeBins& bins) {
+    const auto& instrument = metadata.instrument;
+    ObservedGroup group;
+    group.data.instrument = instrument.type;
+    group.data.name = class_name(metadata, points, length);
+    group.tip_radius = instrument.tip_radius.value_or(0.0);
+    group.tip_radius_error = instrument.tip_radius_standard_error.value_or(0.0);
+    group.data.wavevector =
+        Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / length * bins.centre(b); });
+    group.mode_counts = Array1D::NullaryExpr(bins.size(), [&](Index b) { return static_cast<double>(bins.count(b)); });
+    group.independent_share = Array1D::Constant(bins.size(), spectra::share_under_hann);
+    return group;
+}
+
+void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, const ObservedSurface& observed,
                  const SpectrumRange& range, const LikelihoodOptions& options) {
+    const double pitch = map.pixel_size()[1];
+    GappedLines gaps;
+    if (map.heights.isNaN().any()) {
+        auto bridged = bridged_lines(map.heights, topography::label(map.metadata));
+        map.heights = std::move(bridged.heights);
+        gaps = std::move(bridged.gaps);
+    }
     const ScanShape shape{map.heights.rows(), trend_degree(observed.trend)};
     const auto& instrument = map.metadata.instrument;
     const double step = map.pixel_size()[0];
     const Array1D periodogram = scan_periodogram(map.heights, step, shape.trend_degree, options.threads);
-    double band_end = pi / step * (1.0 + 1e-9);
-    if (options.tip_band)
-        band_end = std::min(band_end, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
+    const double end = band_end(observed, pi / step * (1.0 + 1e-9), options);
     const std::string name = class_name(map.metadata, map.heights.rows(), map.size[0]);
     auto place = std::find_if(groups.begin(), groups.end(), [&](const ObservedGroup& g) {
-        return g.data.name == name && g.data.instrument == instrument.type && g.lines == map.heights.cols() &&
-               g.tip_radius == instrument.tip_radius.value_or(0.0) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
-               g.data.periodogram.size() == periodogram.size();
+        return !g.contour && g.data.name == name && g.data.instrument == instrument.type &&
+               g.lines == map.heights.cols() && g.tip_radius == instrument.tip_radius.value_or(0.0) &&
+               std::abs(g.pixel_size / step - 1.0) < 1e-6 && g.data.periodogram.size() == periodogram.size();
     });
     if (place == groups.end()) {
-        ObservedGroup group;
-        group.data.instrument = instrument.type;
-        group.data.name = name;
-        group.tip_radius = instrument.tip_radius.value_or(0.0);
-        group.tip_radius_error = instrument.tip_radius_standard_error.value_or(0.0);
+        const ModeBins bins(shape.points / 2);
+        auto group = described(map.metadata, shape.points, map.size[0], bins);
         group.pixel_size = step;
         group.lines = map.heights.cols();
-        group.pitch = map.pixel_size()[1];
+        group.pitch = pitch;
+        group.trend_degree = shape.trend_degree;
         add_response(group, shape, range, map.size[0], options.threads);
-        const ModeBins bins(shape.points / 2);
-        group.data.wavevector =
-            Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / map.size[0] * bins.centre(b); });
-        group.mode_counts =
-            Array1D::NullaryExpr(bins.size(), [&](Index b) { return static_cast<double>(bins.count(b)); });
-        group.independent_share = Array1D::Constant(bins.size(), spectra::share_under_hann);
         group.data.periodogram = Array1D::Zero(bins.size());
         groups.push_back(std::move(group));
         place = groups.end() - 1;
     }
     if (place->tip_radius > 0.0) place->skewness.push_back(skewness_of(map.heights));
+    if (gaps.undefined.cols() > 0) place->gaps.push_back(std::move(gaps));
     place->periodograms.push_back(periodogram);
     const double n = ++place->measurements;
     place->data.periodogram += (periodogram - place->data.periodogram) / n;
-    place->band_end = std::exp(((n - 1.0) * std::log(n > 1.0 ? place->band_end : 1.0) + std::log(band_end)) / n);
+    place->band_end = std::exp(((n - 1.0) * std::log(n > 1.0 ? place->band_end : 1.0) + std::log(end)) / n);
 }
 
-void add_contour(std::vector<ObservedGroup>& groups, const topography::Profile& contour, const Array1D& nodes,
-                 const LikelihoodOptions& options) {
-    auto kernel = contour_kernel(contour, nodes, options.threads);
-    ObservedGroup group;
-    group.data.instrument = contour.metadata.instrument.type;
-    group.data.name = class_name(contour.metadata, contour.positions.size(), kernel.length);
+void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& curve, const ObservedSurface& observed,
+               const Array1D& nodes, const LikelihoodOptions& options) {
+    auto kernel = contour_kernel(curve, nodes, options.threads);
+    auto group = described(curve.metadata, curve.positions.size(), kernel.length, kernel.bins);
     group.data.nodes = nodes;
     group.data.response = std::move(kernel.response);
-    group.data.wavevector = Array1D::NullaryExpr(
-        kernel.bins.size(), [&](Index b) { return 2.0 * pi / kernel.length * kernel.bins.centre(b); });
-    group.mode_counts =
-        Array1D::NullaryExpr(kernel.bins.size(), [&](Index b) { return static_cast<double>(kernel.bins.count(b)); });
-    group.independent_share = Array1D::Constant(kernel.bins.size(), spectra::share_under_hann);
-    group.contour = &contour;
+    group.contour = &curve;
+    group.pixel_size = kernel.length / static_cast<double>(curve.positions.size() - 1);
     if (kernel.noise.size() > 0 && kernel.noise.maxCoeff() > 0.0) {
         group.data.noise_response = std::move(kernel.noise);
         group.data.noise_known_to = noise_of_traces_known_to;
+    } else if (curve.metadata.instrument.type != "tem") {
+        group.data.noise_response = white_noise(curve, options.threads);
     }
+    if (group.tip_radius > 0.0) group.skewness.push_back(skewness_of(curve.heights));
     group.data.periodogram = std::move(kernel.periodogram);
     group.periodograms = {group.data.periodogram};
     group.measurements = 1;
-    group.band_end = pi * static_cast<double>(contour.positions.size() - 1) / kernel.length;
-    if (contour.response) group.band_end = std::min(group.band_end, topography::trace_band_end(*contour.response));
+    group.band_end = band_end(observed, pi / group.pixel_size, options);
+    if (curve.response) group.band_end = std::min(group.band_end, topography::trace_band_end(*curve.response));
     groups.push_back(std::move(group));
 }
 
@@ -156,7 +172,7 @@ std::vector<ObservedGroup> observed_groups(std::span<const ObservedSurface> obse
             add_uniform(groups, *map, o, range, options);
         else if (const auto* scan = std::get_if<topography::LineScan>(&o.measurement))
             add_uniform(groups, as_map(*scan), o, range, options);
-        else add_contour(groups, std::get<topography::Profile>(o.measurement), nodes, options);
+        else add_curve(groups, std::get<topography::Profile>(o.measurement), o, nodes, options);
     }
     return groups;
 }

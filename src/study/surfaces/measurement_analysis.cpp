@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/processing/fill.hpp"
 #include "setae/spectra/isotropic.hpp"
 #include "setae/study/surface_analysis.hpp"
 
@@ -59,6 +60,16 @@ std::optional<topography::Measurement> with_uncertain_tip(const topography::Meas
     return measurement;
 }
 
+/// A copy with its undefined heights filled, where it has some.
+std::optional<topography::Measurement> without_gaps(const topography::Measurement& measurement,
+                                                    parallel::Threads threads) {
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement); map && map->heights.isNaN().any())
+        return processing::filled(*map, threads);
+    if (const auto* scan = std::get_if<topography::LineScan>(&measurement); scan && scan->heights.isNaN().any())
+        return processing::filled(*scan);
+    return std::nullopt;
+}
+
 /// A map without its trend as pictures show it.
 HeightPreview preview_of(const topography::TiledMap& map, Index lines_together) {
     MapPreview preview(map.nx, map.ny, map.size);
@@ -100,7 +111,8 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
         result.alerts.insert(result.alerts.end(), result.slopes->alerts.begin(), result.slopes->alerts.end());
     }
     const auto spectrum = spectrum_options(options, threads);
-    result.spectrum = spectra::power_spectrum(measurement, spectrum);
+    const auto whole = without_gaps(measurement, threads);
+    result.spectrum = spectra::power_spectrum(whole ? *whole : measurement, spectrum);
     if (auto moved = with_uncertain_tip(measurement))
         result.bands_of_uncertain_tip = bands_of_uncertain_tip(topography::metadata(*moved).instrument, [&] {
             return spectra::reliable_band(*moved, spectrum.reliability, threads).band;

@@ -68,23 +68,32 @@ void add_reentrance_alert(PreparedMeasurement& prepared) {
          "look at the curve; a share above a few per cent makes slope and curvature lower bounds"});
 }
 
-/// Lines with undefined points become polylines through the others; contours become functions of x.
-void make_analysable(PreparedMeasurement& prepared) {
-    auto& measurement = prepared.measurement;
-    if (const auto* scan = std::get_if<topography::LineScan>(&measurement); scan && scan->heights.isNaN().any()) {
-        const auto missing = scan->heights.isNaN().count();
+/// What spectra are taken of instead of undefined heights.
+void add_gap_alert(PreparedMeasurement& prepared) {
+    const auto count = [&](const auto& heights, const topography::Metadata& metadata) {
+        const auto missing = heights.isNaN().count();
+        if (missing == 0) return;
+        const double share = static_cast<double>(missing) / static_cast<double>(heights.size());
         prepared.alerts.push_back(
-            {"UNDEFINED", scan->metadata.file,
-             fmt::format("{} of {} heights are undefined; the line is taken as a polyline through the others", missing,
-                         scan->heights.size()),
+            {"UNDEFINED", metadata.file,
+             fmt::format(
+                 "{} of {} heights ({:.2g} %) are undefined; spectra bridge the gaps, which the likelihood allows for and the average does not",
+                 missing, heights.size(), 100.0 * share),
              "measure again if the gaps are wide"});
-        measurement = topography::to_profile(*scan);
-    }
-    if (const auto* profile = std::get_if<topography::Profile>(&measurement)) {
+    };
+    if (const auto* map = std::get_if<topography::HeightMap>(&prepared.measurement)) count(map->heights, map->metadata);
+    if (const auto* scan = std::get_if<topography::LineScan>(&prepared.measurement))
+        count(scan->heights, scan->metadata);
+}
+
+/// Contours become functions of x.
+void make_analysable(PreparedMeasurement& prepared) {
+    if (const auto* profile = std::get_if<topography::Profile>(&prepared.measurement)) {
         auto cleaned = topography::clean_contour(*profile);
         prepared.alerts.insert(prepared.alerts.end(), cleaned.alerts.begin(), cleaned.alerts.end());
-        measurement = std::move(cleaned.profile);
+        prepared.measurement = std::move(cleaned.profile);
     }
+    add_gap_alert(prepared);
 }
 
 topography::Trend trend_of(const formats::Channel& channel, const MeasurementInput& input,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/format.h>
+
 #include "average_spectrum.hpp"
 #include "given_spectrum.hpp"
 #include "likelihood_spectrum.hpp"
@@ -97,6 +99,25 @@ void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> pre
     }
 }
 
+/// Files that failed, and whether the spectrum is another for it.
+void add_failure_alert(SurfaceResult& surface, const SurfaceAnalysisOptions& options) {
+    std::string files;
+    std::ptrdiff_t failed = 0;
+    for (const auto& measurement : surface.measurements) {
+        if (!measurement.failed()) continue;
+        ++failed;
+        files += (files.empty() ? "" : ", ") + measurement.file;
+    }
+    if (failed == 0) return;
+    const auto all = std::ssize(surface.measurements);
+    const bool changed = wants_likelihood(options, all) && !wants_likelihood(options, all - failed);
+    surface.alerts.push_back(
+        {"FILES_LEFT_OUT", surface.name,
+         fmt::format("{} of {} measurements failed and are left out ({}){}", failed, all, files,
+                     changed ? "; the average of the one left stands in place of the likelihood" : ""),
+         "mend the files, or take them out of the study"});
+}
+
 }  // namespace
 
 SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options, Run& run,
@@ -123,6 +144,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             auto prepared = analyse_measurements(surface, input, options, run, threads, wanted);
             run.step_begins("surface", input.name);
             estimate_by_average(surface, options, threads);
+            add_failure_alert(surface, options);
             if (wanted.map) heights = only_map(std::move(prepared));
             else add_likelihood(surface, std::move(prepared), options, threads);
         }

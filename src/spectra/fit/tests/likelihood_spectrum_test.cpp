@@ -136,9 +136,9 @@ TEST(LikelihoodSpectrum, DrawsScatterAsItsErrors) {
 TEST(LikelihoodSpectrum, RefusesWhatCannotBeFitted) {
     EXPECT_THROW((void)likelihood_spectrum({}, {}), InvalidArgument);
     EXPECT_THROW((void)likelihood_spectrum(observed(), {.shortest_wavelength = 0.0}), InvalidArgument);
-    auto with_gap = observed();
-    std::get<topography::HeightMap>(with_gap[0].measurement).heights(3, 4) = undefined;
-    EXPECT_THROW((void)likelihood_spectrum(with_gap, {.shortest_wavelength = shortest_wavelength}), UndefinedDataError);
+    auto empty = observed();
+    std::get<topography::HeightMap>(empty[0].measurement).heights.setConstant(undefined);
+    EXPECT_THROW((void)likelihood_spectrum(empty, {.shortest_wavelength = shortest_wavelength}), UndefinedDataError);
 }
 
 }  // namespace

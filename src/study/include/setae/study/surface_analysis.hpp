@@ -115,7 +115,7 @@ struct NamedSpectrum {
 /// contour cleaned, trend removed.
 /// @throws what reading and preparing throw.
 struct PreparedMeasurement {
-    topography::Measurement measurement;
+    topography::Measurement measurement;  ///< heights of maps and scans may be undefined
     topography::Trend trend = topography::Trend::none;
     std::vector<processing::StepRecord> processing = {};
     std::vector<Alert> alerts = {};

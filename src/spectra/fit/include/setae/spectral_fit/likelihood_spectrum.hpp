@@ -85,7 +85,8 @@ struct LikelihoodSpectrum {
 /// itself.
 ///
 /// Maps and scans lose a tilt (a parabola where that was taken from them) line by line. Maps count as many lines as are
-/// independent. Undefined heights are refused. Same bytes for any number of threads.
+/// independent. Gaps of lines are bridged, and what that does to a line of this spectrum is expected; lines of which
+/// less than half is defined are left out. Same bytes for any number of threads.
 /// @throws InvalidArgument where no measurement has a mode inside its band; what the kernels throw.
 /// Source: Sykulski et al., Biometrika 106 (2019) 251; Guillaumin et al., J. R. Stat. Soc. B 84 (2022) 1539; trends,
 /// contours and tips derived here.
