@@ -71,7 +71,18 @@ double SurfaceEnergyLaw::integral(double x) const {
     return x > left ? sum + surface_energy[surface_energy.size() - 1] * (x - left) : sum;
 }
 
-ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state) {
+ApparentWork end_state_balance(double work_of_adhesion, double surface_energy, double interface_change,
+                               const ConformalState& state) {
+    require_not_negative(work_of_adhesion, "work of adhesion");
+    require_not_negative(surface_energy, "surface energy");
+    require_state(state);
+    if (!std::isfinite(interface_change))
+        throw InvalidArgument(fmt::format("change of the interface's energy is {} J/m2", interface_change));
+    const double r = state.area_ratio;
+    return apparent((work_of_adhesion - interface_change) * r - surface_energy * (r - 1.0) - state.stored_energy);
+}
+
+ApparentWork printed_balance(double work_of_adhesion, const SurfaceEnergyLaw& law, const ConformalState& state) {
     require_not_negative(work_of_adhesion, "work of adhesion");
     require_state(state);
     law.validate();

@@ -337,6 +337,7 @@ std::vector<std::string> write_results(const study::StudyResult& result) {
     write_table("tip_factors.csv", tip_factor_table(result));
     write_table("cumulative.csv", cumulative_table(result));
     write_table("cutoff_scan.csv", cutoff_table(result));
+    write_table("balances.csv", balance_table(result));
     write_table("loop_fits.csv", loop_fit_table(result));
     write_table("loop_energies.csv", loop_energy_table(result));
     write_table("alerts.csv", alert_table(result));

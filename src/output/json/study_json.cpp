@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
@@ -88,6 +89,16 @@ Json free_json(const adhesion::FreeEnergyFit& fit) {
     return json;
 }
 
+Json interface_json(const adhesion::StrainedInterfaceFit& fit) {
+    Json json;
+    add(json, quantity("work_of_adhesion", "W_int", fit.work_of_adhesion, "J/m2"));
+    add(json, quantity("interface_change", "chi", fit.interface_change, "J/m2"));
+    add(json, quantity("correlation", "rho", fit.correlation, "1"));
+    add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
+    json["n"] = fit.n;
+    return json;
+}
+
 Json fits_json(const study::Conclusions& result) {
     Json json;
     add_outcome(json, "modified", result.modified,
@@ -98,6 +109,7 @@ Json fits_json(const study::Conclusions& result) {
                 [](const adhesion::WorkFit& fit) { return fit_json(fit, "[D19] (2), floored at 0", "J/m2"); });
     add_outcome(json, "loop", result.loop, loop_fits_json);
     add_outcome(json, "free_energies", result.free_energies, free_json);
+    add_outcome(json, "strained_interface", result.strained_interface, interface_json);
     return json;
 }
 
@@ -243,7 +255,7 @@ Json pair_json(const study::PairResult& pair) {
         json["without_area_change"] = predicted_json(*pair.without_area_change, "[D19] (2)");
         if (pair.general)
             json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2",
-                                            "[D19] (5), (6) with the elastomer's surface energy law"));
+                                            "of end states, or [D19] (5), (6) where form = printed"));
         if (pair.approach)
             add(json, named("residual", "W_app - max(0, (7))", pair.approach->value - pair.modified->work.floored,
                             "J/m2", "measured minus predicted"));
@@ -330,6 +342,25 @@ Json cutoffs_json(const study::StudyResult& result, const study::Conclusions& co
     return scan;
 }
 
+/// ln L against the best of all.
+Json balances_json(const study::Conclusions& conclusions) {
+    Json all = Json::array();
+    double best = -std::numeric_limits<double>::infinity();
+    for (const auto& b : conclusions.balances) best = std::max(best, b.score.log_likelihood);
+    for (const auto& b : conclusions.balances) {
+        Json json{{"balance", b.balance}, {"n", b.score.n}, {"parameters", b.score.parameters}};
+        if (b.shortest_wavelength > 0.0)
+            add(json, quantity("shortest_wavelength", "lambda_s", b.shortest_wavelength, "m"));
+        add(json, quantity("surface_energy_factor", "gamma1/gamma1", b.surface_energy_factor, "1"));
+        add(json, quantity("work_of_adhesion", "W_int", b.score.work_of_adhesion, "J/m2"));
+        add(json, quantity("r_squared", "R2", b.score.r_squared, "1"));
+        add(json, quantity("log_likelihood_difference", "ln L - max", b.score.log_likelihood - best, "1"));
+        add(json, quantity("left_out_deviation", "s_out", b.score.left_out_deviation, "J/m2"));
+        all.push_back(json);
+    }
+    return all;
+}
+
 /// W_int of the predictions, or why there is none.
 void add_work(Json& json, const study::Conclusions& result) {
     json["work_of_adhesion"] = nullptr;
@@ -389,6 +420,7 @@ Json by_average_json(const study::StudyResult& result) {
     json["pairs"] = pairs_json(by_average);
     add_outcome(json, "prediction_test", by_average.prediction_test, prediction_json);
     json["cutoff_scan"] = cutoffs_json(result, by_average);
+    json["balances"] = balances_json(by_average);
     return json;
 }
 
@@ -458,6 +490,7 @@ Json to_json(const study::StudyResult& result) {
     json["reference_changes"] = Json::array();
     for (const auto& drift : result.reference_drifts) json["reference_changes"].push_back(drift_json(drift));
     json["cutoff_scan"] = cutoffs_json(result, result);
+    json["balances"] = balances_json(result);
     json["reported"] = Json::array();
     for (const auto& reported : study.reported) json["reported"].push_back(reported_json(reported, result));
     json["alerts"] = to_json(result.alerts);

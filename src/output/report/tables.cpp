@@ -265,6 +265,9 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
           {"without_ideal_loss_with_intercept", "smooth sphere's loss subtracted, with intercept"}})
         if (entry(study, joined(loop, key)).is_object())
             row("loop", name, joined(loop, key), joined(loop, std::string(key) + "/n"));
+    if (entry(study, joined(base, "strained_interface")).is_object())
+        row("modified", "interface changes with stretch, *χ* fitted", joined(base, "strained_interface"),
+            joined(base, "strained_interface/n"));
     if (entry(study, joined(base, "free_energies")).is_object())
         row("modified", "stored energy free for each surface", joined(base, "free_energies"),
             joined(base, "modified/n"));
@@ -456,6 +459,43 @@ DataTable reference_changes(const StudyResult& result) {
     return table;
 }
 
+DataTable balances(const StudyResult& result, const Json& study) {
+    DataTable table{
+        "balances",
+        "Which balance",
+        "Each balance against all pairs, <i>W</i>_int fitted anew: as the study takes the spectra, with every spectrum cut, and with γ1 scaled. ln <i>L</i> counts from the "
+        "best of all; 2 is what chance leaves open. Left out: the rms residual of each surface under the fit to the others.",
+        {{"balance", ""},
+         {"spectra", ""},
+         {"cut at", "m"},
+         {"γ1 ×", "1"},
+         {"fitted", "1"},
+         {"*W*_int", "J/m2"},
+         {"*R*²", "1"},
+         {"ln *L*", "1"},
+         {"left out", "J/m2"}},
+        {}};
+    const auto add = [&](const std::string& base, const std::vector<study::ComparedBalance>& compared,
+                         const char* spectra) {
+        for (std::size_t i = 0; i < compared.size(); ++i) {
+            const auto place = joined(base, std::to_string(i));
+            const auto quantity = [&place](const char* name) { return QuantityCell{joined(place, name)}; };
+            const auto& b = compared[i];
+            table.rows.push_back({TextCell{b.balance == "free_energies"        ? "(7), *U*_el free"
+                                           : b.balance == "strained_interface" ? "(7), *χ* fitted"
+                                                                               : balance_name(b.balance)},
+                                  TextCell{spectra},
+                                  b.shortest_wavelength > 0.0 ? Cell(quantity("shortest_wavelength")) : TextCell{"–"},
+                                  quantity("surface_energy_factor"), NumberCell{joined(place, "parameters")},
+                                  quantity("work_of_adhesion"), quantity("r_squared"),
+                                  quantity("log_likelihood_difference"), quantity("left_out_deviation")});
+        }
+    };
+    add("/balances", result.balances, result.by_average ? "likelihood" : "as given");
+    if (result.by_average) add("/by_average/balances", result.by_average->balances, "average");
+    return table;
+}
+
 DataTable cutoff_scan(const StudyResult& result, const Json& study) {
     DataTable table{"cutoff-scan",
                     "Intrinsic work of adhesion against the short cutoff",
@@ -607,6 +647,7 @@ std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& s
         loop_check_table(result),
         references(result),
         reference_changes(result),
+        balances(result, study),
         cutoff_scan(result, study)};
     std::erase_if(tables, [](const DataTable& table) { return table.rows.empty(); });
     return tables;

@@ -115,6 +115,10 @@ const std::vector<Kind>& kinds() {
           "measured minus predicted in standard errors of both; χ² of all pairs",
           "pairs with a prediction"},
          prediction_against_modulus},
+        {{"balances", "Which balance of energies",
+          "R² of every balance against a short cut of the spectra; ln L of every balance against γ1",
+          "pairs with a measured work of adhesion"},
+         comparison_of_balances},
         {{"replicates", "Every replicate and the means of its surface",
           "every loop's work of adhesion of approach with the 95 % interval of its fit, by lens and spot; diamonds: means by "
           "the mixed model; hollow: excluded, with the reason",

@@ -177,6 +177,10 @@ tables::TidyTable fit_table(const study::StudyResult& result) {
             rows.add("modified", "stored energy free for each surface",
                      Estimate{.value = conclusions->free_energies->work_of_adhesion},
                      conclusions->free_energies->r_squared, undefined, undefined, conclusions->modified->n);
+        if (conclusions->strained_interface)
+            rows.add("modified", "interface changes with stretch, chi fitted",
+                     conclusions->strained_interface->work_of_adhesion, conclusions->strained_interface->r_squared,
+                     undefined, undefined, conclusions->strained_interface->n);
         if (conclusions->loop) {
             rows.add("loop", conclusions->loop->through_origin);
             rows.add("loop", conclusions->loop->with_intercept, "with intercept");
@@ -270,6 +274,21 @@ tables::TidyTable cutoff_table(const study::StudyResult& result) {
             add_cells(row, p.modified.r_squared, p.persson_tosatti.work_of_adhesion.value, p.persson_tosatti.r_squared);
             table.rows.push_back(std::move(row));
         }
+    return table;
+}
+
+tables::TidyTable balance_table(const study::StudyResult& result) {
+    tables::TidyTable table{"",
+                            {"balance", "method", "shortest wavelength [m]", "surface energy factor", "n", "parameters",
+                             "W_int [J/m2]", "R2", "ln L", "left out rms [J/m2]"},
+                            {}};
+    for (const auto* conclusions : by_method(result))
+        for (const auto& b : conclusions->balances)
+            table.rows.push_back({b.balance, method_name(result, *conclusions),
+                                  b.shortest_wavelength > 0.0 ? b.shortest_wavelength : undefined,
+                                  b.surface_energy_factor, static_cast<double>(b.score.n),
+                                  static_cast<double>(b.score.parameters), b.score.work_of_adhesion, b.score.r_squared,
+                                  b.score.log_likelihood, b.score.left_out_deviation});
     return table;
 }
 

@@ -65,10 +65,13 @@ std::string class_name(const topography::Metadata& metadata, Index points, doubl
                        metadata.instrument.type.empty() ? "scan" : metadata.instrument.type, points, size * 1e6);
 }
 
-/// Where the instrument stops to tell of the surface.
-double band_end(const ObservedSurface& observed, double nyquist, const LikelihoodOptions& options) {
-    if (!options.tip_band) return nyquist;
-    return std::min(nyquist, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
+/// Where a measurement stops to tell of the surface: its sampling, its tip, and q_s, beyond which a mode holds what the
+/// window lets through alone.
+double band_end(const ObservedSurface& observed, double nyquist, const SpectrumRange& range,
+                const LikelihoodOptions& options) {
+    const double sampled = std::min(nyquist, range.shortest * (1.0 + 1e-9));
+    if (!options.tip_band) return sampled;
+    return std::min(sampled, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
 }
 
 /// Name, instrument and the wavevectors of the groups of modes over a length.
@@ -99,7 +102,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
     const auto& instrument = map.metadata.instrument;
     const double step = map.pixel_size()[0];
     const Array1D periodogram = scan_periodogram(map.heights, step, shape.trend_degree, options.threads);
-    const double end = band_end(observed, pi / step * (1.0 + 1e-9), options);
+    const double end = band_end(observed, pi / step * (1.0 + 1e-9), range, options);
     const std::string name = class_name(map.metadata, map.heights.rows(), map.size[0]);
     auto place = std::find_if(groups.begin(), groups.end(), [&](const ObservedGroup& g) {
         return !g.contour && g.data.name == name && g.data.instrument == instrument.type &&
@@ -127,7 +130,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
 }
 
 void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& curve, const ObservedSurface& observed,
-               const Array1D& nodes, const LikelihoodOptions& options) {
+               const Array1D& nodes, const SpectrumRange& range, const LikelihoodOptions& options) {
     auto kernel = contour_kernel(curve, nodes, options.threads);
     auto group = described(curve.metadata, curve.positions.size(), kernel.length, kernel.bins);
     group.data.nodes = nodes;
@@ -144,7 +147,7 @@ void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& cu
     group.data.periodogram = std::move(kernel.periodogram);
     group.periodograms = {group.data.periodogram};
     group.measurements = 1;
-    group.band_end = band_end(observed, pi / group.pixel_size, options);
+    group.band_end = band_end(observed, pi / group.pixel_size, range, options);
     if (curve.response) group.band_end = std::min(group.band_end, topography::trace_band_end(*curve.response));
     groups.push_back(std::move(group));
 }
@@ -172,7 +175,7 @@ std::vector<ObservedGroup> observed_groups(std::span<const ObservedSurface> obse
             add_uniform(groups, *map, o, range, options);
         else if (const auto* scan = std::get_if<topography::LineScan>(&o.measurement))
             add_uniform(groups, as_map(*scan), o, range, options);
-        else add_curve(groups, std::get<topography::Profile>(o.measurement), o, nodes, options);
+        else add_curve(groups, std::get<topography::Profile>(o.measurement), o, nodes, range, options);
     }
     return groups;
 }

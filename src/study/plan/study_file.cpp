@@ -112,7 +112,11 @@ SurfaceInput read_surface(const std::string& name, TomlReader reader) {
     return surface;
 }
 
-adhesion::SurfaceEnergyLaw read_surface_energy_law(TomlReader reader) {
+/// γ1 of stretched area, with the form it enters by.
+StretchedSurfaceEnergy read_surface_energy_law(TomlReader reader) {
+    const auto form = reader.choice<StretchedSurfaceEnergy::Form>(
+        "form",
+        {{"end_states", StretchedSurfaceEnergy::Form::end_states}, {"printed", StretchedSurfaceEnergy::Form::printed}});
     const auto ratios = reader.quantities("area_ratio", dimension::none);
     const auto energies = reader.quantities("surface_energy", dimension::surface_energy);
     reader.finish();
@@ -121,7 +125,7 @@ adhesion::SurfaceEnergyLaw read_surface_energy_law(TomlReader reader) {
     };
     adhesion::SurfaceEnergyLaw law{as_array(ratios), as_array(energies)};
     parse_at(reader, "area_ratio", [&] { law.validate(); });
-    return law;
+    return {std::move(law), form.value_or(StretchedSurfaceEnergy::Form::end_states)};
 }
 
 const Keys<ElastomerInput>& elastomer_keys() {
@@ -134,13 +138,17 @@ const Keys<ElastomerInput>& elastomer_keys() {
             .add("surface_energy", &Input::surface_energy, dimension::surface_energy, "γ1")
             .required()
             .add({"surface_energy_law", "table", "", "",
-                  "`{ area_ratio = [1.0, …], surface_energy = [\"25 mJ/m2\", …] }`: γ1 against stretched area, for the "
-                  "general balance (5)–(6)"},
+                  "`{ area_ratio = [1.0, …], surface_energy = [\"25 mJ/m2\", …], form = \"end_states\" }`: γ1 against "
+                  "stretched area, for the general balance; `form = \"printed\"` is (5)–(6) with ∫ γ1 dA"},
                  [](TomlReader& reader, Input& elastomer) {
                      reader.table("surface_energy_law", [&](TomlReader inner) {
                          elastomer.surface_energy_law = read_surface_energy_law(std::move(inner));
                      });
                  })
+            .add(
+                "interface_change", &Input::interface_change, dimension::surface_energy,
+                "χ of an interface whose energy changes with the stretch of the soft side, γ1s2 − γ12 = χ (r − 1), for "
+                "the general balance")
             .add("sphere_radius", &Input::sphere_radius, dimension::length, "of the lens")
             .add("sphere_height", &Input::sphere_height, dimension::length, "of the lens")
             .add("crosslink_molar_mass", &Input::crosslink_molar_mass, dimension::molar_mass,
@@ -352,6 +360,10 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
             .add(
                 "shortest_wavelength", [](auto& o) -> auto& { return o.limits.shortest; }, dimension::length,
                 "likewise")
+            .add(
+                "surface_shortest_wavelength", [](auto& o) -> auto& { return o.likelihood.shortest_wavelength; },
+                dimension::length,
+                "shorter waves the surface does not have, and data that speak of them are left out; of likelihoods")
             .choice<Conversion>(
                 "conversion", &Options::conversion, {{"exact", Conversion::exact}, {"eq11", Conversion::eq11}},
                 "how C1D gives 2D parameters, with the other one beside it; of averages and given spectra")

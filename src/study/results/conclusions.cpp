@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -52,7 +53,13 @@ private:
     [[nodiscard]] Outcome<adhesion::WorkFit> fit_approach(Balance balance) const;
     [[nodiscard]] Outcome<adhesion::LossFits> fit_losses() const;
     [[nodiscard]] Outcome<adhesion::FreeEnergyFit> fit_free() const;
+    [[nodiscard]] Outcome<adhesion::StrainedInterfaceFit> fit_interface() const;
     [[nodiscard]] std::vector<CutoffPoint> scan_cutoffs() const;
+    [[nodiscard]] std::vector<double> compared_cuts() const;
+    [[nodiscard]] std::vector<ComparedBalance> compare_balances() const;
+    void compare(std::vector<ComparedBalance>& balances, const std::vector<SpectralParameters>& surfaces,
+                 double shortest, double factor) const;
+    [[nodiscard]] std::vector<SpectralParameters> cut_at(double shortest) const;
     void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer) const;
 
     const StudyResult& result_;
@@ -127,16 +134,96 @@ Outcome<adhesion::FreeEnergyFit> Concluding::fit_free() const {
     return adhesion::fit_with_free_energies(found);
 }
 
+std::vector<adhesion::StrainedPoint> strained(const std::vector<PairPoint>& points) {
+    std::vector<adhesion::StrainedPoint> found;
+    for (const auto& point : points) found.push_back({point, point.slope});
+    return found;
+}
+
+Outcome<adhesion::StrainedInterfaceFit> Concluding::fit_interface() const {
+    try {
+        return adhesion::fit_strained_interface(strained(points(adhesion::modified_point, whole_spectra())));
+    } catch (const InvalidArgument& error) {
+        return Outcome<adhesion::StrainedInterfaceFit>::missing(error.what());
+    }
+}
+
+/// Parameters of every surface with its spectrum cut; of failed ones none.
+std::vector<SpectralParameters> Concluding::cut_at(double shortest) const {
+    std::vector<SpectralParameters> surfaces;
+    for (const auto& surface : result_.surfaces)
+        surfaces.push_back(surface.failed() ? SpectralParameters{}
+                                            : parameters_within(to_.spectrum_of(surface), {.shortest = shortest},
+                                                                result_.study.analysis.conversion));
+    return surfaces;
+}
+
+/// Short cuts that leave some of every spectrum, two a decade.
+std::vector<double> Concluding::compared_cuts() const {
+    double finest = 0.0, coarsest = std::numeric_limits<double>::infinity();
+    for (const auto& surface : result_.surfaces) {
+        if (surface.failed()) continue;
+        const auto& band = to_.spectrum_of(surface).curve.band;
+        finest = std::max(finest, 2.0 * pi / band.upper);
+        coarsest = std::min(coarsest, 2.0 * pi / band.lower);
+    }
+    std::vector<double> cuts;
+    for (const double cut : {3e-10, 1e-9, 3e-9, 1e-8, 3e-8, 1e-7, 3e-7, 1e-6})
+        if (cut > finest && cut < coarsest / 10.0) cuts.push_back(cut);
+    return cuts;
+}
+
+void Concluding::compare(std::vector<ComparedBalance>& balances, const std::vector<SpectralParameters>& surfaces,
+                         double shortest, double factor) const {
+    const auto of = [&](std::size_t i) -> const SpectralParameters& { return surfaces[i]; };
+    const auto add = [&](const char* name, const adhesion::BalanceScore& score) {
+        balances.push_back({name, shortest, factor, score});
+    };
+    const auto scaled = [&] {
+        auto found = points(adhesion::modified_point, of);
+        for (auto& point : found)
+            point.offset +=
+                (factor - 1.0) * result_.elastomer(point.elastomer).input.surface_energy.value * (point.slope - 1.0);
+        return found;
+    }();
+    add("modified", adhesion::score_balance(scaled));
+    if (factor == 1.0) {  // γ1 does not enter the next two
+        add("without_area_change", adhesion::score_balance(points(adhesion::point_without_area_change, of)));
+        add("persson_tosatti", adhesion::score_balance(points(adhesion::persson_tosatti_point, of)));
+    }
+    if (to_.strained_interface) try {
+            add("strained_interface", adhesion::score_strained_interface(strained(scaled)));
+        } catch (const InvalidArgument&) {
+            // spectra cut at long waves leave all surfaces flat: no change with true area is to be seen
+        }
+    if (to_.free_energies) {
+        std::vector<adhesion::FreeEnergyPoint> free;
+        for (const auto& p : scaled) {
+            const auto& soft = result_.elastomer(p.elastomer);
+            free.push_back({p.surface, p.measured.value, p.slope,
+                            factor * soft.input.surface_energy.value * (p.slope - 1.0), soft.contact_modulus.value});
+        }
+        add("free_energies", adhesion::score_free_energies(free));
+    }
+}
+
+std::vector<ComparedBalance> Concluding::compare_balances() const {
+    std::vector<ComparedBalance> balances;
+    std::vector<SpectralParameters> whole;
+    for (std::size_t i = 0; i < result_.surfaces.size(); ++i)
+        whole.push_back(result_.surfaces[i].failed() ? SpectralParameters{} : whole_spectra()(i));
+    compare(balances, whole, 0.0, 1.0);
+    for (const double cut : compared_cuts()) compare(balances, cut_at(cut), cut, 1.0);
+    for (const double factor : {0.0, 0.5, 0.8, 1.2, 1.5}) compare(balances, whole, 0.0, factor);
+    return balances;
+}
+
 std::vector<CutoffPoint> Concluding::scan_cutoffs() const {
     std::vector<CutoffPoint> scan;
-    const auto& analysis = result_.study.analysis;
-    for (const double shortest : analysis.cutoff_scan) {
+    for (const double shortest : result_.study.analysis.cutoff_scan) {
         CutoffPoint point;
         point.shortest_wavelength = shortest;
-        for (const auto& surface : result_.surfaces)
-            point.surfaces.push_back(surface.failed() ? SpectralParameters{}
-                                                      : parameters_within(to_.spectrum_of(surface),
-                                                                          {.shortest = shortest}, analysis.conversion));
+        point.surfaces = cut_at(shortest);
         const auto of_cut = [&](std::size_t i) -> const SpectralParameters& { return point.surfaces[i]; };
         point.modified = adhesion::fit_work_of_adhesion(points(adhesion::modified_point, of_cut));
         point.persson_tosatti = adhesion::fit_work_of_adhesion(points(adhesion::persson_tosatti_point, of_cut));
@@ -151,7 +238,11 @@ void Concluding::fit() {
     to_.without_area_change = fit_approach(adhesion::point_without_area_change);
     to_.loop = fit_losses();
     to_.free_energies = fit_free();
-    if (to_.modified) to_.cutoff_scan = scan_cutoffs();
+    to_.strained_interface = fit_interface();
+    if (to_.modified) {
+        to_.cutoff_scan = scan_cutoffs();
+        to_.balances = compare_balances();
+    }
     if (result_.study.work_of_adhesion) {
         to_.work_of_adhesion = *result_.study.work_of_adhesion;
         to_.work_of_adhesion_source = "given in the study";
@@ -162,6 +253,18 @@ void Concluding::fit() {
         to_.work_of_adhesion =
             Outcome<Estimate>::missing("no work_of_adhesion in the study, and no fit: " + to_.modified.reason);
     }
+}
+
+/// Of a soft side whose surface or interface changes as it is stretched.
+std::optional<adhesion::ApparentWork> general_balance(const ElastomerInput& soft, double work,
+                                                      const adhesion::ConformalState& state) {
+    const auto& law = soft.surface_energy_law;
+    if (law && law->form == StretchedSurfaceEnergy::Form::printed)
+        return adhesion::printed_balance(work, law->law, state);
+    if (!law && !soft.interface_change) return std::nullopt;
+    const double unstretched = law ? law->law.at(1.0) : soft.surface_energy.value;
+    return adhesion::end_state_balance(work, unstretched,
+                                       soft.interface_change.value_or(0.0) * (state.area_ratio - 1.0), state);
 }
 
 void add_alerts(PairResult& pair) {
@@ -190,8 +293,7 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     pair.persson_tosatti = prediction.persson_tosatti;
     pair.without_area_change = prediction.without_area_change;
     pair.budget = prediction.budget;
-    if (const auto& law = elastomer.input.surface_energy_law)
-        pair.general = adhesion::general_balance(work.value, *law, {pair.area_ratio, prediction.stored_energy.value});
+    pair.general = general_balance(elastomer.input, work.value, {pair.area_ratio, prediction.stored_energy.value});
     if (pair.contact_area) pair.predicted_loss = adhesion::predicted_loss(rough, work, *pair.contact_area);
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value);

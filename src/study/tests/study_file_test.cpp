@@ -52,7 +52,7 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
     EXPECT_DOUBLE_EQ(study.analysis.cutoff_scan.at(0), 4e-10);
     EXPECT_DOUBLE_EQ(study.counter_youngs_modulus, 1.1e12);
     EXPECT_DOUBLE_EQ(study.elastomers.at(0).youngs_modulus.standard_error, 2e4);
-    EXPECT_DOUBLE_EQ(study.elastomers.at(0).surface_energy_law->at(1.25), 0.0275);
+    EXPECT_DOUBLE_EQ(study.elastomers.at(0).surface_energy_law->law.at(1.25), 0.0275);
     EXPECT_EQ(study.surfaces.at(0).measurements.at(0).file, (folder_ / "a.txt").string());
 }
 

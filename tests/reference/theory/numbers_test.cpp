@@ -5,8 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "setae/adhesion/balance_comparison.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/output/json.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/self_affine.hpp"
@@ -112,6 +114,46 @@ TEST(PublishedTables, FitOfPerssonTosatti) {
 TEST(PublishedTables, NoSpectrumCanDoBetterThanFreeEnergies) {
     EXPECT_NEAR(1e3 * published().free_energies->work_of_adhesion, 37.67, 5e-3);
     EXPECT_NEAR(published().free_energies->r_squared, 0.733, 5e-4);
+}
+
+/// Pairs of one balance of energies free for each surface.
+adhesion::FreeEnergyFit free_energies_with(double (*area_ratio)(double), double surface_energy) {
+    std::vector<adhesion::FreeEnergyPoint> points;
+    for (const auto& pair : published().pairs) {
+        const double r = area_ratio(published().surface(pair.surface).used().parameters.rms_slope);
+        points.push_back({pair.surface, pair.approach->value, r, surface_energy * (r - 1.0),
+                          published().elastomer(pair.elastomer).contact_modulus.value});
+    }
+    return adhesion::fit_with_free_energies(points);
+}
+
+// R² of (S13) is 0.13 and the paper's 0.29, as that of (7) is 0.51 and the paper's 0.67. No stored energies at all give
+// more than 0.33 with the slopes of Table S1, and 0.73: the paper's are under its bound both times, so that its own
+// spectra, which it does not print, make the difference.
+TEST(PublishedTables, PerssonTosattiIsBelowTheBoundOfAnySpectrum) {
+    EXPECT_NEAR(published().persson_tosatti->r_squared, 0.133, 5e-4);
+    const auto best = free_energies_with([](double slope) { return 1.0 + 0.5 * slope * slope; }, 0.0);
+    EXPECT_NEAR(best.r_squared, 0.335, 1e-3);
+    EXPECT_GT(best.r_squared, 0.29);
+    EXPECT_NEAR(free_energies_with(roughness::gaussian_area_ratio, 0.025).r_squared,
+                published().free_energies->r_squared, 1e-12);
+}
+
+// Of the sixteen pairs: ln L and residuals of surfaces left out say (7), not (S13), by 4.6 in ln L; with waves shorter
+// than 100 nm cut the two say the same.
+TEST(PublishedTables, BalancesCompared) {
+    const auto find = [&](const std::string& balance, double cut) {
+        for (const auto& b : published().balances)
+            if (b.balance == balance && b.shortest_wavelength == cut && b.surface_energy_factor == 1.0) return b.score;
+        throw InternalError("no such row");
+    };
+    EXPECT_NEAR(find("modified", 0.0).log_likelihood - find("persson_tosatti", 0.0).log_likelihood, 4.56, 5e-3);
+    EXPECT_NEAR(find("modified", 0.0).left_out_deviation, 0.01141, 1e-5);
+    EXPECT_NEAR(find("persson_tosatti", 0.0).left_out_deviation, 0.01603, 1e-5);
+    EXPECT_NEAR(find("modified", 1e-7).r_squared, 0.616, 5e-4);
+    EXPECT_NEAR(find("persson_tosatti", 1e-7).r_squared, 0.588, 5e-4);
+    const auto& interface = *published().strained_interface;
+    EXPECT_LT(std::abs(interface.interface_change.value), 2.0 * interface.interface_change.standard_error);
 }
 
 TEST(PublishedTables, TheReconstructionFloorsThreePairsAtTenMegapascal) {

@@ -133,6 +133,21 @@ TEST(LikelihoodSpectrum, DrawsScatterAsItsErrors) {
     EXPECT_TRUE((drawn_spectra(fit, 3, 9) == spectra.topRows(3)).all());
 }
 
+// Points closer than half the surface's shortest wave show modes that hold what the window lets through alone.
+TEST(LikelihoodSpectrum, EndsWhereTheSurfaceDoes) {
+    std::vector<ObservedSurface> fine;
+    for (std::uint64_t seed : {4, 5}) {
+        const auto map = cut_map(seed, 512, 2e-9);
+        topography::Profile profile{Array1D::LinSpaced(512, 0.0, 511.0 * 2e-9), map.heights.col(0), {}};
+        profile.metadata.instrument.type = "tem";
+        fine.push_back({profile, topography::Trend::mean});
+    }
+    const auto fit = likelihood_spectrum(fine, {.shortest_wavelength = shortest_wavelength, .threads = {1}});
+    EXPECT_LE(fit.C_iso.band.upper, 2.0 * pi / shortest_wavelength);
+    EXPECT_GT(fit.C_iso.band.upper, 0.9 * 2.0 * pi / shortest_wavelength);
+    for (const auto& row : fit.agreement) EXPECT_GT(row.probability, 1e-3);
+}
+
 TEST(LikelihoodSpectrum, RefusesWhatCannotBeFitted) {
     EXPECT_THROW((void)likelihood_spectrum({}, {}), InvalidArgument);
     EXPECT_THROW((void)likelihood_spectrum(observed(), {.shortest_wavelength = 0.0}), InvalidArgument);

@@ -48,14 +48,26 @@ struct SurfaceEnergyLaw {
     [[nodiscard]] double integral(double x) const;
 };
 
-/// The general balance.
+/// Balance of end states with an interface that differs from the unstrained one.
+///
+///   W_app = W_int r − γ1 (r − 1) − (γ1s2 − γ12) r − U_el/A_app
+///
+/// Stretching from A_app to A_true costs ∫ Υ dA with the surface stress Υ = d(γ1s A)/dA, so that γ1s A_true − γ1 A_app
+/// is spent on the way and γ1s A_true gained back where the stretched side is covered: however γ1s depends on strain,
+/// it drops out. interface_change: γ1s2 − γ12 at this strain [J/m²].
+/// @throws InvalidArgument outside the domain.  Source: derived in docs/theory; [D19] (5) with ∫ Υ dA.
+[[nodiscard]] ApparentWork end_state_balance(double work_of_adhesion, double surface_energy, double interface_change,
+                                             const ConformalState& state);
+
+/// The general balance as printed, with ∫ γ1s dA for the cost of stretching.
 ///
 ///   W_app = W*_int r − ∫_1^r γ1s(x) dx − U_el/A_app,   W*_int = W_int + [γ1s(r) − γ1s(1)]
 ///
-/// The strain is taken to leave the interface itself as it is (γ1s2 = γ12).
-/// Equals modified_balance for a constant law.
+/// The strain is taken to leave the interface itself as it is (γ1s2 = γ12). Equals modified_balance for a constant law.
+/// For any other it counts the change of γ1s twice: it is r γ1s(r) − γ1s(1) − ∫ γ1s dx above end_state_balance, which
+/// is χ (r² − 1)/2 of a law γ1 + χ (x − 1).
 /// @throws InvalidArgument outside the domain.  Source: [D19] (5), (6); THEORY §8.
-[[nodiscard]] ApparentWork general_balance(double work_of_adhesion, const SurfaceEnergyLaw& law,
+[[nodiscard]] ApparentWork printed_balance(double work_of_adhesion, const SurfaceEnergyLaw& law,
                                            const ConformalState& state);
 
 }  // namespace setae::adhesion

@@ -52,18 +52,27 @@ struct SurfaceInput {
     std::optional<PublishedMoments> moments;
 };
 
+/// γ1 against stretched area, and how it enters the general balance: by the end states, where it drops out, or as [D19]
+/// prints (5)–(6).
+struct StretchedSurfaceEnergy {
+    enum class Form { end_states, printed };
+    adhesion::SurfaceEnergyLaw law;
+    Form form = Form::end_states;
+};
+
 /// A soft solid.
 struct ElastomerInput {
     std::string name;
     Estimate youngs_modulus;  ///< [Pa]; 0 where loops are to give it
     double poisson_ratio = 0.5;
-    Estimate surface_energy;                                       ///< γ1 [J/m²]
-    std::optional<adhesion::SurfaceEnergyLaw> surface_energy_law;  ///< γ1 against stretched area, for (5)–(6)
-    std::optional<double> sphere_radius;                           ///< [m]
-    std::optional<double> sphere_height;                           ///< [m]
-    std::optional<double> crosslink_molar_mass;                    ///< M_c [kg/mol]
-    double density = 970.0;                                        ///< [kg/m³], PDMS
-    double temperature = 298.0;                                    ///< [K]
+    Estimate surface_energy;  ///< γ1 [J/m²]
+    std::optional<StretchedSurfaceEnergy> surface_energy_law;
+    std::optional<double> interface_change;      ///< χ of γ1s2 − γ12 = χ (r − 1) [J/m²]
+    std::optional<double> sphere_radius;         ///< [m]
+    std::optional<double> sphere_height;         ///< [m]
+    std::optional<double> crosslink_molar_mass;  ///< M_c [kg/mol]
+    double density = 970.0;                      ///< [kg/m³], PDMS
+    double temperature = 298.0;                  ///< [K]
 };
 
 /// A loop on file.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/adhesion/balance_comparison.hpp"
 #include "setae/adhesion/pair_fit.hpp"
 #include "setae/adhesion/prediction.hpp"
 #include "setae/adhesion/prediction_test.hpp"
@@ -70,7 +71,7 @@ struct PairResult {
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
     std::optional<Estimate> predicted_loss;                      ///< (10) at W_int and the contact area [J]
-    std::optional<adhesion::ApparentWork> general;     ///< (5)–(6), where the elastomer has a surface energy law
+    std::optional<adhesion::ApparentWork> general;     ///< where the soft side has a law of its surface or interface
     std::optional<adhesion::PredictionBudget> budget;  ///< of `modified`
     std::optional<adhesion::ScaleBalance> scales;
     std::vector<Alert> alerts;
@@ -106,6 +107,15 @@ struct CutoffPoint {
     std::vector<roughness::SpectralParameters> surfaces;  ///< in the order of StudyResult::surfaces
 };
 
+/// One balance against all pairs, under one choice of the cut and of γ1.
+struct ComparedBalance {
+    std::string balance;               ///< "modified", "without_area_change", "persson_tosatti", "free_energies",
+                                       ///< "strained_interface"
+    double shortest_wavelength = 0.0;  ///< that every spectrum is cut at [m]; 0: as the study takes them
+    double surface_energy_factor = 1;  ///< on γ1 of every elastomer
+    adhesion::BalanceScore score;
+};
+
 /// What surfaces, elastomers and loops say together, by one spectrum of each surface.
 struct Conclusions {
     bool of_averages = false;  ///< the spectra are averages over measurements; else those used first
@@ -117,6 +127,8 @@ struct Conclusions {
     Outcome<adhesion::WorkFit> without_area_change;
     Outcome<adhesion::LossFits> loop;
     Outcome<adhesion::FreeEnergyFit> free_energies;
+    Outcome<adhesion::StrainedInterfaceFit> strained_interface;
+    std::vector<ComparedBalance> balances;  ///< as the study takes them first, then over cuts, then over γ1
     std::vector<CutoffPoint> cutoff_scan;
     Outcome<adhesion::PredictionTest> prediction_test;  ///< of (7) with both errors
 

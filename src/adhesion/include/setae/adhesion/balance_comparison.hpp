@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/adhesion/pair_fit.hpp"
+
+namespace setae::adhesion {
+
+/// How well one balance says what was measured on all pairs, W_int fitted by least squares.
+struct BalanceScore {
+    int n = 0;                        ///< pairs
+    int parameters = 1;               ///< fitted to them
+    double work_of_adhesion = 0.0;    ///< W_int [J/m²]
+    double residual_squares = 0.0;    ///< Σ (measured − predicted)² [J²/m⁴]
+    double r_squared = 0.0;           ///< 1 − SS_res/SS_tot
+    double log_likelihood = 0.0;      ///< −n/2 ln(SS_res/n): Gaussian residuals of one unknown variance
+    double left_out_deviation = 0.0;  ///< rms residual of each surface under the fit to the others [J/m²]; NaN where
+                                      ///< the balance says nothing of a surface it has not seen
+};
+
+/// pairs: of one balance, as lines in W_int.
+/// @throws InvalidArgument for fewer than two pairs.
+[[nodiscard]] BalanceScore score_balance(const std::vector<PairPoint>& pairs);
+[[nodiscard]] BalanceScore score_free_energies(const std::vector<FreeEnergyPoint>& pairs);
+
+/// The balance with an interface whose energy changes as the soft side is stretched, linearly in its area:
+///
+///   W_app = W_int r − γ1 (r − 1) − χ r (r − 1) − U_el/A,   γ1s2 − γ12 = χ (r − 1)
+///
+/// W_int >= 0 and χ by least squares; errors from the residuals, n − 2 degrees of freedom.
+struct StrainedInterfaceFit {
+    Estimate work_of_adhesion;  ///< W_int [J/m²]
+    Estimate interface_change;  ///< χ [J/m²]
+    double correlation = 0.0;   ///< of the two
+    double r_squared = 0.0;
+    double residual_squares = 0.0;
+    int n = 0;
+};
+
+/// A pair and its true over apparent area; point: of (7).
+struct StrainedPoint {
+    PairPoint point;
+    double area_ratio = 1.0;  ///< r
+};
+
+/// @throws InvalidArgument for fewer than three pairs, or where all have the same area ratio.
+[[nodiscard]] StrainedInterfaceFit fit_strained_interface(const std::vector<StrainedPoint>& pairs);
+[[nodiscard]] BalanceScore score_strained_interface(const std::vector<StrainedPoint>& pairs);
+
+}  // namespace setae::adhesion
