@@ -5,9 +5,40 @@
 #include <cmath>
 
 #include "setae/adhesion/work_of_adhesion.hpp"
+#include "setae/contact/wavy.hpp"
 #include "setae/roughness/true_area.hpp"
 
 namespace setae::adhesion {
+namespace {
+
+void extend(std::optional<Band>& band, double wavevector) {
+    if (!band) band = Band{wavevector, wavevector};
+    band->upper = wavevector;
+}
+
+/// Of the sine wave of the same energies and rms height: p* = E* q h/2 = √8 U/h_rms with U = E* q h²/8.
+double pressure_to_close(double gained, double stored, double rms_height) {
+    if (!(stored > 0.0 && rms_height > 0.0)) return 0.0;
+    const double full = std::sqrt(8.0) * stored / rms_height;
+    if (!(gained > 0.0)) return full;
+    return std::max(0.0, full * contact::wavy::closing_pressure(stored / gained));
+}
+
+}  // namespace
+
+const char* name(Closing closing) {
+    switch (closing) {
+        case Closing::by_itself: return "closes by itself";
+        case Closing::under_pressure: return "closes under pressure";
+        case Closing::opens: return "opens by itself";
+    }
+    return "";
+}
+
+Closing ScaleBalance::closing(Index i) const {
+    if (gained[i] < stored[i]) return Closing::opens;
+    return closing_pressure[i] > 0.0 ? Closing::under_pressure : Closing::by_itself;
+}
 
 ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
                            double work_of_adhesion, double surface_energy) {
@@ -20,19 +51,22 @@ ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double 
     };
     const double change = work(below.rms_slope[n - 1], energy) - work_of_adhesion;
 
-    ScaleBalance balance{below.wavevector, Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n), std::nullopt};
+    ScaleBalance balance{below.wavevector, Array1D(n), Array1D(n),   Array1D(n),  Array1D(n),
+                         Array1D(n),       Array1D(n), std::nullopt, std::nullopt};
     for (Index i = 0; i < n; ++i) {
         const double slope_below = below.rms_slope[i];
         const double stored_below = contact_modulus * below.elastic_energy_per_modulus[i];
         const double slope_above = std::sqrt(std::max(0.0, slope2 - slope_below * slope_below));
+        const double height_above =
+            std::sqrt(std::max(0.0, std::pow(below.rms_height[n - 1], 2) - below.rms_height[i] * below.rms_height[i]));
         balance.gained[i] = work(slope_above, 0.0);
         balance.stored[i] = energy - stored_below;
         balance.stored_share[i] = stored_below / energy;
         balance.area_share[i] = (roughness::gaussian_area_ratio(slope_below) - 1.0) / excess_area;
         balance.work_share[i] = (work(slope_below, stored_below) - work_of_adhesion) / change;
-        if (balance.gained[i] >= balance.stored[i]) continue;
-        if (!balance.bridging) balance.bridging = Band{below.wavevector[i], below.wavevector[i]};
-        balance.bridging->upper = below.wavevector[i];
+        balance.closing_pressure[i] = pressure_to_close(balance.gained[i], balance.stored[i], height_above);
+        if (balance.closing(i) != Closing::by_itself) extend(balance.pressed, below.wavevector[i]);
+        if (balance.closing(i) == Closing::opens) extend(balance.bridging, below.wavevector[i]);
     }
     return balance;
 }

@@ -17,8 +17,12 @@
 namespace setae::contact::layer {
 namespace {
 
-/// How far the layer is from a half-space at wavevector q, x = qh: 1 − (E*q/2)/k(q) with the layer's stiffness k. Falls
-/// like 2x² e^(−2x)·4/(3 − 4ν).
+void require_poisson_ratio(double poisson_ratio) {
+    if (!(poisson_ratio > -1.0 && poisson_ratio <= 0.5))
+        throw InvalidArgument(fmt::format("poisson ratio must lie in (-1, 0.5], got {}", poisson_ratio));
+}
+
+/// How far the layer is from a half-space at x = qh: 1 − 1/stiffness_ratio. Falls like 2x² e^(−2x)·4/(3 − 4ν).
 double softening(double x, double poisson_ratio) {
     const double lead = 3.0 - 4.0 * poisson_ratio;
     const double rest = 2.0 * x * x + 8.0 * poisson_ratio * poisson_ratio - 12.0 * poisson_ratio + 5.0;
@@ -110,8 +114,7 @@ struct Layer::Table {
 
 Layer::Layer(double thickness, double poisson_ratio) : thickness_(thickness), poisson_ratio_(poisson_ratio) {
     require_positive(thickness, "layer thickness");
-    if (!(poisson_ratio > -1.0 && poisson_ratio <= 0.5))
-        throw InvalidArgument(fmt::format("poisson ratio must lie in (-1, 0.5], got {}", poisson_ratio));
+    require_poisson_ratio(poisson_ratio);
     constexpr std::size_t points = 48;
     const ChebyshevSeries kappa = transformed_softening(poisson_ratio);
     const Rule rule = gauss_rule();
@@ -138,6 +141,19 @@ Factors Layer::factor_slopes(double contact_radius) const {
     for (std::size_t k = 0; k < members.size(); ++k)
         result.*members[k] *= table_->logarithms[k].derivative(ratio) / thickness_;
     return result;
+}
+
+double stiffness_ratio(double x, double poisson_ratio) {
+    require_poisson_ratio(poisson_ratio);
+    if (!(x > 0.0)) throw InvalidArgument(fmt::format("wavevector times thickness is {}, expected > 0", x));
+    constexpr double half_space = 20.0;  // 2x² e^(−2x) is below 1e-14
+    if (x > half_space) return 1.0;
+    const double lead = 3.0 - 4.0 * poisson_ratio;
+    const double rest = 2.0 * x * x + 8.0 * poisson_ratio * poisson_ratio - 12.0 * poisson_ratio + 5.0;
+    // sinh(2x) − 2x without cancellation
+    const double y = 2.0 * x;
+    const double beyond = y < 0.1 ? y * y * y / 6.0 * (1.0 + y * y / 20.0 * (1.0 + y * y / 42.0)) : std::sinh(y) - y;
+    return (lead * std::cosh(y) + rest) / ((lead - 1.0) * std::sinh(y) + beyond);
 }
 
 }  // namespace setae::contact::layer

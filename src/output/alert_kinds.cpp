@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/contact/wavy.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
@@ -105,6 +106,8 @@ std::vector<AlertKind> of_surfaces() {
         {"MEASUREMENTS_SCATTER", about,
          "an instrument's measurements differ from each other beyond what their waves explain"},
         {"FILES_LEFT_OUT", about, "measurements of a surface failed; its spectrum rests on the others"},
+        {"WAVES_BEYOND_DATA", about,
+         "the surface's waves go on behind the finest data and would add more than 5 % to A_true/A_app − 1"},
         {"LIKELIHOOD_FAILED", about, "the likelihood could not be fitted; the average stands for it"},
         {"NOT_CONVERGED", about, "an iteration ended before its change was small: of a fit, a trace, a facet level"},
         {"ROLLOFF_NOT_SEEN", about, "the longest waves seen still carry much of the height"},
@@ -169,6 +172,11 @@ std::vector<AlertKind> of_studies() {
         {"MODULUS_IMPLAUSIBLE", about, "E is far from what the molar mass between crosslinks gives"},
         {"WILL_NOT_CONFORM", about, "(7) gives less than 0"},
         {"CONFORMAL_INVALID", about, "at some wavelengths roughness stores more than it gains"},
+        {"NEEDS_PRESSURE", about,
+         fmt::format(
+             "roughness stores more than {:.2f} of what it gains: it closes under pressure alone and then stays "
+             "closed",
+             contact::wavy::closing_energy())},
         {"REFERENCE_INCOMPLETE", about, "a reference's loop is not whole"},
         {"REFERENCE_HYSTERESIS", about,
          "a smooth reference's W of retraction is not shown to be within [comparison] margin of that of approach"},

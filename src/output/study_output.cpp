@@ -141,7 +141,7 @@ tables::TidyTable pairs_for_reading(const study::StudyResult& result) {
             const double raw = p.modified ? 1e3 * p.modified->work.raw : undefined;
             std::string note;
             if (p.modified && !p.modified->work.conforms) note = "will not conform";
-            else if (p.scales && p.scales->bridging) note = "would rather bridge some wavelengths";
+            else if (p.scales) note = name(p.closing());
             table.rows.push_back(
                 {p.surface, p.elastomer, method_name(surface, conclusions->method_of(surface)),
                  fmt::format("{:.4f}", 1e-6 * result.elastomer(p.elastomer).contact_modulus.value),
@@ -338,6 +338,7 @@ std::vector<std::string> write_results(const study::StudyResult& result) {
     write_table("cumulative.csv", cumulative_table(result));
     write_table("cutoff_scan.csv", cutoff_table(result));
     write_table("balances.csv", balance_table(result));
+    write_table("conforming.csv", conforming_table(result));
     write_table("loop_fits.csv", loop_fit_table(result));
     write_table("loop_energies.csv", loop_energy_table(result));
     write_table("alerts.csv", alert_table(result));

@@ -25,7 +25,8 @@ constexpr const char* explanation =
     "modified W_app = W_int r - gamma_1 (r - 1) - U_el/A_app                                  [D19] (7)\n"
     "Persson-Tosatti W_app = W_int (1 + h'^2/2) - U_el/A_app                                  [D19] (S13)\n"
     "without area change of the soft side W_app = W_int r - U_el/A_app                        [D19] (2)\n"
-    "bridging wavevectors q above which the roughness stores more than it gains                THEORY 8\n";
+    "bridging wavevectors q above which the roughness stores more than it gains                THEORY 8\n"
+    "pressed  q above which it stores more than 0.49 of that: closes under pressure alone      Johnson (1995)\n";
 
 struct Arguments {
     Common common;

@@ -22,6 +22,18 @@ const Layer& rubber() {
     return layer;
 }
 
+TEST(LayerStiffness, HasItsLimits) {
+    EXPECT_NEAR(stiffness_ratio(30.0, 0.5), 1.0, 1e-15);
+    EXPECT_NEAR(stiffness_ratio(19.999, 0.3), 1.0, 1e-13);
+    EXPECT_NEAR(stiffness_ratio(1e-3, 0.5) * 2e-9 / 3.0, 1.0, 1e-5);  // Reynolds: 3 µ u/(q² h³)
+    for (const double nu : {0.0, 0.3, 0.45})                          // oedometer: M u/h
+        EXPECT_NEAR(stiffness_ratio(1e-4, nu) * (1.0 - 2.0 * nu) * 1e-4 / (2.0 * std::pow(1.0 - nu, 2)), 1.0, 1e-3);
+    const double below = stiffness_ratio(0.05 * (1.0 - 1e-9), 0.5), above = stiffness_ratio(0.05 * (1.0 + 1e-9), 0.5);
+    EXPECT_NEAR(below / above, 1.0, 1e-7);
+    EXPECT_THROW((void)stiffness_ratio(0.0, 0.5), InvalidArgument);
+    EXPECT_THROW((void)stiffness_ratio(1.0, 0.6), InvalidArgument);
+}
+
 TEST(Layer, OfGreatThicknessIsAHalfSpace) {
     const Layer thick(1.0, 0.5);
     for (const double a : {1e-5, 1e-4}) {

@@ -174,6 +174,16 @@ Json surface_json(const study::SurfaceResult& surface, const study::SurfaceAnaly
     Json measurements = Json::array();
     for (const auto& m : surface.measurements) measurements.push_back(measurement_json(m));
     json["measurements"] = measurements;
+    if (const auto& beyond = surface.beyond_data) {
+        Json more;
+        add(more, quantity("end_of_data", "q_e", beyond->end, "1/m"));
+        add(more, quantity("end_of_waves", "q_s", beyond->up_to, "1/m"));
+        add(more, quantity("exponent", "p", beyond->exponent, "1"));
+        add(more, quantity("rms_slope", "h'_rms", beyond->rms_slope, "1"));
+        add(more, quantity("excess_area", "A_true/A_app - 1", beyond->excess_area, "1"));
+        add(more, quantity("elastic_energy_per_modulus", "U_el/(A E*)", beyond->elastic_energy_per_modulus, "m"));
+        json["beyond_data"] = more;
+    }
     json["alerts"] = to_json(surface.alerts);
     return json;
 }
@@ -261,10 +271,17 @@ Json pair_json(const study::PairResult& pair) {
                             "J/m2", "measured minus predicted"));
         add(json, named("wavelength_of_half_the_stored_energy", "lambda_1/2", half_wavelength(*pair.scales), "m",
                         "longer wavelengths store half of U_el"));
-        json["bridging"] = pair.scales->bridging ? Json{{"lower", number(pair.scales->bridging->lower)},
-                                                        {"upper", number(pair.scales->bridging->upper)},
-                                                        {"unit", "1/m"}}
-                                                 : Json(nullptr);
+        const auto band = [](const std::optional<Band>& found) {
+            return found ? Json{{"lower", number(found->lower)}, {"upper", number(found->upper)}, {"unit", "1/m"}}
+                         : Json(nullptr);
+        };
+        json["bridging"] = band(pair.scales->bridging);
+        json["pressed"] = band(pair.scales->pressed);
+        json["closing"] = name(pair.closing());
+        add(json, named("closing_pressure", "p", pair.scales->closing_pressure[0], "Pa",
+                        "of the sine wave of the same energies and rms height"));
+        add(json, named("energy_in_contact", "U/U_el", pair.seen.energy, "1",
+                        "stored energy of the waves within the contact, in a layer, over that of all on a half-space"));
     }
     json["alerts"] = to_json(pair.alerts);
     return json;

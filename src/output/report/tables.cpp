@@ -186,14 +186,13 @@ DataTable pairs_predicted(const StudyResult& result) {
         if (!pair.modified) continue;
         const auto base = fmt::format("/pairs/{}", i);
         const auto quantity = [&](const char* name) { return QuantityCell{joined(base, name)}; };
-        const bool bridging = pair.scales && pair.scales->bridging;
         table.rows.push_back({TextCell{pair.surface}, TextCell{pair.elastomer}, quantity("modified/work_of_adhesion"),
                               quantity("persson_tosatti/work_of_adhesion"),
                               quantity("without_area_change/work_of_adhesion"), quantity("residual"),
                               quantity("stored_energy"), quantity("true_area_ratio"),
                               quantity("wavelength_of_half_the_stored_energy"), quantity("predicted_energy_loss"),
                               TextCell{!pair.modified->work.conforms ? "will not conform"
-                                       : bridging                    ? "would rather bridge some wavelengths"
+                                       : pair.scales                 ? name(pair.closing())
                                                                      : ""}});
     }
     return table;

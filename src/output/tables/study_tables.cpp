@@ -277,6 +277,28 @@ tables::TidyTable cutoff_table(const study::StudyResult& result) {
     return table;
 }
 
+tables::TidyTable conforming_table(const study::StudyResult& result) {
+    tables::TidyTable table{"",
+                            {"surface", "elastomer", "method", "q [1/m]", "gained above [J/m2]", "stored above [J/m2]",
+                             "closing", "closing pressure [Pa]"},
+                            {}};
+    constexpr double next = 1.122;  // twenty a decade
+    for (const auto* conclusions : by_method(result))
+        for (const auto& pair : conclusions->pairs) {
+            if (!pair.scales) continue;
+            const auto& scales = *pair.scales;
+            double last = 0.0;
+            for (Index i = 0; i + 1 < scales.wavevector.size(); ++i) {
+                if (scales.wavevector[i] < next * last) continue;
+                last = scales.wavevector[i];
+                table.rows.push_back({pair.surface, pair.elastomer, method_name(result, *conclusions), last,
+                                      scales.gained[i], scales.stored[i], std::string(name(scales.closing(i))),
+                                      scales.closing_pressure[i]});
+            }
+        }
+    return table;
+}
+
 tables::TidyTable balance_table(const study::StudyResult& result) {
     tables::TidyTable table{"",
                             {"balance", "method", "shortest wavelength [m]", "surface energy factor", "n", "parameters",

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <list>
 
 #include <fmt/format.h>
 
 #include "pairs.hpp"
+#include "setae/adhesion/contact_scales.hpp"
+#include "setae/contact/wavy.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -14,6 +17,7 @@ namespace setae::study {
 namespace {
 
 using adhesion::PairPoint;
+using adhesion::RoughnessInContact;
 using adhesion::RoughSide;
 using adhesion::SoftSide;
 using roughness::SpectralParameters;
@@ -40,10 +44,9 @@ private:
     using Balance = PairPoint (*)(const RoughSide&, const SoftSide&);
     using ParametersOf = std::function<const SpectralParameters&(std::size_t surface)>;
 
-    [[nodiscard]] RoughSide rough_side(const SurfaceResult& surface) const {
-        const auto& spectrum = to_.spectrum_of(surface);
-        return {surface.name, spectrum.parameters, spectrum.spread};
-    }
+    /// A surface as the contact of one pair sees it: waves longer than the contact and the depth of the soft body.
+    void find_shares();
+    [[nodiscard]] RoughnessInContact in_contact(const PairResult& pair, const SpectralParameters& parameters) const;
     [[nodiscard]] ParametersOf whole_spectra() const {
         return [this](std::size_t i) -> const SpectralParameters& {
             return to_.spectrum_of(result_.surfaces[i]).parameters;
@@ -66,6 +69,25 @@ private:
     Conclusions& to_;
 };
 
+/// What each pair's contact sees of its surface: the waves shorter than its own diameter, unless the study says which
+/// is the longest, in a soft body as high as the lens.
+void Concluding::find_shares() {
+    for (auto& pair : to_.pairs) {
+        const auto& surface = result_.surface(pair.surface);
+        if (surface.failed()) continue;
+        const auto& soft = result_.elastomer(pair.elastomer).input;
+        adhesion::ContactScales scales{.thickness = soft.sphere_height, .poisson_ratio = soft.poisson_ratio};
+        if (pair.contact_area && !result_.study.analysis.limits.longest)
+            scales.contact_diameter = 2.0 * std::sqrt(*pair.contact_area / pi);
+        if (scales.contact_diameter || scales.thickness)
+            pair.seen = adhesion::contact_shares(to_.spectrum_of(surface).curve, scales);
+    }
+}
+
+RoughnessInContact Concluding::in_contact(const PairResult& pair, const SpectralParameters& parameters) const {
+    return adhesion::roughness_in_contact(parameters, to_.spectrum_of(result_.surface(pair.surface)).spread, pair.seen);
+}
+
 /// Points of all pairs with a measured approach, for one balance.
 std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& parameters_of) const {
     std::vector<PairPoint> found;
@@ -75,8 +97,8 @@ std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& p
         const auto& elastomer = result_.elastomer(pair.elastomer);
         if (!predictable(surface, elastomer)) continue;
         const auto index = static_cast<std::size_t>(&surface - result_.surfaces.data());
-        auto point =
-            balance({surface.name, parameters_of(index), to_.spectrum_of(surface).spread}, soft_side(elastomer));
+        const auto rough = in_contact(pair, parameters_of(index));
+        auto point = balance({surface.name, rough.parameters, rough.spread}, soft_side(elastomer));
         point.measured = *pair.approach;
         point.measured.value = std::max(0.0, point.measured.value);
         found.push_back(std::move(point));
@@ -98,14 +120,14 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
     for (const auto& pair : to_.pairs) {
         const auto& surface = result_.surface(pair.surface);
         if (!pair.loss || !pair.contact_area || surface.failed()) continue;
-        const auto& spectrum = to_.spectrum_of(surface);
+        const auto rough = in_contact(pair, to_.spectrum_of(surface).parameters);
         PairPoint point;
         point.surface = pair.surface;
         point.elastomer = pair.elastomer;
         point.measured = *pair.loss;
-        point.slope = spectrum.area_ratio() * *pair.contact_area;
+        point.slope = roughness::gaussian_area_ratio(rough.parameters.rms_slope) * *pair.contact_area;
         point.slope_variance =
-            std::pow(*pair.contact_area * spectrum.spread.standard_error([](const SpectralParameters& p) {
+            std::pow(*pair.contact_area * rough.spread.standard_error([](const SpectralParameters& p) {
                 return roughness::gaussian_area_ratio(p.rms_slope);
             }),
                      2);
@@ -233,6 +255,7 @@ std::vector<CutoffPoint> Concluding::scan_cutoffs() const {
 }
 
 void Concluding::fit() {
+    find_shares();
     to_.modified = fit_approach(adhesion::modified_point);
     to_.persson_tosatti = fit_approach(adhesion::persson_tosatti_point);
     to_.without_area_change = fit_approach(adhesion::point_without_area_change);
@@ -273,6 +296,17 @@ void add_alerts(PairResult& pair) {
         pair.alerts.push_back({"WILL_NOT_CONFORM", subject,
                                fmt::format("(7) gives {:.3g} mJ/m2, floored at 0", 1e3 * pair.modified->work.raw),
                                "conformal contact is not predicted; area and energy of full contact do not apply"});
+    if (pair.closing() == adhesion::Closing::under_pressure) {
+        const auto& band = *pair.scales->pressed;
+        pair.alerts.push_back(
+            {"NEEDS_PRESSURE", subject,
+             fmt::format(
+                 "the roughness above q does not close by itself for q between {:.3g} and {:.3g} 1/m: it stores "
+                 "more than {:.2f} of what it gains; closing takes {:.3g} kPa at least",
+                 band.lower, band.upper, contact::wavy::closing_energy(),
+                 1e-3 * pair.scales->closing_pressure.maxCoeff()),
+             "what is measured on approach may be partial contact; press harder, or compare with loops of other loads"});
+    }
     if (const auto& band = pair.scales->bridging)
         pair.alerts.push_back(
             {"CONFORMAL_INVALID", subject,
@@ -284,7 +318,8 @@ void add_alerts(PairResult& pair) {
 
 void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer) const {
     const auto& work = *to_.work_of_adhesion;
-    const auto rough = rough_side(surface);
+    const auto seen = in_contact(pair, to_.spectrum_of(surface).parameters);
+    const adhesion::RoughSide rough{surface.name, seen.parameters, seen.spread};
     const auto soft = soft_side(elastomer);
     const auto prediction = adhesion::predict(rough, soft, work);
     pair.area_ratio = prediction.area_ratio;
@@ -315,14 +350,19 @@ void Concluding::test() {
         to_.prediction_test = Missing::missing(to_.work_of_adhesion.reason);
         return;
     }
+    std::list<RoughnessInContact> seen;  // that `tested` refers to
     std::vector<adhesion::MeasuredPair> tested;
     std::vector<std::string> left_out;
     for (const auto& pair : to_.pairs) {
         if (!pair.modified || !pair.approach) continue;
-        if (pair.approach->uncertain())
-            tested.push_back({rough_side(result_.surface(pair.surface)), soft_side(result_.elastomer(pair.elastomer)),
-                              *pair.approach, pair.modified->work});
-        else
+        if (pair.approach->uncertain()) {
+            const auto& surface = result_.surface(pair.surface);
+            const auto& rough = seen.emplace_back(in_contact(pair, to_.spectrum_of(surface).parameters));
+            tested.push_back({{surface.name, rough.parameters, rough.spread},
+                              soft_side(result_.elastomer(pair.elastomer)),
+                              *pair.approach,
+                              pair.modified->work});
+        } else
             left_out.push_back(
                 fmt::format("{} × {}: no standard error of the measured value", pair.surface, pair.elastomer));
     }

@@ -9,7 +9,9 @@
 #include "average_spectrum.hpp"
 #include "given_spectrum.hpp"
 #include "likelihood_spectrum.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/roughness/true_area.hpp"
 #include "surface_run.hpp"
 
 namespace setae::study {
@@ -118,6 +120,38 @@ void add_failure_alert(SurfaceResult& surface, const SurfaceAnalysisOptions& opt
          "mend the files, or take them out of the study"});
 }
 
+/// What waves shorter than the finest data would add, and an alert where that is much.
+void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& options) {
+    constexpr double nearly_whole = 0.9, much = 0.05;
+    const auto& curve = surface.used().curve;
+    const double end =
+        2.0 * pi / std::max(options.limits.shortest.value_or(0.0), options.likelihood.shortest_wavelength);
+    if (curve.band.upper > nearly_whole * end) return;
+    try {
+        surface.beyond_data = roughness::beyond_data(curve, end);
+    } catch (const UndefinedDataError&) {
+        return;  // too few nodes to say how it ends
+    }
+    const auto& beyond = *surface.beyond_data;
+    const auto& parameters = surface.used().parameters;
+    const double area = roughness::gaussian_area_ratio(parameters.rms_slope) - 1.0;
+    if (!(beyond.excess_area.value > (1.0 + much) * area)) return;
+    const auto more = [](const Estimate& with, double within) {
+        const auto percent = [within](double value) { return 100.0 * (value / within - 1.0); };
+        return fmt::format("{:.2g} % ({:.2g} to {:.2g})", percent(with.value), percent(with.interval->lower),
+                           percent(with.interval->upper));
+    };
+    surface.alerts.push_back(
+        {"WAVES_BEYOND_DATA", surface.name,
+         fmt::format(
+             "waves from {:.3g} to {:.3g} nm are not in its numbers; if C_iso goes on as q^{:.2f}, they add {} to "
+             "the rms slope, {} to A_true/A_app − 1 and {} to U_el",
+             2e9 * pi / beyond.end, 2e9 * pi / beyond.up_to, beyond.exponent.value,
+             more(beyond.rms_slope, parameters.rms_slope), more(beyond.excess_area, area),
+             more(beyond.elastic_energy_per_modulus, parameters.elastic_energy_per_modulus)),
+         "measure finer, or say where the surface's waves end (surface_shortest_wavelength)"});
+}
+
 }  // namespace
 
 SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options, Run& run,
@@ -147,6 +181,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             add_failure_alert(surface, options);
             if (wanted.map) heights = only_map(std::move(prepared));
             else add_likelihood(surface, std::move(prepared), options, threads);
+            look_beyond_data(surface, options);
         }
         // a failure may be gone the next time
         if (std::none_of(surface.measurements.begin(), surface.measurements.end(),

@@ -8,6 +8,11 @@
 
 namespace setae::adhesion {
 
+/// How roughness comes into contact and stays: what closes by itself (stored < 0.49 gained) needs nothing, what stores
+/// more than it gains opens by itself, what lies between closes under pressure alone and stays closed.
+enum class Closing { by_itself, under_pressure, opens };
+[[nodiscard]] const char* name(Closing closing);  ///< "closes by itself", "closes under pressure", "opens by itself"
+
 /// Energy of conforming, scale by scale: what the roughness above each wavevector gains and stores.
 struct ScaleBalance {
     Array1D wavevector;  ///< q [1/m]
@@ -16,14 +21,23 @@ struct ScaleBalance {
     Array1D stored_share;  ///< share of the whole U_el stored below q: cumulative, 0 … 1
     Array1D area_share;    ///< share of r − 1 reached by the roughness below q, 0 … 1
     Array1D work_share;  ///< (W_app of the roughness below q alone − W_int)/(W_app − W_int): cumulative change of W_app
+    Array1D closing_pressure;      ///< [Pa] that closes the roughness above q, 0 where it closes by itself
     std::optional<Band> bridging;  ///< [1/m] wavevectors where gained < stored: lowest and highest
+    std::optional<Band> pressed;   ///< [1/m] where it does not close by itself, those of `bridging` among them
+
+    /// How the roughness above wavevector i comes into contact.
+    [[nodiscard]] Closing closing(Index i) const;
 };
 
 /// For an isotropic surface with Gaussian slopes, at the wavevectors of its cumulative parameters.
 ///
 /// Within `bridging` the solid would rather span the roughness shorter than 2π/q than conform to it, whatever (7) says
-/// in sum; formulas for full conformity then overstate both area and energy. contact_modulus [Pa] > 0; work_of_adhesion
-/// W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8.
+/// in sum; formulas for full conformity then overstate both area and energy. Gained against stored tells whether closed
+/// gaps open; open ones close later. `closing_pressure` is that of the sine wave of the same stored and gained energy
+/// and rms height, contact::wavy::closing_pressure(stored/gained) √8 stored/h_rms: the least that can do it, since
+/// random roughness has been found to close by itself only below stored/gained of 0.15 to 0.3. contact_modulus [Pa] >
+/// 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8; Johnson, Int. J. Solids Struct. 32
+/// (1995) 423.
 [[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
                                          double work_of_adhesion, double surface_energy);
 

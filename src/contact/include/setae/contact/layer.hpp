@@ -33,6 +33,14 @@ struct Factors {
     double edge = 1.0;  ///< e: stress intensity at the edge of a flat punch at given displacement, over a half-space's
 };
 
+/// Stiffness of a layer bonded to a rigid base over that of a half-space, k(q)/(E* q/2), at x = qh.
+///
+///   ((3 − 4ν) cosh 2x + 2x² + 8ν² − 12ν + 5)/((3 − 4ν) sinh 2x − 2x)
+///
+/// 1 for x → ∞; x → 0: 3/(2x³) for ν = 1/2, 2 (1 − ν)²/((1 − 2ν) x) otherwise.
+/// @throws InvalidArgument for x <= 0 or ν outside (−1, 1/2].  Source: Carbone, Mangialardi (2008).
+[[nodiscard]] double stiffness_ratio(double x, double poisson_ratio);
+
 /// A layer with its factors tabulated; some milliseconds to make, cheap to copy.
 class Layer {
 public:

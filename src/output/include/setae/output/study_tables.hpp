@@ -33,6 +33,8 @@ namespace setae::output {
 [[nodiscard]] tables::TidyTable loop_fit_table(const study::StudyResult& result);
 /// One row a loop and contact: its energy ledger; and one a cycle.
 [[nodiscard]] tables::TidyTable loop_energy_table(const study::StudyResult& result);
+/// One row a pair and wavevector: what the roughness above it gains and stores, how it closes and at which pressure.
+[[nodiscard]] tables::TidyTable conforming_table(const study::StudyResult& result);
 /// One row a balance and choice: how well it says what all pairs measured, over cuts of the spectra and over γ1.
 [[nodiscard]] tables::TidyTable balance_table(const study::StudyResult& result);
 /// W_int against the short cutoff.

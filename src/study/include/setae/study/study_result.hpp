@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setae/adhesion/balance_comparison.hpp"
+#include "setae/adhesion/contact_scales.hpp"
 #include "setae/adhesion/pair_fit.hpp"
 #include "setae/adhesion/prediction.hpp"
 #include "setae/adhesion/prediction_test.hpp"
@@ -74,7 +75,16 @@ struct PairResult {
     std::optional<adhesion::ApparentWork> general;     ///< where the soft side has a law of its surface or interface
     std::optional<adhesion::PredictionBudget> budget;  ///< of `modified`
     std::optional<adhesion::ScaleBalance> scales;
+    adhesion::ContactShares seen;  ///< of the surface's spectrum by this contact
     std::vector<Alert> alerts;
+
+    /// How all of its roughness comes into contact; of a pair with `scales`.
+    [[nodiscard]] adhesion::Closing closing() const {
+        using adhesion::Closing;
+        return scales->bridging                            ? Closing::opens
+               : scales->closing_pressure.maxCoeff() > 0.0 ? Closing::under_pressure
+                                                           : Closing::by_itself;
+    }
 };
 
 /// A smooth reference: from loops, or published.

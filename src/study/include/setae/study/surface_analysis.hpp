@@ -10,6 +10,7 @@
 
 #include "setae/core/quantity.hpp"
 #include "setae/processing/processed.hpp"
+#include "setae/roughness/beyond_data.hpp"
 #include "setae/roughness/parameter_spread.hpp"
 #include "setae/roughness/real_space.hpp"
 #include "setae/roughness/slope_distribution.hpp"
@@ -90,6 +91,7 @@ struct SurfaceResult {
     std::optional<SpectrumResult>
         likelihood;                        ///< fitted to all measurements at once, where it is wanted and can be had
     std::optional<FittedSpectrum> fitted;  ///< beside `likelihood`
+    std::optional<roughness::BeyondData> beyond_data;  ///< where the surface's waves go on behind the finest data
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }
