@@ -244,8 +244,8 @@ std::string prediction_line(const study::StudyResult& result) {
     return text + ").\n\n";
 }
 
-/// The curve as the study used it, with what the combination knows of each bin.
-Table spectrum_table(const study::SurfaceResult& surface) {
+/// The curve as the study used it, with what the combination knows of each bin; C_iso by (11) with the surface's q_s.
+Table spectrum_table(const study::SurfaceResult& surface, double shortest_wavelength) {
     Table table;
     table.metadata["surface"] = surface.name;
     table.metadata["source"] = surface.reconstructed ? "self-affine reconstruction from published moments"
@@ -255,12 +255,14 @@ Table spectrum_table(const study::SurfaceResult& surface) {
         "C1D = |h(q)|^2/L two-sided, averaged over +-q: h_rms^2 = (1/pi) int C1D dq; C_iso: h_rms^2 = (1/2 pi) int q C_iso dq";
     if (surface.combined) {
         const auto& c = *surface.combined;
-        table.columns = {{"wavevector", "1/m", c.wavevector},
-                         {"C1D", "m3", c.density},
-                         {"standard_error", "m3", c.standard_error},
-                         {"count", "1", c.count},
-                         {"instrument_count", "1", c.instrument_count},
-                         {"C_iso", "m4", spectra::isotropic_from_profile_eq11(c.wavevector, c.density, INFINITY)}};
+        table.columns = {
+            {"wavevector", "1/m", c.wavevector},
+            {"C1D", "m3", c.density},
+            {"standard_error", "m3", c.standard_error},
+            {"count", "1", c.count},
+            {"instrument_count", "1", c.instrument_count},
+            {"C_iso", "m4",
+             spectra::isotropic_from_profile_eq11(c.wavevector, c.density, 2.0 * pi / shortest_wavelength)}};
     } else if (surface.average.curve.kind == spectra::Density::C_iso) {
         // few nodes hold the model; readers get ten a decade, up to where C1D falls to zero
         const auto& curve = surface.average.curve;
@@ -344,7 +346,7 @@ std::vector<std::string> write_results(const study::StudyResult& result) {
     write_table("alerts.csv", alert_table(result));
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) continue;
-        const auto table = spectrum_table(surface);
+        const auto table = spectrum_table(surface, result.study.analysis.likelihood.shortest_wavelength);
         formats::write_netcdf(path_of("psd_" + as_file_name(surface.name) + ".nc"), table);
         tables::write_csv(path_of("psd_" + as_file_name(surface.name) + ".csv"), table);
         if (!surface.fitted) continue;

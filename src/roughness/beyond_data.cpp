@@ -12,9 +12,9 @@
 namespace setae::roughness {
 namespace {
 
-/// ln C(q_e) and p of a straight line through the last decade, and the standard error of p.
+/// p of a straight line through ln C over the last decade, and its standard error.
 struct End {
-    double level = 0.0, exponent = 0.0, error = 0.0;
+    double exponent = 0.0, error = 0.0;
 };
 
 End end_of(const spectra::Spectrum& curve) {
@@ -41,43 +41,34 @@ End end_of(const spectra::Spectrum& curve) {
     }
     const double slope = xy / xx;
     for (std::size_t i = 0; i < x.size(); ++i) squares += std::pow(y[i] - mean_y - slope * (x[i] - mean_x), 2);
-    return {mean_y - slope * mean_x, slope, std::sqrt(squares / (n - 2.0) / xx)};
+    return {slope, std::sqrt(squares / (n - 2.0) / xx)};
 }
 
-/// ∫_1^t u^order du.
-double power_integral(double order, double t) {
-    const double s = order + 1.0, log_t = std::log(t);
-    return std::abs(s * log_t) < 1e-8 ? log_t : std::expm1(s * log_t) / s;
-}
-
-SpectralParameters continued(const spectra::Spectrum& curve, const SpectralParameters& within, const End& end,
-                             double exponent, double up_to) {
-    const bool isotropic = curve.kind == spectra::Density::C_iso;
-    const double q = curve.band.upper, t = up_to / q, level = std::exp(end.level);
-    const double shift = isotropic ? 1.0 : 0.0;  // ∫ q^{n+1} C_iso dq where C1D has ∫ q^n C1D dq
-    const auto integral = [&](double order) {
-        return level * std::pow(q, order + shift + 1.0) * power_integral(exponent + order + shift, t);
-    };
-    auto result = within;
-    result.rms_slope =
-        std::sqrt(within.rms_slope * within.rms_slope + integral(2.0) * (isotropic ? 1.0 / (2.0 * pi) : 2.0 / pi));
-    result.elastic_energy_per_modulus += integral(1.0) / (8.0 * (isotropic ? pi : 1.0));
-    return result;
+SpectralParameters continued(spectra::Spectrum curve, double exponent, double up_to) {
+    const auto n =
+        std::upper_bound(curve.wavevector.begin(), curve.wavevector.end(), curve.band.upper) - curve.wavevector.begin();
+    const double end = values_at(curve, Array1D::Constant(1, curve.band.upper * (1.0 - 1e-12)))[0];
+    const Index kept = curve.wavevector[n - 1] < curve.band.upper * (1.0 - 1e-9) ? n : n - 1;
+    Array1D q(kept + 2), C(kept + 2);
+    q << curve.wavevector.head(kept), curve.band.upper, up_to;
+    C << curve.density.head(kept), end, end * std::pow(up_to / curve.band.upper, exponent);
+    curve.wavevector = std::move(q);
+    curve.density = std::move(C);
+    curve.band.upper = up_to;
+    return spectral_parameters(curve);
 }
 
 }  // namespace
 
 BeyondData beyond_data(const spectra::Spectrum& curve, double up_to) {
+    if (curve.nodes == spectra::Nodes::modes) throw InvalidArgument("modes cannot be continued; combine them first");
     if (!(up_to > curve.band.upper))
         throw InvalidArgument(
             fmt::format("a spectrum to {:.4g} 1/m continued to {:.4g}; expected more", curve.band.upper, up_to));
     constexpr double least_error = 0.2, normal_quantile = 1.96;
     const auto end = end_of(curve);
-    const auto within = spectral_parameters(curve);
     const double error = std::max(least_error, end.error);
-    const auto at = [&](double quantile) {
-        return continued(curve, within, end, end.exponent + quantile * error, up_to);
-    };
+    const auto at = [&](double quantile) { return continued(curve, end.exponent + quantile * error, up_to); };
     const auto middle = at(0.0), least = at(-normal_quantile), most = at(normal_quantile);
     const auto estimate = [&](auto value_of) {
         return Estimate{.value = value_of(middle),

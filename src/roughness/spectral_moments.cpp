@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "cut_moments.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -33,20 +35,67 @@ std::vector<Piece> cells(const std::vector<double>& q, const std::vector<double>
     return result;
 }
 
+/// Nodes with a value.
+struct Usable {
+    std::vector<double> q, c;
+};
+
+Usable usable_nodes(const spectra::Spectrum& curve) {
+    const bool modes = curve.nodes == spectra::Nodes::modes;
+    Usable found;
+    for (Index i = 0; i < curve.wavevector.size(); ++i)
+        if (std::isfinite(curve.density[i]) && (modes || curve.density[i] > 0.0)) {
+            found.q.push_back(curve.wavevector[i]);
+            found.c.push_back(curve.density[i]);
+        }
+    if (found.q.size() < 2)
+        throw UndefinedDataError(
+            fmt::format("a spectrum with {} usable values cannot be integrated, expected at least 2", found.q.size()));
+    return found;
+}
+
+/// Exponent of C1D over the last third of a decade, at most −1.01: the lines of a surface have less power the shorter
+/// the wave.
+double last_exponent(const Usable& nodes) {
+    constexpr double part = 2.15, flattest = -1.01;
+    const double last = nodes.q.back();
+    std::size_t first = nodes.q.size() - 2;
+    while (first > 0 && nodes.q[first] > last / part) --first;
+    double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
+    const auto n = static_cast<double>(nodes.q.size() - first);
+    for (std::size_t i = first; i < nodes.q.size(); ++i) {
+        mean_x += std::log(nodes.q[i]) / n;
+        mean_y += std::log(nodes.c[i]) / n;
+    }
+    for (std::size_t i = first; i < nodes.q.size(); ++i) {
+        xx += std::pow(std::log(nodes.q[i]) - mean_x, 2);
+        xy += (std::log(nodes.q[i]) - mean_x) * (std::log(nodes.c[i]) - mean_y);
+    }
+    return std::min(flattest, xy / xx);
+}
+
+/// C1D as power laws from below the band to infinity.
+std::vector<LinePiece> line_pieces(const spectra::Spectrum& curve) {
+    const auto nodes = usable_nodes(curve);
+    const auto& [q, c] = nodes;
+    std::vector<LinePiece> result;
+    for (std::size_t i = 0; i + 1 < q.size(); ++i) {
+        const double exponent = std::log(c[i + 1] / c[i]) / std::log(q[i + 1] / q[i]);
+        const double left = i == 0 ? std::min(q[0], curve.band.lower) : q[i];
+        const double right = i + 2 == q.size() ? std::max(q[i + 1], curve.band.upper) : q[i + 1];
+        result.push_back({left, right, c[i] * std::pow(left / q[i], exponent), exponent});
+    }
+    const auto& last = result.back();
+    const double end = last.level * std::pow(last.right / last.left, last.exponent);
+    result.push_back({last.right, std::numeric_limits<double>::infinity(), end, last_exponent(nodes)});
+    return result;
+}
+
 /// A curve as pieces that cover its band, in order.
 std::vector<Piece> pieces(const spectra::Spectrum& curve) {
     const auto& band = curve.band;
-    const bool modes = curve.nodes == spectra::Nodes::modes;
-    std::vector<double> q, c;
-    for (Index i = 0; i < curve.wavevector.size(); ++i)
-        if (std::isfinite(curve.density[i]) && (modes || curve.density[i] > 0.0)) {
-            q.push_back(curve.wavevector[i]);
-            c.push_back(curve.density[i]);
-        }
-    if (q.size() < 2)
-        throw UndefinedDataError(
-            fmt::format("a spectrum with {} usable values cannot be integrated, expected at least 2", q.size()));
-    if (modes) return cells(q, c, band);
+    const auto [q, c] = usable_nodes(curve);
+    if (curve.nodes == spectra::Nodes::modes) return cells(q, c, band);
     std::vector<Piece> result;
     for (std::size_t i = 0; i + 1 < q.size(); ++i) {
         const double exponent = std::log(c[i + 1] / c[i]) / std::log(q[i + 1] / q[i]);
@@ -162,11 +211,38 @@ Array1D values_at(const spectra::Spectrum& curve, const ArrayView1D& wavevector)
     return values;
 }
 
+namespace {
+
+/// Whether the waves of a curve of lines can be told from those it holds of shorter ones: not of single modes.
+bool can_be_cut(const spectra::Spectrum& curve) {
+    return curve.kind == spectra::Density::C1D && curve.nodes != spectra::Nodes::modes;
+}
+
+/// Where scatter makes C1D rise, no isotropic surface has it and a moment may come out negative.
+SpectralParameters parameters_of(const CutMoments& moments) {
+    const auto root = [](double square) { return std::sqrt(std::max(0.0, square)); };
+    return {root(moments.first / (2.0 * pi)), root(moments.third / (2.0 * pi)), root(moments.fifth / (8.0 * pi)),
+            std::max(0.0, moments.second / (8.0 * pi))};
+}
+
+/// Values that scatter lets fall, as ones that rise to the last.
+void make_rising(Array1D& values) {
+    const Index n = values.size();
+    for (Index i = 1; i < n; ++i) values[i] = std::min(values[n - 1], std::max(values[i - 1], values[i]));
+}
+
+}  // namespace
+
 SpectralParameters spectral_parameters(const spectra::Spectrum& curve, Conversion conversion) {
     const auto parts = pieces(curve);
-    Contribution sum;
-    for (const auto& piece : parts) sum += contribution(piece, curve, conversion);
-    auto parameters = sum.parameters();
+    SpectralParameters parameters;
+    if (can_be_cut(curve) && conversion == Conversion::exact) {
+        parameters = parameters_of(cut_moments(line_pieces(curve), curve.band));
+    } else {
+        Contribution sum;
+        for (const auto& piece : parts) sum += contribution(piece, curve, conversion);
+        parameters = sum.parameters();
+    }
     if (curve.kind == spectra::Density::C1D) parameters.decade_C1D = means_of(parts);
     return parameters;
 }
@@ -177,17 +253,24 @@ CumulativeParameters cumulative_parameters(const spectra::Spectrum& curve) {
     const auto parts = pieces(curve);
     const auto n = static_cast<Index>(parts.size()) + 1;
     CumulativeParameters result{Array1D(n), Array1D(n), Array1D(n), Array1D(n), Array1D(n)};
+    const bool cut = can_be_cut(curve);
+    const auto lines = cut ? line_pieces(curve) : std::vector<LinePiece>();
     Contribution sum;
     for (Index i = 0; i < n; ++i) {
         const auto* piece = i > 0 ? &parts[static_cast<std::size_t>(i - 1)] : nullptr;
-        if (piece) sum += contribution(*piece, curve, Conversion::exact);
-        const auto parameters = sum.parameters();
         result.wavevector[i] = piece ? piece->right : parts.front().left;
+        if (piece && !cut) sum += contribution(*piece, curve, Conversion::exact);
+        const auto parameters =
+            piece && cut ? parameters_of(cut_moments(lines, {parts.front().left, piece->right})) : sum.parameters();
         result.rms_height[i] = parameters.rms_height;
         result.rms_slope[i] = parameters.rms_slope;
         result.rms_curvature[i] = parameters.rms_curvature;
         result.elastic_energy_per_modulus[i] = parameters.elastic_energy_per_modulus;
     }
+    if (cut)
+        for (auto* values :
+             {&result.rms_height, &result.rms_slope, &result.rms_curvature, &result.elastic_energy_per_modulus})
+            make_rising(*values);
     return result;
 }
 

@@ -45,7 +45,7 @@ TEST(BeyondData, OfAPowerLawIsWhatIsThere) {
     EXPECT_GT(far.rms_slope.standard_error, 3.0 * near.rms_slope.standard_error);
 }
 
-// C1D of a pure power law q⁻³ is what it is, by the identities for lines.
+// C1D = q⁻³ is that of C_iso = 4 q⁻⁴.
 TEST(BeyondData, OfLinesHasTheClosedForm) {
     spectra::Spectrum line;
     line.kind = spectra::Density::C1D;
@@ -55,7 +55,7 @@ TEST(BeyondData, OfLinesHasTheClosedForm) {
     const auto found = beyond_data(line, 1e9);
     EXPECT_NEAR(found.exponent.value, -4.0, 1e-9);
     EXPECT_NEAR(found.rms_slope.value, std::sqrt(2.0 / pi * std::log(1e3)), 1e-6);
-    EXPECT_NEAR(found.elastic_energy_per_modulus.value, 0.125 * (1e-6 - 1e-9), 1e-12);
+    EXPECT_NEAR(found.elastic_energy_per_modulus.value, (1e-6 - 1e-9) / (2.0 * pi), 1e-12);
     EXPECT_THROW((void)beyond_data(line, 1e7), InvalidArgument);
 }
 

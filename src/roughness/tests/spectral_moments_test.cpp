@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "setae/core/constants.hpp"
@@ -57,8 +58,37 @@ TEST(SpectralParameters, IntegrateAPowerLawInClosedForm) {
     q << 1e6, 1e9;
     const spectra::Spectrum curve{q, 1e-20 * (q / 1e6).pow(-2.0), {1e6, 1e9}};
     const auto p = spectral_parameters(curve);
-    EXPECT_NEAR(p.rms_height, std::sqrt(1e-20 * 1e6 * (1.0 - 1e-3) / pi), 1e-20);
-    EXPECT_NEAR(p.elastic_energy_per_modulus, 1e-20 * 1e12 * std::log(1e3) / 8.0, 1e-20);
+    // C1D ∝ q^−α: C_iso = (2/√π) Γ((α + 1)/2)/Γ(α/2) π C1D/q, the factor 1 for α = 2
+    EXPECT_NEAR(p.rms_height / std::sqrt(1e-20 * 1e6 * (1.0 - 1e-3) / 2.0), 1.0, 1e-8);
+    EXPECT_NEAR(p.elastic_energy_per_modulus / (1e-20 * 1e12 * std::log(1e3) / 8.0), 1.0, 1e-8);
+}
+
+// Of lines that show waves to 72 nm, the surface's own waves between two others: what C_iso gives. The identities,
+// which hold over 0 … ∞ alone, read 3 to 27 % more at the short end and less at the long one.
+TEST(SpectralParameters, OfLinesCutAreThoseOfTheSurfaceCut) {
+    for (const Band& band : {Band{1e4, 2e7}, Band{2e6, 8e7}, Band{3e6, 5e7}}) {
+        auto lines = profile_curve(), surface = isotropic_curve();
+        lines.band = surface.band = band;
+        const auto a = spectral_parameters(lines), b = spectral_parameters(surface);
+        EXPECT_NEAR(a.rms_height / b.rms_height, 1.0, 5e-4);
+        EXPECT_NEAR(a.rms_slope / b.rms_slope, 1.0, 5e-4);
+        EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 5e-4);
+        EXPECT_NEAR(a.elastic_energy_per_modulus / b.elastic_energy_per_modulus, 1.0, 5e-4);
+    }
+    // known to 2e7 1/m alone: the last power law goes on
+    auto lines = profile_curve(), surface = isotropic_curve();
+    const auto known =
+        std::upper_bound(lines.wavevector.begin(), lines.wavevector.end(), 2e7) - lines.wavevector.begin();
+    const double end = lines.wavevector[known - 1];
+    lines.wavevector = Array1D(lines.wavevector.head(known));
+    lines.density = Array1D(lines.density.head(known));
+    lines.band.upper = surface.band.upper = end;
+    const auto a = spectral_parameters(lines), b = spectral_parameters(surface);
+    EXPECT_NEAR(a.rms_slope / b.rms_slope, 1.0, 5e-3);
+    EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 2e-2);
+    // as a sum over modes, which knows the identities alone
+    lines.nodes = spectra::Nodes::modes;
+    EXPECT_GT(spectral_parameters(lines).rms_curvature / b.rms_curvature, 1.1);
 }
 
 TEST(SpectralParameters, ContinueTheOuterPowerLawsToTheBand) {
@@ -66,8 +96,8 @@ TEST(SpectralParameters, ContinueTheOuterPowerLawsToTheBand) {
     const auto law = [](const Array1D& q) -> Array1D { return 1e-20 * (q / 1e6).pow(-2.6); };
     const auto a = spectral_parameters({inner, law(inner), {1e5, 1e10}}),
                b = spectral_parameters({outer, law(outer), {1e5, 1e10}});
-    EXPECT_NEAR(a.rms_height / b.rms_height, 1.0, 1e-12);
-    EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 1e-12);
+    EXPECT_NEAR(a.rms_height / b.rms_height, 1.0, 1e-10);
+    EXPECT_NEAR(a.rms_curvature / b.rms_curvature, 1.0, 1e-10);
 }
 
 TEST(SpectralParameters, PassOverGaps) {

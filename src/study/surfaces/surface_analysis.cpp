@@ -126,7 +126,7 @@ void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& opti
     const auto& curve = surface.used().curve;
     const double end =
         2.0 * pi / std::max(options.limits.shortest.value_or(0.0), options.likelihood.shortest_wavelength);
-    if (curve.band.upper > nearly_whole * end) return;
+    if (curve.band.upper > nearly_whole * end || curve.nodes == spectra::Nodes::modes) return;
     try {
         surface.beyond_data = roughness::beyond_data(curve, end);
     } catch (const UndefinedDataError&) {

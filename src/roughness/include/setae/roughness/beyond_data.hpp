@@ -22,7 +22,8 @@ struct BeyondData {
 };
 
 /// up_to: q_s [1/m], above the end of the curve's band.
-/// @throws InvalidArgument for one that is not; UndefinedDataError for fewer than three nodes in the last decade.
+/// @throws InvalidArgument for one that is not, or modes; UndefinedDataError for fewer than three nodes in the last
+/// decade.
 [[nodiscard]] BeyondData beyond_data(const spectra::Spectrum& curve, double up_to);
 
 }  // namespace setae::roughness

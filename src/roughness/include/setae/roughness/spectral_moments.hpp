@@ -26,8 +26,8 @@ struct WavelengthLimits {
 
 /// How two-dimensional parameters follow from C1D.
 enum class Conversion {
-    exact,  ///< moment identities of isotropic surfaces: ∫ q^{n+1} C_iso dq = π k_n ∫ q^n C1D dq
-    eq11,   ///< C_iso ≈ π C1D/(q √(1 − (q/q_s)²)), q_s the upper end of the band: the way of [D19]
+    exact,  ///< inverse Abel integral, then the cut; of modes the identities ∫ q^{n+1} C_iso dq = π k_n ∫ q^n C1D dq
+    eq11,  ///< C_iso ≈ π C1D/(q √(1 − (q/q_s)²)), q_s the upper end of the band: the way of [D19]
 };
 
 /// C1D by decade: element d is the geometric mean over ln q between 10^(4+d) and 10^(5+d) 1/m [m³], NaN where the curve
@@ -41,9 +41,12 @@ inline constexpr DecadeMeans no_decades{undefined, undefined, undefined, undefin
 
 /// Parameters of an isotropic surface.
 ///
-///   from C1D:    h_rms² = (1/π) ∫ C dq,    h'² = (2/π) ∫ q² C dq,    h''² = (2/3π) ∫ q⁴ C dq,   U_el/(A_app E*) =
-///   (1/8) ∫ q C dq from C_iso:  h_rms² = (1/2π) ∫ q C dq, h'² = (1/2π) ∫ q³ C dq,   h''² = (1/8π) ∫ q⁵ C dq,
-///   U_el/(A_app E*) = (1/8π) ∫ q² C dq
+///   h_rms² = (1/2π) ∫ q C_iso dq,   h'² = (1/2π) ∫ q³ C_iso dq,   h''² = (1/8π) ∫ q⁵ C_iso dq,
+///   U_el/(A_app E*) = (1/8π) ∫ q² C_iso dq
+///
+/// Of C1D: C_iso by the inverse Abel integral of the whole curve, continued behind its last node as it ends, then the
+/// waves of the band alone (cut_moments.hpp). Of modes, whose powers are counted one by one: h_rms² = (1/π) ∫ C dq, h'²
+/// = (2/π) ∫ q² C dq, h''² = (2/3π) ∫ q⁴ C dq, U_el/(A_app E*) = (1/8) ∫ q C dq, exact over 0 … ∞.
 ///
 /// h' = sqrt⟨|∇h|²⟩, h'' = sqrt⟨(½∇²h)²⟩.  Source: THEORY §4, §4.1; [D19] (8), (11).
 struct SpectralParameters {
