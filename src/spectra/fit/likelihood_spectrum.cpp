@@ -110,7 +110,8 @@ private:
     /// Whether a group of modes tells of the surface: inside the band, and the tip leaves enough of it.
     [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
         const bool seen = g.tip.log_transfer.size() == 0 || std::exp(g.tip.log_transfer[k]) >= options_.least_transfer;
-        return g.data.wavevector[k] <= g.band_end && seen && g.data.periodogram[k] > 0.0;
+        return g.data.wavevector[k] >= g.band_begin && g.data.wavevector[k] <= g.band_end && seen &&
+               g.data.periodogram[k] > 0.0;
     }
 
     /// ν of every group of modes, 0 outside the band and where the tip leaves too little.

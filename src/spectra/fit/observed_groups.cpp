@@ -22,7 +22,9 @@ namespace {
 /// What the noise of a trace is estimated to by the scatter along its points.
 constexpr double noise_of_traces_known_to = 0.2;
 
-int trend_degree(topography::Trend trend) { return trend == topography::Trend::parabola ? 2 : 1; }
+int trend_degree(const ObservedSurface& observed) {
+    return std::max(observed.trend == topography::Trend::parabola ? 2 : 1, observed.trend_degree);
+}
 
 topography::HeightMap as_map(const topography::LineScan& scan) {
     topography::HeightMap map{Eigen::Map<const Array2D>(scan.heights.data(), scan.heights.size(), 1),
@@ -69,7 +71,7 @@ std::string class_name(const topography::Metadata& metadata, Index points, doubl
 /// window lets through alone.
 double band_end(const ObservedSurface& observed, double nyquist, const SpectrumRange& range,
                 const LikelihoodOptions& options) {
-    const double sampled = std::min(nyquist, range.shortest * (1.0 + 1e-9));
+    const double sampled = std::min({nyquist, range.shortest * (1.0 + 1e-9), observed.untouched.upper});
     if (!options.tip_band) return sampled;
     return std::min(sampled, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
 }
@@ -98,7 +100,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
         map.heights = std::move(bridged.heights);
         gaps = std::move(bridged.gaps);
     }
-    const ScanShape shape{map.heights.rows(), trend_degree(observed.trend)};
+    const ScanShape shape{map.heights.rows(), trend_degree(observed)};
     const auto& instrument = map.metadata.instrument;
     const double step = map.pixel_size()[0];
     const Array1D periodogram = scan_periodogram(map.heights, step, shape.trend_degree, options.threads);
@@ -106,8 +108,9 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
     const std::string name = class_name(map.metadata, map.heights.rows(), map.size[0]);
     auto place = std::find_if(groups.begin(), groups.end(), [&](const ObservedGroup& g) {
         return !g.contour && g.data.name == name && g.data.instrument == instrument.type &&
-               g.lines == map.heights.cols() && g.tip_radius == instrument.tip_radius.value_or(0.0) &&
-               std::abs(g.pixel_size / step - 1.0) < 1e-6 && g.data.periodogram.size() == periodogram.size();
+               g.lines == map.heights.cols() && g.trend_degree == shape.trend_degree &&
+               g.tip_radius == instrument.tip_radius.value_or(0.0) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
+               g.data.periodogram.size() == periodogram.size();
     });
     if (place == groups.end()) {
         const ModeBins bins(shape.points / 2);
@@ -121,6 +124,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
         groups.push_back(std::move(group));
         place = groups.end() - 1;
     }
+    place->band_begin = std::max(place->band_begin, observed.untouched.lower);
     if (place->tip_radius > 0.0) place->skewness.push_back(skewness_of(map.heights));
     if (gaps.undefined.cols() > 0) place->gaps.push_back(std::move(gaps));
     place->periodograms.push_back(periodogram);
@@ -143,6 +147,7 @@ void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& cu
     } else if (curve.metadata.instrument.type != "tem") {
         group.data.noise_response = white_noise(curve, options.threads);
     }
+    group.band_begin = observed.untouched.lower;
     if (group.tip_radius > 0.0) group.skewness.push_back(skewness_of(curve.heights));
     group.data.periodogram = std::move(kernel.periodogram);
     group.periodograms = {group.data.periodogram};

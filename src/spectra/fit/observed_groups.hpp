@@ -23,6 +23,7 @@ struct ObservedGroup {
     int measurements = 0;
     std::vector<Array1D> periodograms;             ///< of each measurement [m³]
     std::vector<double> skewness;                  ///< of the heights of each measurement with a tip
+    double band_begin = 0.0;                       ///< highest of the measurements' untouched bands' begins [1/m]
     double band_end = 0.0;                         ///< geometric mean of the reliable bands' ends [1/m]
     Array1D mode_counts;                           ///< modes in each group of modes
     Array1D independent_share;                     ///< ω of each group of modes

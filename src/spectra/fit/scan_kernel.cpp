@@ -27,8 +27,9 @@ using fourier::Complex;
 
 void require_shape(const ScanShape& shape) {
     if (shape.points < 8) throw InvalidArgument(fmt::format("a scan of {} points; expected at least 8", shape.points));
-    if (shape.trend_degree < 0 || shape.trend_degree > 2)
-        throw InvalidArgument(fmt::format("trend of degree {}; expected 0, 1 or 2", shape.trend_degree));
+    constexpr int highest_degree = 12;
+    if (shape.trend_degree < 0 || shape.trend_degree > highest_degree)
+        throw InvalidArgument(fmt::format("trend of degree {}; expected 0 to {}", shape.trend_degree, highest_degree));
 }
 
 /// Orthonormal basis of polynomials on n points, one a column.

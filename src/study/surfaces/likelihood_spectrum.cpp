@@ -78,7 +78,8 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     std::vector<spectral_fit::ObservedSurface> observed;
     for (std::size_t i = 0; i < prepared.size(); ++i)
         if (!surface.measurements[i].failed())
-            observed.push_back({std::move(prepared[i].measurement), prepared[i].trend});
+            observed.push_back({std::move(prepared[i].measurement), prepared[i].trend,
+                                static_cast<int>(prepared[i].untouched.trend_degree), prepared[i].untouched.band});
     auto likelihood = options.likelihood;
     likelihood.seed = options.seed;
     likelihood.threads = threads;

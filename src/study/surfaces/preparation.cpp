@@ -126,6 +126,13 @@ void process(PreparedMeasurement& prepared, const processing::Pipeline& pipeline
     prepared.processing = std::move(result.records);
 }
 
+double step_along_x(const topography::Measurement& measurement) {
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) return map->pixel_size()[0];
+    if (const auto* scan = std::get_if<topography::LineScan>(&measurement)) return scan->pixel_size();
+    const auto& profile = std::get<topography::Profile>(measurement);
+    return profile.size() / static_cast<double>(profile.positions.size() - 1);
+}
+
 PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementInput& input,
                             const formats::ReadOptions& options) {
     PreparedMeasurement prepared;
@@ -140,6 +147,7 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
         prepared.measurement = subtract_references(*scan, input, options);
     }
     const auto pipeline = pipeline_of_lines(input.steps);
+    prepared.untouched = processing::untouched(pipeline, step_along_x(prepared.measurement));
     process(prepared, pipeline, options);
     make_analysable(prepared);
     topography::validate(prepared.measurement);

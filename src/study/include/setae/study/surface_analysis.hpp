@@ -10,6 +10,7 @@
 
 #include "setae/core/quantity.hpp"
 #include "setae/processing/processed.hpp"
+#include "setae/processing/untouched.hpp"
 #include "setae/roughness/beyond_data.hpp"
 #include "setae/roughness/parameter_spread.hpp"
 #include "setae/roughness/real_space.hpp"
@@ -119,6 +120,7 @@ struct NamedSpectrum {
 struct PreparedMeasurement {
     topography::Measurement measurement;  ///< heights of maps and scans may be undefined
     topography::Trend trend = topography::Trend::none;
+    processing::Untouched untouched = {};  ///< of its waves by the pipeline before
     std::vector<processing::StepRecord> processing = {};
     std::vector<Alert> alerts = {};
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,10 +16,12 @@
 
 namespace setae::spectral_fit {
 
-/// A measurement and the trend already taken from it, which its expected periodogram must know.
+/// A measurement and what was already taken from it, which its expected periodogram must know.
 struct ObservedSurface {
     topography::Measurement measurement;
     topography::Trend trend = topography::Trend::mean;
+    int trend_degree = 0;  ///< of the polynomial along x that maps and scans have lost besides
+    Band untouched{0.0, std::numeric_limits<double>::infinity()};  ///< waves that are as they were [1/m]
 };
 
 struct LikelihoodOptions {
@@ -84,9 +87,9 @@ struct LikelihoodSpectrum {
 /// and aliases of scans and maps, the points of contours, noise of each instrument, and tips simulated on the estimate
 /// itself.
 ///
-/// Maps and scans lose a tilt (a parabola where that was taken from them) line by line. Maps count as many lines as are
-/// independent. Gaps of lines are bridged, and what that does to a line of this spectrum is expected; lines of which
-/// less than half is defined are left out. Same bytes for any number of threads.
+/// Maps and scans lose a tilt (a parabola or more where that was taken from them) line by line. Maps count as many
+/// lines as are independent. Gaps of lines are bridged, and what that does to a line of this spectrum is expected;
+/// lines of which less than half is defined are left out. Same bytes for any number of threads.
 /// @throws InvalidArgument where no measurement has a mode inside its band; what the kernels throw.
 /// Source: Sykulski et al., Biometrika 106 (2019) 251; Guillaumin et al., J. R. Stat. Soc. B 84 (2022) 1539; trends,
 /// contours and tips derived here.

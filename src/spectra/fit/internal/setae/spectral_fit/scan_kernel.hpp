@@ -13,7 +13,8 @@ namespace setae::spectral_fit {
 /// How a line of equidistant points is turned into a periodogram.
 struct ScanShape {
     Index points = 0;
-    int trend_degree = 1;  ///< polynomial removed by least squares before the Hann window: 0 mean, 1 tilt, 2 parabola
+    int trend_degree =
+        1;  ///< polynomial removed by least squares before the Hann window: 0 mean, 1 tilt, 2 parabola … 12
 
     friend auto operator<=>(const ScanShape&, const ScanShape&) = default;
 };
@@ -23,7 +24,8 @@ struct ScanShape {
 ///   P_k = (Δ/n) |F(w ∘ (I − VVᵀ) h)|²_k,  k = 1 … n/2,  w Hann with Σw² = n, V an orthonormal basis of the trend
 ///
 /// heights: (points, lines) [m]; pixel_size Δ [m]. One value [m³] for each of ModeBins(n/2).
-/// @throws InvalidArgument for fewer than 8 points or a degree outside 0 … 2; UndefinedDataError for undefined heights.
+/// @throws InvalidArgument for fewer than 8 points or a degree outside 0 … 12; UndefinedDataError for undefined
+/// heights.
 [[nodiscard]] Array1D scan_periodogram(const ArrayView2D& heights, double pixel_size, int trend_degree,
                                        parallel::Threads threads = {});
 
