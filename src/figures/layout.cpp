@@ -20,7 +20,11 @@ Margins margins_of(const Panel& panel) {
     constexpr double title_mm = 6.5;
     Margins margins;
     if (!panel.title.empty()) margins.top += 3.5;
-    if (panel.x.bare) margins.bottom = 1.5;
+    if (panel.x.bare || panel.sketch) margins.bottom = 1.5;
+    if (panel.sketch) {
+        margins.left = margins.right = 1.0;
+        return margins;
+    }
     std::size_t longest = 0;
     for (const auto& label : panel.y.tick_labels) longest = std::max(longest, letters_in(label));
     if (longest > 0) margins.left = title_mm + letters_mm * static_cast<double>(longest);

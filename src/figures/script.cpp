@@ -189,15 +189,16 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
         axes.left / figure.width_mm, axes.right / figure.width_mm, axes.top / figure.height_mm,
         axes.bottom / figure.height_mm);
     script += axis_lines(panel.x, x, axes.right - axes.left, 'x') + axis_lines(panel.y, y, axes.top - axes.bottom, 'y');
+    script += panel.sketch ? "unset border\nunset xtics\nunset ytics\n" : "set border 15 lw 0.8\n";
     script += key_line(panel, x, y, layout, figure, small, device.legend_spacing) + "unset label\nunset arrow\n";
     // gnuplot's own axis titles stand elsewhere in each terminal
     const auto title = [&](const std::string& quoted, double across_mm, double up_mm, const char* how) {
         script += fmt::format("set label {} at screen {} {}\n", quoted, on_page(figure, across_mm, up_mm), how);
     };
-    if (!panel.x.bare)
+    if (!panel.x.bare && !panel.sketch)
         title(quoted_axis_title(panel.x.quantity, panel.x.unit), 0.5 * (axes.left + axes.right),
               layout.cell.bottom + 2.6, "center");
-    if (!panel.y.bare)
+    if (!panel.y.bare && !panel.sketch)
         title(quoted_axis_title(panel.y.quantity, panel.y.unit), layout.cell.left + 2.6, 0.5 * (axes.bottom + axes.top),
               "center rotate by 90");
     if (!panel.title.empty()) title(quoted_bold(panel.title), axes.left, axes.top + 2.6, "left");

@@ -86,6 +86,7 @@ Json panel_json(const figures::Panel& panel) {
         static constexpr std::array<const char*, 4> corners{"top right", "top left", "bottom right", "bottom left"};
         json["corner"] = corners[static_cast<std::size_t>(*panel.legend_corner)];
     }
+    if (panel.sketch) json["x"]["hidden"] = json["y"]["hidden"] = true;
     if (panel.legend_beside) json["beside"] = true;
     if (panel.place) json["place"] = {panel.place->left, panel.place->top, panel.place->width, panel.place->height};
     if (panel.map) json["map"] = map_json(*panel.map);

@@ -76,6 +76,10 @@ const std::vector<Kind>& kinds() {
           "loop that loses most shaded",
           "loops on the elastomer nearest to 1.9 MPa"},
          contact_of_one_elastomer},
+        {{"3", "States of the energy balance",
+          "the soft side before contact, stretched to the true area, and joined, with the surface energies of each",
+          "no data: the same in every study"},
+         states_of_the_balance},
         {{"4", "Work of adhesion measured and predicted, and energy lost",
           "A measured against predicted W_app (7), line y = x; B E_loss against A_true, line through the origin (10); "
           "residuals below each",
@@ -90,6 +94,11 @@ const std::vector<Kind>& kinds() {
         {{"S3", "Isotropic power spectral density",
           "C_iso against q; averages by the study's conversion, (11) or the inverse Abel integral", "as 1"},
          isotropic_spectra},
+        {{"S4", "Apparatus",
+          "a soft hemisphere on a stage of known stiffness is pressed on a rough solid and pulled off; force, displacement "
+          "and contact radius are recorded",
+          "no data: the same in every study"},
+         apparatus},
         {{"S5", "Contact radius against force on every elastomer",
           "2A for every elastomer, (S2) through the last points before pull-off, solid", "loops"},
          contact_radius_of_all},

@@ -222,7 +222,7 @@
   function axisLayout(panel, name, logarithmic) {
     const axis = panel[name];
     const layout = {
-      title: { text: axisTitle(axis), standoff: 8, font: { size: 14 } }, type: logarithmic ? "log" : "linear", showline: true, mirror: "ticks", linecolor: "#333", ticks: "inside",
+      title: { text: axisTitle(axis), standoff: 8, font: { size: 14 } }, type: logarithmic ? "log" : "linear", visible: !axis.hidden, showline: true, mirror: "ticks", linecolor: "#333", ticks: "inside",
       ticklen: 6, tickcolor: "#333", zeroline: false, gridcolor: "#e8eaed", exponentformat: "power", showexponent: "all", automargin: true, separatethousands: false,
       minor: { ticks: "inside", ticklen: 3, tickcolor: "#333" }, tickfont: { size: 12.5 },
     };

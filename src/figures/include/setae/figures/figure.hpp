@@ -80,6 +80,7 @@ struct Panel {
     std::vector<double> horizontal_lines;  ///< thin, grey, across the panel
     bool legend = true;
     std::optional<Corner> legend_corner;  ///< without: the corner that holds the least data
+    bool sketch = false;                  ///< a drawing: no frame, ticks, numbers or axis titles
     bool legend_beside = false;           ///< to the right of the axes, not within them
     std::optional<Place> place;           ///< without: its cell of the grid
     std::optional<HeatMap> map;
