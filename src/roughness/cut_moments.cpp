@@ -57,6 +57,16 @@ public:
         });
     }
 
+    /// Of C1D that falls to zero at the end of a piece.
+    void add_drop(const LinePiece& last) {
+        const double s = last.right, level = last.level * std::pow(s / last.left, last.exponent);
+        const auto lower = antiderivatives(band_.lower, s), upper = antiderivatives(std::min(s, band_.upper), s);
+        moments_.first += 2.0 * level * (upper.first - lower.first);
+        moments_.second += 2.0 * level * (upper.second - lower.second);
+        moments_.third += 2.0 * level * (upper.third - lower.third);
+        moments_.fifth += 2.0 * level * (upper.fifth - lower.fifth);
+    }
+
     [[nodiscard]] const CutMoments& moments() const { return moments_; }
 
 private:
@@ -88,6 +98,7 @@ CutMoments cut_moments(std::span<const LinePiece> pieces, const Band& band) {
         if (std::isinf(piece.right)) sum.add_tail(piece, from);
         else sum.add_finite(piece, from, piece.right);
     }
+    if (!pieces.empty() && std::isfinite(pieces.back().right)) sum.add_drop(pieces.back());
     return sum.moments();
 }
 

@@ -74,7 +74,7 @@ double last_exponent(const Usable& nodes) {
     return std::min(flattest, xy / xx);
 }
 
-/// C1D as power laws from below the band to infinity.
+/// C1D as power laws from below the band to where the surface's waves end.
 std::vector<LinePiece> line_pieces(const spectra::Spectrum& curve) {
     const auto nodes = usable_nodes(curve);
     const auto& [q, c] = nodes;
@@ -86,8 +86,10 @@ std::vector<LinePiece> line_pieces(const spectra::Spectrum& curve) {
         result.push_back({left, right, c[i] * std::pow(left / q[i], exponent), exponent});
     }
     const auto& last = result.back();
-    const double end = last.level * std::pow(last.right / last.left, last.exponent);
-    result.push_back({last.right, std::numeric_limits<double>::infinity(), end, last_exponent(nodes)});
+    if (last.right < curve.waves_end * (1.0 - 1e-9)) {
+        const double end = last.level * std::pow(last.right / last.left, last.exponent);
+        result.push_back({last.right, curve.waves_end, end, last_exponent(nodes)});
+    }
     return result;
 }
 

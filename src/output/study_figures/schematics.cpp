@@ -91,7 +91,7 @@ void states_of_the_balance(const FigureRequest& request, StudyFigure& drawn) {
         "This figure does not depend on the study. Compare Fig. 3 of Dalvi et al. 2019.";
 }
 
-void apparatus(const FigureRequest&, StudyFigure& drawn) {
+void apparatus(const FigureRequest& request, StudyFigure& drawn) {
     auto panel = sketch("", 12.0, 9.6);
     constexpr double middle = 5.4;
     // from above: microscope, glass on the arm of the stage, lens, rough solid, force sensor
@@ -120,12 +120,14 @@ void apparatus(const FigureRequest&, StudyFigure& drawn) {
         panel.notes.push_back({.text = text, .x = at, .y = y, .side = side});
     };
     note("microscope: radius a", 6.3, 9.0);
-    note("stage: δ, v", 10.2, 6.1);
+    note("stage: δ, v", 10.0, 7.5, Note::Side::centre);
     note("force F", 2.1, 5.1, Note::Side::left);
-    note("soft lens: E, R, h", 3.7, 6.2, Note::Side::left);
+    note("soft lens", middle, 6.3, Note::Side::centre);
+    note("E, R, h", middle, 5.8, Note::Side::centre);
     note("rough solid", 2.6, 3.8, Note::Side::left);
     note("force sensor, stiffness k", 6.1, 2.5);
-    drawn.figure = {.panels = {panel}, .width_mm = 120.0, .height_mm = 96.0};
+    const double width = wide(request) ? 120.0 : column_mm;
+    drawn.figure = {.panels = {panel}, .width_mm = width, .height_mm = 0.8 * width};
     drawn.caption =
         "Apparatus. A soft lens on glass is driven by a stage against a rough solid, which rests on a force sensor of stiffness k, and back; force, "
         "displacement and, through the lens, the radius of contact are recorded. What is measured of the parts: setae jkr lens (R, shape, h), jkr "

@@ -227,11 +227,13 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceA
     return steps;
 }
 
-SpectralParameters parameters_of(const Spectrum& whole, const SurfaceAnalysisOptions& options) {
-    return roughness::spectral_parameters(roughness::limited(whole, options.limits), options.conversion);
+SpectralParameters parameters_of(Spectrum whole, const SurfaceAnalysisOptions& options) {
+    whole.waves_end = 2.0 * pi / options.likelihood.shortest_wavelength;
+    return roughness::spectral_parameters(roughness::limited(std::move(whole), options.limits), options.conversion);
 }
 
-SpectrumResult spectrum_result(const Spectrum& whole, const SurfaceAnalysisOptions& options) {
+SpectrumResult spectrum_result(Spectrum whole, const SurfaceAnalysisOptions& options) {
+    whole.waves_end = 2.0 * pi / options.likelihood.shortest_wavelength;
     SpectrumResult result;
     result.uncut_energy_per_modulus =
         roughness::spectral_parameters(whole, options.conversion).elastic_energy_per_modulus;

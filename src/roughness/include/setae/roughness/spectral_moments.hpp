@@ -44,9 +44,9 @@ inline constexpr DecadeMeans no_decades{undefined, undefined, undefined, undefin
 ///   h_rms² = (1/2π) ∫ q C_iso dq,   h'² = (1/2π) ∫ q³ C_iso dq,   h''² = (1/8π) ∫ q⁵ C_iso dq,
 ///   U_el/(A_app E*) = (1/8π) ∫ q² C_iso dq
 ///
-/// Of C1D: C_iso by the inverse Abel integral of the whole curve, continued behind its last node as it ends, then the
-/// waves of the band alone (cut_moments.hpp). Of modes, whose powers are counted one by one: h_rms² = (1/π) ∫ C dq, h'²
-/// = (2/π) ∫ q² C dq, h''² = (2/3π) ∫ q⁴ C dq, U_el/(A_app E*) = (1/8) ∫ q C dq, exact over 0 … ∞.
+/// Of C1D: C_iso by the inverse Abel integral of the whole curve, continued behind its last node as it ends, to
+/// waves_end, then the waves of the band alone (cut_moments.hpp). Of modes, whose powers are counted one by one: h_rms²
+/// = (1/π) ∫ C dq, h'² = (2/π) ∫ q² C dq, h''² = (2/3π) ∫ q⁴ C dq, U_el/(A_app E*) = (1/8) ∫ q C dq, exact over 0 … ∞.
 ///
 /// h' = sqrt⟨|∇h|²⟩, h'' = sqrt⟨(½∇²h)²⟩.  Source: THEORY §4, §4.1; [D19] (8), (11).
 struct SpectralParameters {

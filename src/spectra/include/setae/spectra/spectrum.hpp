@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct Spectrum {
     Nodes nodes = Nodes::power_law;
     Array1D standard_error = {};  ///< of the density, in its unit; NaN, or empty, where it is unknown
     Array1D count = {};           ///< what was averaged at each node: lines, modes or measurements; empty for models
+    double waves_end = std::numeric_limits<double>::infinity();  ///< the surface has no shorter waves [1/m]
 };
 
 /// The spectrum of one measurement.

@@ -62,9 +62,9 @@ struct SpectrumResult {
 
 /// Parameters of a whole spectrum within the limits of a study and by its conversion.
 /// @throws as roughness::limited and roughness::spectral_parameters (both).
-[[nodiscard]] roughness::SpectralParameters parameters_of(const spectra::Spectrum& whole,
+[[nodiscard]] roughness::SpectralParameters parameters_of(spectra::Spectrum whole,
                                                           const SurfaceAnalysisOptions& options);
-[[nodiscard]] SpectrumResult spectrum_result(const spectra::Spectrum& whole, const SurfaceAnalysisOptions& options);
+[[nodiscard]] SpectrumResult spectrum_result(spectra::Spectrum whole, const SurfaceAnalysisOptions& options);
 
 /// The spectrum fitted to all measurements of a surface, as curves, and what the fit knows beside it.
 struct FittedSpectrum {
