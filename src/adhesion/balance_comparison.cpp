@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
 
-#include "floored_least_squares.hpp"
+#include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::adhesion {
@@ -19,19 +17,10 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Least squares in W alone.
-FlooredMinimum least_squares(const std::vector<PairPoint>& pairs) {
-    std::vector<FlooredTerm> terms;
-    for (const auto& pair : pairs) terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0, pair.floored});
-    return floored_minimum(terms, 0.0, unbounded);
-}
-
-template <class Point, class ValueOf>
-double scatter_about_mean(const std::vector<Point>& pairs, ValueOf value_of) {
-    double mean = 0.0, squares = 0.0;
-    for (const auto& pair : pairs) mean += value_of(pair) / static_cast<double>(pairs.size());
-    for (const auto& pair : pairs) squares += std::pow(value_of(pair) - mean, 2);
-    return squares;
+std::vector<double> measured(const std::vector<PairPoint>& pairs) {
+    std::vector<double> values;
+    for (const auto& pair : pairs) values.push_back(pair.measured.value);
+    return values;
 }
 
 BalanceScore score(int parameters, double work, double residual_squares, double total_squares, std::size_t pairs) {
@@ -52,16 +41,16 @@ void require_at_least(std::size_t pairs, std::size_t least) {
 }
 
 /// rms residual of each surface's pairs under what a fit to all others says; NaN where the others are too few to fit.
-template <class Point, class SurfaceOf, class ErrorsOf>
-double left_out(const std::vector<Point>& pairs, SurfaceOf surface_of, ErrorsOf squares_of_left_out) {
+template <class SquaresOfOwn>
+double left_out(const std::vector<PairPoint>& pairs, SquaresOfOwn squares_of_own) {
     std::set<std::string> surfaces;
-    for (const auto& pair : pairs) surfaces.insert(surface_of(pair));
+    for (const auto& pair : pairs) surfaces.insert(pair.surface);
     double squares = 0.0;
     for (const auto& name : surfaces) {
-        std::vector<Point> others, own;
-        for (const auto& pair : pairs) (surface_of(pair) == name ? own : others).push_back(pair);
+        std::vector<PairPoint> others, own;
+        for (const auto& pair : pairs) (pair.surface == name ? own : others).push_back(pair);
         try {
-            squares += squares_of_left_out(others, own);
+            squares += squares_of_own(others, own);
         } catch (const InvalidArgument&) {
             return std::numeric_limits<double>::quiet_NaN();
         }
@@ -69,17 +58,12 @@ double left_out(const std::vector<Point>& pairs, SurfaceOf surface_of, ErrorsOf 
     return std::sqrt(squares / static_cast<double>(pairs.size()));
 }
 
-PairPoint at_change(const StrainedPoint& pair, double change) {
-    PairPoint point = pair.point;
-    point.offset += change * pair.area_ratio * (pair.area_ratio - 1.0);
-    return point;
-}
+/// ∂ prediction/∂χ.
+double by_change(const PairPoint& pair) { return -pair.slope * (pair.slope - 1.0); }
 
-std::vector<PairPoint> at_change(const std::vector<StrainedPoint>& pairs, double change) {
-    std::vector<PairPoint> points;
-    points.reserve(pairs.size());
-    for (const auto& pair : pairs) points.push_back(at_change(pair, change));
-    return points;
+std::vector<PairPoint> at_change(std::vector<PairPoint> pairs, double change) {
+    for (auto& pair : pairs) pair.offset -= change * by_change(pair);
+    return pairs;
 }
 
 struct ChangeAndWork {
@@ -87,12 +71,12 @@ struct ChangeAndWork {
 };
 
 /// The deepest valley in χ: kinks of the floor make several, so that a grid comes first.
-ChangeAndWork best_change(const std::vector<StrainedPoint>& pairs) {
+ChangeAndWork best_change(const std::vector<PairPoint>& pairs) {
     double least = unbounded, most = -unbounded, largest = 0.0;
     for (const auto& pair : pairs) {
-        least = std::min(least, pair.area_ratio);
-        most = std::max(most, pair.area_ratio);
-        largest = std::max({largest, std::abs(pair.point.measured.value), std::abs(pair.point.offset)});
+        least = std::min(least, pair.slope);
+        most = std::max(most, pair.slope);
+        largest = std::max({largest, std::abs(pair.measured.value), std::abs(pair.offset)});
     }
     if (!(most > least * (1.0 + 1e-9)))
         throw InvalidArgument("all pairs have the same true area, a change with it cannot be seen");
@@ -122,36 +106,33 @@ double surface_squares(const std::vector<PairPoint>& own, double work) {
 BalanceScore score_balance(const std::vector<PairPoint>& pairs) {
     require_at_least(pairs.size(), 2);
     const auto minimum = least_squares(pairs);
-    auto result = score(1, minimum.x, minimum.cost,
-                        scatter_about_mean(pairs, [](const PairPoint& p) { return p.measured.value; }), pairs.size());
-    result.left_out_deviation = left_out(
-        pairs, [](const PairPoint& p) { return p.surface; },
-        [](const auto& others, const auto& own) {
-            require_at_least(others.size(), 1);
-            return surface_squares(own, least_squares(others).x);
-        });
+    auto result = score(1, minimum.x, minimum.cost, squares_about_mean(measured(pairs)), pairs.size());
+    result.left_out_deviation = left_out(pairs, [](const auto& others, const auto& own) {
+        require_at_least(others.size(), 1);
+        return surface_squares(own, least_squares(others).x);
+    });
     return result;
 }
 
 BalanceScore score_free_energies(const std::vector<FreeEnergyPoint>& pairs) {
     const auto fit = fit_with_free_energies(pairs);
-    const double total = scatter_about_mean(pairs, [](const FreeEnergyPoint& p) { return p.measured; });
+    std::vector<double> values;
+    for (const auto& pair : pairs) values.push_back(pair.measured);
+    const double total = squares_about_mean(values);
     return score(1 + static_cast<int>(fit.energy_per_modulus.size()), fit.work_of_adhesion,
                  (1.0 - fit.r_squared) * total, total, pairs.size());
 }
 
-StrainedInterfaceFit fit_strained_interface(const std::vector<StrainedPoint>& pairs) {
+StrainedInterfaceFit fit_strained_interface(const std::vector<PairPoint>& pairs) {
     require_at_least(pairs.size(), 3);
     const auto best = best_change(pairs);
-    // prediction = r W − r (r − 1) χ − …: normal equations of the pairs above their floor
+    // normal equations of the pairs above their floor
     double ww = 0.0, wc = 0.0, cc = 0.0;
-    for (const auto& pair : pairs) {
-        const auto point = at_change(pair, best.change);
-        if (point.floored && !(point.prediction(best.work) > 0.0)) continue;
-        const double by_change = -pair.area_ratio * (pair.area_ratio - 1.0);
-        ww += point.slope * point.slope;
-        wc += point.slope * by_change;
-        cc += by_change * by_change;
+    for (const auto& pair : at_change(pairs, best.change)) {
+        if (pair.floored && !(pair.prediction(best.work) > 0.0)) continue;
+        ww += pair.slope * pair.slope;
+        wc += pair.slope * by_change(pair);
+        cc += by_change(pair) * by_change(pair);
     }
     const double determinant = ww * cc - wc * wc, freedom = static_cast<double>(pairs.size()) - 2.0;
     const double variance = best.cost / freedom;
@@ -167,24 +148,19 @@ StrainedInterfaceFit fit_strained_interface(const std::vector<StrainedPoint>& pa
     fit.interface_change = estimate(best.change, ww);
     fit.correlation = -wc / std::sqrt(ww * cc);
     fit.residual_squares = best.cost;
-    fit.r_squared =
-        1.0 - best.cost / scatter_about_mean(pairs, [](const StrainedPoint& p) { return p.point.measured.value; });
+    fit.r_squared = 1.0 - best.cost / squares_about_mean(measured(pairs));
     return fit;
 }
 
-BalanceScore score_strained_interface(const std::vector<StrainedPoint>& pairs) {
+BalanceScore score_strained_interface(const std::vector<PairPoint>& pairs) {
     require_at_least(pairs.size(), 3);
     const auto best = best_change(pairs);
-    auto result =
-        score(2, best.work, best.cost,
-              scatter_about_mean(pairs, [](const StrainedPoint& p) { return p.point.measured.value; }), pairs.size());
-    result.left_out_deviation = left_out(
-        pairs, [](const StrainedPoint& p) { return p.point.surface; },
-        [](const auto& others, const auto& own) {
-            require_at_least(others.size(), 3);
-            const auto fitted = best_change(others);
-            return surface_squares(at_change(own, fitted.change), fitted.work);
-        });
+    auto result = score(2, best.work, best.cost, squares_about_mean(measured(pairs)), pairs.size());
+    result.left_out_deviation = left_out(pairs, [](const auto& others, const auto& own) {
+        require_at_least(others.size(), 3);
+        const auto fitted = best_change(others);
+        return surface_squares(at_change(own, fitted.change), fitted.work);
+    });
     return result;
 }
 

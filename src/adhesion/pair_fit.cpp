@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
 
-#include "floored_least_squares.hpp"
+#include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/bracketing.hpp"
 
@@ -22,23 +22,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Pairs = std::vector<PairPoint>;
-using Variance = std::function<double(const PairPoint&)>;
+using Variance = PairVariance;
 
 double square(double x) { return x * x; }
 
-FlooredMinimum minimise_with(const Pairs& pairs, const Variance& variance) {
-    std::vector<FlooredTerm> terms;
-    for (const auto& pair : pairs)
-        terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0 / variance(pair), pair.floored});
-    return floored_minimum(terms, 0.0, infinity);
-}
-
 /// 1 − SS_res/SS_tot; measured values that are all alike leave nothing to explain.
 double r_squared(const std::vector<double>& measured, double residual_squares) {
-    const double mean = std::accumulate(measured.begin(), measured.end(), 0.0) / static_cast<double>(measured.size());
-    double total = 0.0;
-    for (const double y : measured) total += square(y - mean);
-    return 1.0 - residual_squares / total;
+    return 1.0 - residual_squares / squares_about_mean(measured);
 }
 
 /// Σ over groups of (Σ within the group of the scores)², with the small-sample factor G/(G − 1).
@@ -167,6 +157,24 @@ void require_pairs(const Pairs& pairs) {
 
 }  // namespace
 
+FlooredMinimum minimise_with(const std::vector<PairPoint>& pairs, const PairVariance& variance) {
+    std::vector<FlooredTerm> terms;
+    for (const auto& pair : pairs)
+        terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0 / variance(pair), pair.floored});
+    return floored_minimum(terms, 0.0, infinity);
+}
+
+FlooredMinimum least_squares(const std::vector<PairPoint>& pairs) {
+    return minimise_with(pairs, [](const PairPoint&) { return 1.0; });
+}
+
+double squares_about_mean(const std::vector<double>& values) {
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    double total = 0.0;
+    for (const double y : values) total += square(y - mean);
+    return total;
+}
+
 double PairPoint::prediction(double work) const {
     const double raw = slope * work - offset;
     return floored ? std::max(0.0, raw) : raw;
@@ -180,7 +188,7 @@ double PairPoint::prediction_variance(double work) const {
 WorkFit fit_work_of_adhesion(const Pairs& pairs) {
     require_pairs(pairs);
     WorkFit fit;
-    const auto minimum = minimise_with(pairs, [](const PairPoint&) { return 1.0; });
+    const auto minimum = least_squares(pairs);
     fit.n = static_cast<int>(pairs.size());
     fit.degrees_of_freedom = fit.n - 1;
     fit.pairs = pairs;

@@ -8,16 +8,13 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/roughness/true_area.hpp"
+#include "straight_line.hpp"
 
 namespace setae::roughness {
 namespace {
 
-/// p of a straight line through ln C over the last decade, and its standard error.
-struct End {
-    double exponent = 0.0, error = 0.0;
-};
-
-End end_of(const spectra::Spectrum& curve) {
+/// p of a straight line through ln C over the last decade.
+LineSlope last_exponent(const spectra::Spectrum& curve) {
     const double last = curve.band.upper;
     std::vector<double> x, y;
     for (Index i = 0; i < curve.wavevector.size(); ++i) {
@@ -26,22 +23,10 @@ End end_of(const spectra::Spectrum& curve) {
         x.push_back(std::log(q / last));
         y.push_back(std::log(curve.density[i]));
     }
-    const auto n = static_cast<double>(x.size());
     if (x.size() < 3)
         throw UndefinedDataError(
             fmt::format("{} nodes in the last decade of a spectrum; expected 3 to continue it", x.size()));
-    double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0, squares = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        mean_x += x[i] / n;
-        mean_y += y[i] / n;
-    }
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - mean_x) * (x[i] - mean_x);
-        xy += (x[i] - mean_x) * (y[i] - mean_y);
-    }
-    const double slope = xy / xx;
-    for (std::size_t i = 0; i < x.size(); ++i) squares += std::pow(y[i] - mean_y - slope * (x[i] - mean_x), 2);
-    return {slope, std::sqrt(squares / (n - 2.0) / xx)};
+    return slope_through(x, y);
 }
 
 SpectralParameters continued(spectra::Spectrum curve, double exponent, double up_to) {
@@ -66,9 +51,9 @@ BeyondData beyond_data(const spectra::Spectrum& curve, double up_to) {
         throw InvalidArgument(
             fmt::format("a spectrum to {:.4g} 1/m continued to {:.4g}; expected more", curve.band.upper, up_to));
     constexpr double least_error = 0.2, normal_quantile = 1.96;
-    const auto end = end_of(curve);
-    const double error = std::max(least_error, end.error);
-    const auto at = [&](double quantile) { return continued(curve, end.exponent + quantile * error, up_to); };
+    const auto end = last_exponent(curve);
+    const double error = std::max(least_error, end.standard_error);
+    const auto at = [&](double quantile) { return continued(curve, end.value + quantile * error, up_to); };
     const auto middle = at(0.0), least = at(-normal_quantile), most = at(normal_quantile);
     const auto estimate = [&](auto value_of) {
         return Estimate{.value = value_of(middle),
@@ -77,7 +62,7 @@ BeyondData beyond_data(const spectra::Spectrum& curve, double up_to) {
                         .interval = Interval{value_of(least), value_of(most), 0.95}};
     };
     BeyondData result{.end = curve.band.upper, .up_to = up_to};
-    result.exponent = {.value = end.exponent - (curve.kind == spectra::Density::C_iso ? 0.0 : 1.0),
+    result.exponent = {.value = end.value - (curve.kind == spectra::Density::C_iso ? 0.0 : 1.0),
                        .standard_error = error,
                        .method = "least squares"};
     result.rms_slope = estimate([](const SpectralParameters& p) { return p.rms_slope; });

@@ -13,6 +13,7 @@
 #include "cut_moments.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "straight_line.hpp"
 
 namespace setae::roughness {
 namespace {
@@ -61,30 +62,31 @@ double last_exponent(const Usable& nodes) {
     const double last = nodes.q.back();
     std::size_t first = nodes.q.size() - 2;
     while (first > 0 && nodes.q[first] > last / part) --first;
-    double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
-    const auto n = static_cast<double>(nodes.q.size() - first);
+    std::vector<double> x, y;
     for (std::size_t i = first; i < nodes.q.size(); ++i) {
-        mean_x += std::log(nodes.q[i]) / n;
-        mean_y += std::log(nodes.c[i]) / n;
+        x.push_back(std::log(nodes.q[i]));
+        y.push_back(std::log(nodes.c[i]));
     }
-    for (std::size_t i = first; i < nodes.q.size(); ++i) {
-        xx += std::pow(std::log(nodes.q[i]) - mean_x, 2);
-        xy += (std::log(nodes.q[i]) - mean_x) * (std::log(nodes.c[i]) - mean_y);
+    return std::min(flattest, slope_through(x, y).value);
+}
+
+/// Power laws between nodes, the outer ones to the ends of the band where these lie beyond.
+std::vector<LinePiece> power_laws(const Usable& nodes, const Band& band) {
+    const auto& [q, c] = nodes;
+    std::vector<LinePiece> result;
+    for (std::size_t i = 0; i + 1 < q.size(); ++i) {
+        const double exponent = std::log(c[i + 1] / c[i]) / std::log(q[i + 1] / q[i]);
+        const double left = i == 0 ? std::min(q[0], band.lower) : q[i];
+        const double right = i + 2 == q.size() ? std::max(q[i + 1], band.upper) : q[i + 1];
+        result.push_back({left, right, c[i] * std::pow(left / q[i], exponent), exponent});
     }
-    return std::min(flattest, xy / xx);
+    return result;
 }
 
 /// C1D as power laws from below the band to where the surface's waves end.
 std::vector<LinePiece> line_pieces(const spectra::Spectrum& curve) {
     const auto nodes = usable_nodes(curve);
-    const auto& [q, c] = nodes;
-    std::vector<LinePiece> result;
-    for (std::size_t i = 0; i + 1 < q.size(); ++i) {
-        const double exponent = std::log(c[i + 1] / c[i]) / std::log(q[i + 1] / q[i]);
-        const double left = i == 0 ? std::min(q[0], curve.band.lower) : q[i];
-        const double right = i + 2 == q.size() ? std::max(q[i + 1], curve.band.upper) : q[i + 1];
-        result.push_back({left, right, c[i] * std::pow(left / q[i], exponent), exponent});
-    }
+    auto result = power_laws(nodes, curve.band);
     const auto& last = result.back();
     if (last.right < curve.waves_end * (1.0 - 1e-9)) {
         const double end = last.level * std::pow(last.right / last.left, last.exponent);
@@ -96,15 +98,12 @@ std::vector<LinePiece> line_pieces(const spectra::Spectrum& curve) {
 /// A curve as pieces that cover its band, in order.
 std::vector<Piece> pieces(const spectra::Spectrum& curve) {
     const auto& band = curve.band;
-    const auto [q, c] = usable_nodes(curve);
-    if (curve.nodes == spectra::Nodes::modes) return cells(q, c, band);
+    const auto nodes = usable_nodes(curve);
+    if (curve.nodes == spectra::Nodes::modes) return cells(nodes.q, nodes.c, band);
     std::vector<Piece> result;
-    for (std::size_t i = 0; i + 1 < q.size(); ++i) {
-        const double exponent = std::log(c[i + 1] / c[i]) / std::log(q[i + 1] / q[i]);
-        const double left = i == 0 ? std::min(q[0], band.lower) : q[i];
-        const double right = i + 2 == q.size() ? std::max(q[i + 1], band.upper) : q[i + 1];
-        const double from = std::max(left, band.lower), to = std::min(right, band.upper);
-        if (from < to) result.push_back({from, to, c[i] * std::pow(from / q[i], exponent), exponent});
+    for (const auto& law : power_laws(nodes, band)) {
+        const double from = std::max(law.left, band.lower), to = std::min(law.right, band.upper);
+        if (from < to) result.push_back({from, to, law.level * std::pow(from / law.left, law.exponent), law.exponent});
     }
     return result;
 }

@@ -19,32 +19,24 @@ struct Planted {
 };
 
 /// Four surfaces × four elastomers, as [D19] has them.
-std::vector<StrainedPoint> pairs(const Planted& planted, std::uint64_t seed = 1) {
-    std::vector<StrainedPoint> all;
+std::vector<PairPoint> pairs(const Planted& planted, std::uint64_t seed = 1) {
+    std::vector<PairPoint> all;
     std::uint64_t counter = 0;
     const double ratios[] = {1.08, 1.25, 1.45, 1.7}, energies[] = {1e-9, 2e-9, 3e-9, 5e-9};
     const double moduli[] = {0.7e6, 1.0e6, 1.9e6, 2.6e6};
     for (int s = 0; s < 4; ++s)
         for (const double modulus : moduli) {
-            StrainedPoint pair;
+            PairPoint pair;
             const double r = ratios[s];
-            pair.area_ratio = r;
-            pair.point.surface = std::string(1, static_cast<char>('A' + s));
-            pair.point.elastomer = std::to_string(modulus);
-            pair.point.slope = r;
-            pair.point.offset = gamma1 * (r - 1.0) + modulus * energies[s];
-            pair.point.measured.value =
-                std::max(0.0, work * r - pair.point.offset - planted.change * r * (r - 1.0) +
-                                  planted.scatter * numerics::normal_number({seed, 0}, counter++));
+            pair.surface = std::string(1, static_cast<char>('A' + s));
+            pair.elastomer = std::to_string(modulus);
+            pair.slope = r;
+            pair.offset = gamma1 * (r - 1.0) + modulus * energies[s];
+            pair.measured.value = std::max(0.0, work * r - pair.offset - planted.change * r * (r - 1.0) +
+                                                    planted.scatter * numerics::normal_number({seed, 0}, counter++));
             all.push_back(pair);
         }
     return all;
-}
-
-std::vector<PairPoint> points_of(const std::vector<StrainedPoint>& strained) {
-    std::vector<PairPoint> points;
-    for (const auto& pair : strained) points.push_back(pair.point);
-    return points;
 }
 
 TEST(StrainedInterfaceFit, GivesBackWhatWasPlanted) {
@@ -80,7 +72,7 @@ TEST(StrainedInterfaceFit, ErrorsAreTheScatterOfRepetitions) {
 
 TEST(StrainedInterfaceFit, RefusesOneAreaRatio) {
     auto same = pairs({});
-    for (auto& pair : same) pair.area_ratio = 1.3;
+    for (auto& pair : same) pair.slope = 1.3;
     EXPECT_THROW((void)fit_strained_interface(same), InvalidArgument);
     same.resize(2);
     EXPECT_THROW((void)fit_strained_interface(same), InvalidArgument);
@@ -88,7 +80,7 @@ TEST(StrainedInterfaceFit, RefusesOneAreaRatio) {
 
 TEST(BalanceScore, PrefersTheBalanceThatWasPlanted) {
     const auto planted = pairs({.change = 0.02, .scatter = 0.0005});
-    const auto modified = score_balance(points_of(planted)), strained = score_strained_interface(planted);
+    const auto modified = score_balance(planted), strained = score_strained_interface(planted);
     EXPECT_GT(strained.log_likelihood - modified.log_likelihood, 10.0);
     EXPECT_LT(strained.left_out_deviation, 0.5 * modified.left_out_deviation);
     EXPECT_EQ(strained.parameters, 2);
@@ -97,8 +89,7 @@ TEST(BalanceScore, PrefersTheBalanceThatWasPlanted) {
     constexpr int repetitions = 200;
     for (std::uint64_t seed = 0; seed < repetitions; ++seed) {
         const auto plain = pairs({.scatter = 0.0005}, seed);
-        gained += (score_strained_interface(plain).log_likelihood - score_balance(points_of(plain)).log_likelihood) /
-                  repetitions;
+        gained += (score_strained_interface(plain).log_likelihood - score_balance(plain).log_likelihood) / repetitions;
     }
     EXPECT_NEAR(gained, 0.57, 0.2);  // n/2 E ln(1 + F/(n − 2)) for n = 16
 }
@@ -123,11 +114,11 @@ TEST(BalanceScore, LeavesSurfacesOut) {
 TEST(BalanceScore, OfFreeEnergiesHasTheirParametersAndSaysNothingOfOtherSurfaces) {
     std::vector<FreeEnergyPoint> points;
     for (const auto& pair : pairs({.scatter = 0.0005}))
-        points.push_back({pair.point.surface, pair.point.measured.value, pair.area_ratio,
-                          gamma1 * (pair.area_ratio - 1.0), std::stod(pair.point.elastomer)});
+        points.push_back(
+            {pair.surface, pair.measured.value, pair.slope, gamma1 * (pair.slope - 1.0), std::stod(pair.elastomer)});
     const auto score = score_free_energies(points);
     EXPECT_EQ(score.parameters, 5);
-    EXPECT_GE(score.log_likelihood, score_balance(points_of(pairs({.scatter = 0.0005}))).log_likelihood - 1e-6);
+    EXPECT_GE(score.log_likelihood, score_balance(pairs({.scatter = 0.0005})).log_likelihood - 1e-6);
     EXPECT_TRUE(std::isnan(score.left_out_deviation));
 }
 

@@ -203,7 +203,7 @@ private:
         double change = 0.0, weight = 0.0;
         for (auto& g : groups_) {
             if (!(g.tip_radius > 0.0)) continue;
-            if (!done[g.tip_radius]) simulate_tip(g.tip_radius);
+            if (!done[g.tip_radius]) simulate_tip(g.tip_radius, line_density);
             done[g.tip_radius] = true;
             const Array1D before = expected_transfer(g);
             g.tip = sampled(responses_.at(g.tip_radius), line_density, g.pixel_size, g.data.wavevector);
@@ -274,18 +274,18 @@ private:
     /// A ball touches the points of a patch alone: that makes white noise of about step²/8R in what it reads, C1D
     /// (step²/8R)² step. Where that is more than a hundredth of the surface's at half of the patch's shortest waves,
     /// the patch is made finer, which leaves a hundredth of it or less.
-    [[nodiscard]] double fine_step(double radius) const {
+    [[nodiscard]] double fine_step(double radius, const spectra::SpectralDensity& line_density) const {
         constexpr double much = 0.01, finer = 0.3;
         const double least = 0.5 * options_.shortest_wavelength, step = simulation_step(radius, wavelength_, least);
         const double noise = std::pow(step * step / (8.0 * radius), 2) * step;
-        return noise > much * C1D()(0.5 * pi / step) ? std::max(finer * step, least) : step;
+        return noise > much * line_density(0.5 * pi / step) ? std::max(finer * step, least) : step;
     }
 
-    void simulate_tip(double radius) {
+    void simulate_tip(double radius, const spectra::SpectralDensity& line_density) {
         const bool uncertain = std::any_of(groups_.begin(), groups_.end(), [&](const ObservedGroup& g) {
             return g.tip_radius == radius && g.tip_radius_error > 0.0;
         });
-        const double step = fine_step(radius);
+        const double step = fine_step(radius, line_density);
         // what a tip adds to waves longer than heights are wide takes many of them
         const bool has_long_waves = step * static_cast<double>(options_.tip_points) > waves_a_patch * wavelength_;
         TipSimulation simulation{.tip_radius = radius,

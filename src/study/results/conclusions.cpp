@@ -156,15 +156,9 @@ Outcome<adhesion::FreeEnergyFit> Concluding::fit_free() const {
     return adhesion::fit_with_free_energies(found);
 }
 
-std::vector<adhesion::StrainedPoint> strained(const std::vector<PairPoint>& points) {
-    std::vector<adhesion::StrainedPoint> found;
-    for (const auto& point : points) found.push_back({point, point.slope});
-    return found;
-}
-
 Outcome<adhesion::StrainedInterfaceFit> Concluding::fit_interface() const {
     try {
-        return adhesion::fit_strained_interface(strained(points(adhesion::modified_point, whole_spectra())));
+        return adhesion::fit_strained_interface(points(adhesion::modified_point, whole_spectra()));
     } catch (const InvalidArgument& error) {
         return Outcome<adhesion::StrainedInterfaceFit>::missing(error.what());
     }
@@ -214,7 +208,7 @@ void Concluding::compare(std::vector<ComparedBalance>& balances, const std::vect
         add("persson_tosatti", adhesion::score_balance(points(adhesion::persson_tosatti_point, of)));
     }
     if (to_.strained_interface) try {
-            add("strained_interface", adhesion::score_strained_interface(strained(scaled)));
+            add("strained_interface", adhesion::score_strained_interface(scaled));
         } catch (const InvalidArgument&) {
             // spectra cut at long waves leave all surfaces flat: no change with true area is to be seen
         }

@@ -39,14 +39,9 @@ struct StrainedInterfaceFit {
     int n = 0;
 };
 
-/// A pair and its true over apparent area; point: of (7).
-struct StrainedPoint {
-    PairPoint point;
-    double area_ratio = 1.0;  ///< r
-};
-
+/// pairs: of (7), whose slope is r.
 /// @throws InvalidArgument for fewer than three pairs, or where all have the same area ratio.
-[[nodiscard]] StrainedInterfaceFit fit_strained_interface(const std::vector<StrainedPoint>& pairs);
-[[nodiscard]] BalanceScore score_strained_interface(const std::vector<StrainedPoint>& pairs);
+[[nodiscard]] StrainedInterfaceFit fit_strained_interface(const std::vector<PairPoint>& pairs);
+[[nodiscard]] BalanceScore score_strained_interface(const std::vector<PairPoint>& pairs);
 
 }  // namespace setae::adhesion
