@@ -30,8 +30,21 @@ double shared_within(double size) {
     return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0, 1.0 - 1.0 / size) + 1.0 / 36.0 * std::max(0.0, 1.0 - 2.0 / size));
 }
 
-/// τ² of each instrument.
-using Scatter = std::map<std::string, double>;
+/// How much measurements of an instrument differ from each other as wholes.
+struct PlaceScatter {
+    double variance = 0.0;     ///< τ², of ln of the power at a place
+    double probability = 1.0;  ///< of departures as large without any
+    int measurements = 0;
+};
+using Scatter = std::map<std::string, PlaceScatter>;
+
+/// What τ² of n places is worth in a normal distribution whose 95 % interval is that of Student's t with n − 1 degrees
+/// of freedom.
+double normal_variance(const PlaceScatter& scatter) {
+    if (!(scatter.variance > 0.0)) return 0.0;
+    const double wider = student_t_quantile(0.975, scatter.measurements - 1.0) / normal_quantile(0.975);
+    return wider * wider * scatter.variance;
+}
 
 /// A patch as many times wide as its heights' median wavelength has their long waves.
 constexpr double waves_a_patch = 8.0;
@@ -355,34 +368,44 @@ private:
     }
 
     /// How much measurements of one instrument differ from each other as wholes beyond what their modes explain: b_m =
-    /// Σ ν (P/E − 1)/Σ ν scatters by 1/√Σν about zero, and by τ more where the surface is not the same everywhere. 0
-    /// unless Σ b²Σν is significantly larger than their number.
+    /// Σ ν (P/E − 1)/Σ ν scatters by 1/√Σν about zero, and by τ more where the surface is not the same everywhere. τ²
+    /// makes Σ b²/(τ² + 1/Σν) equal to their number less the one that the fit has followed (Paule and Mandel), 0 where
+    /// it is less already. One measurement tells nothing.
     [[nodiscard]] Scatter scatter_between_measurements() const {
-        struct Sum {
-            double chi_squared = 0.0, excess = 0.0;
-            int count = 0;
+        struct Departure {
+            double square, own_variance;
         };
-        std::map<std::string, Sum> sums;
+        std::map<std::string, std::vector<Departure>> departures;
         for (std::size_t c = 0; c < groups_.size(); ++c) {
             const auto& g = groups_[c];
             const double freedom = g.data.freedom.sum() / g.measurements;
             if (!(freedom > 0.0)) continue;
-            auto& sum = sums[g.data.instrument];
             for (const auto& periodogram : g.periodograms) {
                 const double departure =
                     (g.data.freedom * (periodogram / fit_.expected[c] - 1.0)).sum() / g.data.freedom.sum();
-                sum.chi_squared += departure * departure * freedom;
-                sum.excess += departure * departure - 1.0 / freedom;
-                ++sum.count;
+                departures[g.data.instrument].push_back({departure * departure, 1.0 / freedom});
             }
         }
-        constexpr double significant = 0.01;
-        Scatter variance;
-        for (const auto& [instrument, sum] : sums) {
-            const double probability = chi_squared_exceedance(sum.chi_squared, sum.count);
-            variance[instrument] = probability < significant ? std::max(0.0, sum.excess / sum.count) : 0.0;
+        Scatter scatter;
+        for (const auto& [instrument, all] : departures) {
+            if (all.size() < 2) continue;
+            const double expected = static_cast<double>(all.size()) - 1.0;
+            const auto chi_squared = [&all = all](double variance) {
+                double sum = 0.0;
+                for (const auto& d : all) sum += d.square / (variance + d.own_variance);
+                return sum;
+            };
+            auto& found = scatter[instrument];
+            found.measurements = static_cast<int>(all.size());
+            found.probability = chi_squared_exceedance(chi_squared(0.0), static_cast<double>(all.size()));
+            if (chi_squared(0.0) <= expected) continue;
+            double most = 0.0;
+            for (const auto& d : all) most += d.square / expected;  // makes χ² less than that
+            const auto [lower, upper] =
+                numerics::bisected([&](double v) { return chi_squared(v) > expected; }, 0.0, most, 60);
+            found.variance = 0.5 * (lower + upper);
         }
-        return variance;
+        return scatter;
     }
 
     /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by
@@ -391,9 +414,9 @@ private:
         Eigen::MatrixXd covariance = fit_.covariance;
         for (std::size_t c = 0; c < groups_.size(); ++c) {
             const auto found = scatter.find(groups_[c].data.instrument);
-            if (found == scatter.end() || found->second == 0.0) continue;
+            if (found == scatter.end() || found->second.variance == 0.0) continue;
             const Eigen::VectorXd together = answer(c).rowwise().sum();
-            covariance += together * together.transpose() * (found->second / groups_[c].measurements);
+            covariance += together * together.transpose() * (normal_variance(found->second) / groups_[c].measurements);
         }
         for (const auto& [radius, response] : responses_) {
             // a column a repetition, then by the radius, then by the skewness
@@ -441,13 +464,14 @@ private:
     }
 
     static void add_scatter_alerts(LikelihoodSpectrum& r, const Scatter& scatter) {
-        for (const auto& [instrument, variance] : scatter)
-            if (variance > 0.0)
+        constexpr double significant = 0.01;
+        for (const auto& [instrument, found] : scatter)
+            if (found.probability < significant)
                 r.alerts.push_back(
                     {"MEASUREMENTS_SCATTER", instrument,
                      fmt::format(
                          "its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it",
-                         100.0 * std::sqrt(variance)),
+                         100.0 * std::sqrt(found.variance)),
                      "measure more places: the surface differs from place to place, or its heights are not Gaussian"});
     }
 
