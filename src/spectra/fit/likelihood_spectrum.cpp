@@ -18,9 +18,12 @@
 #include "setae/numerics/dense.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/spectra/abel.hpp"
+#include "setae/spectra/reliability.hpp"
 #include "setae/spectra/spectral_density.hpp"
 #include "setae/spectral_fit/hat_node.hpp"
 #include "setae/spectral_fit/independent_lines.hpp"
+#include "setae/spectral_fit/stretch.hpp"
+#include "stretched_groups.hpp"
 
 namespace setae::spectral_fit {
 namespace {
@@ -61,11 +64,15 @@ constexpr Index most_points_of_shares = 2048;
 /// Fit and everything it is repeated with.
 class JointFit {
 public:
-    JointFit(std::vector<ObservedGroup> groups, const SpectrumRange& range, const LikelihoodOptions& options)
+    JointFit(std::vector<ObservedGroup> groups, StretchOfMaps maps, const SpectrumRange& range,
+             const LikelihoodOptions& options)
         : groups_(std::move(groups)),
+          maps_(std::move(maps)),
           options_(options),
           spline_(range.lowest, range.shortest),
           smoothness_{options.bend, 0.5, 8.0 * range.lowest / 0.6} {
+        known_stretch_ = {maps_.law, maps_.information};
+        use_stretch(maps_.law, maps_.law.isotropic() ? Eigen::MatrixXd() : numerics::inverse(maps_.information));
         for (auto& g : groups_) {
             const Index n = g.data.wavevector.size();
             g.data.freedom = freedom(g, Array1D::Ones(n));
@@ -78,6 +85,7 @@ public:
         take_gaps();
         count_lines();
         refit();
+        compare_directions();
         bool settled = !options_.tip_factor;
         while (!settled && rounds_ < options_.rounds) {
             take_gaps();
@@ -87,6 +95,7 @@ public:
             ++rounds_;
         }
         refit();
+        compare_directions();
     }
 
     [[nodiscard]] LikelihoodSpectrum result() const {
@@ -102,6 +111,11 @@ public:
         r.covariance = full_covariance(scatter);
         r.C_iso.kind = spectra::Density::C_iso;
         r.C_iso.density = (r.design * r.theta).array().exp();
+        if (!stretch_.isotropic()) {
+            auto mean = direction_mean(spline_, fit_.theta, stretch_, r.C_iso.wavevector);
+            r.C_iso.density = mean.log_density.exp();
+            r.design = std::move(mean.design);
+        }
         r.log_standard_error = (r.design * r.covariance).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
         r.rounds = rounds_;
         r.converged = fit_.converged;
@@ -109,6 +123,7 @@ public:
         add_agreement(r);
         add_scatter_alerts(r, scatter);
         add_rolloff_alert(r);
+        add_stretch(r);
         for (const auto& g : groups_)
             if (g.tip.log_transfer.size() > 0)
                 r.tips.push_back({g.data.instrument, g.tip_radius, g.data.wavevector, g.tip.log_transfer.exp()});
@@ -123,7 +138,8 @@ private:
     /// Whether a group of modes tells of the surface: inside the band, and the tip leaves enough of it.
     [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
         const bool seen = g.tip.log_transfer.size() == 0 || std::exp(g.tip.log_transfer[k]) >= options_.least_transfer;
-        return g.data.wavevector[k] >= g.band_begin && g.data.wavevector[k] <= g.band_end && seen &&
+        const double end = std::min(g.band_end, (1.0 + 1e-9) * lines_end(stretch_, spline_.shortest(), g.direction));
+        return g.data.wavevector[k] >= g.band_begin && g.data.wavevector[k] <= end && seen &&
                g.data.periodogram[k] > 0.0;
     }
 
@@ -139,6 +155,34 @@ private:
         std::vector<PeriodogramClass> classes;
         for (const auto& g : groups_) classes.push_back(g.data);
         fit_ = fit_whittle(classes, spline_, smoothness_, fit_.theta);
+    }
+
+    void use_stretch(StretchLaw law, Eigen::MatrixXd covariance) {
+        stretch_ = std::move(law);
+        stretch_covariance_ = std::move(covariance);
+        take_stretch(groups_, stretch_, spline_.shortest());
+    }
+
+    /// What lines along several directions tell of the stretch beside maps; fits again with it. Without maps that show
+    /// one, it is used where chance hardly makes it (p < 0.01).
+    void compare_directions() {
+        constexpr int rounds = 4;
+        constexpr double significant = 0.01;
+        if (!several_directions(groups_)) return;
+        if (known_stretch_.law.isotropic()) known_stretch_ = unknown_stretch(used_band());
+        if (stretch_.isotropic()) use_stretch(known_stretch_.law, {});
+        for (int round = 0; round < rounds; ++round) {
+            auto step = stretch_step(groups_, spline_, fit_, stretch_, known_stretch_);
+            use_stretch(std::move(step.law), std::move(step.covariance));
+            count_lines();
+            refit();
+        }
+        if (!maps_.law.isotropic()) return;
+        const Eigen::VectorXd values = stretch_.values();
+        const double chi_squared = values.dot(numerics::solved_symmetric(stretch_covariance_, values));
+        if (chi_squared_exceedance(chi_squared, static_cast<double>(values.size())) < significant) return;
+        use_stretch({}, {});
+        refit();
     }
 
     [[nodiscard]] spectra::SpectralDensity C_iso() const {
@@ -167,8 +211,7 @@ private:
     void find_independent_shares() {
         for (auto& g : groups_) {
             if (!g.contour || g.contour->positions.size() > most_points_of_shares) continue;
-            const Array1D C_iso = C_iso_at(g.data.nodes);
-            g.independent_share = independent_share(*g.contour, g.data.nodes, C_iso, options_.threads);
+            g.independent_share = independent_share(*g.contour, g.data.nodes, C_iso_of(g), options_.threads);
         }
     }
 
@@ -265,13 +308,16 @@ private:
         smoothness_.slope_end = end;
     }
 
-    [[nodiscard]] Array1D C_iso_at(const Array1D& nodes) const {
-        return nodes.unaryExpr([&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); });
+    /// C_iso of the lines of a group at its nodes.
+    [[nodiscard]] Array1D C_iso_of(const ObservedGroup& g) const {
+        return surface_wavevectors(g.data).unaryExpr(
+                   [&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); }) *
+               surface_factors(g.data);
     }
 
     /// Periodogram that the fitted surface would have without tip and noise …
     [[nodiscard]] Array1D without_tip(const ObservedGroup& g) const {
-        return (g.data.response.matrix() * C_iso_at(g.data.nodes).matrix()).array();
+        return (g.data.response.matrix() * C_iso_of(g).matrix()).array();
     }
 
     /// … and with the tip.
@@ -279,7 +325,7 @@ private:
         const double change =
             g.data.reference_amplitude > 0.0 ? std::log(amplitude(g) / g.data.reference_amplitude) : 0.0;
         const Array1D followed =
-            C_iso_at(g.data.nodes) * (g.data.log_followed + g.data.followed_response * change).exp();
+            C_iso_of(g) * (g.data.log_followed + g.data.followed_response * change).exp();
         return (g.data.response.matrix() * followed.matrix()).array() +
                g.data.added * (g.data.added_response * change).exp();
     }
@@ -409,7 +455,7 @@ private:
     }
 
     /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by
-    /// itself, and what measurements differ by as wholes.
+    /// itself, what measurements differ by as wholes, and what the stretch is not known to.
     [[nodiscard]] Eigen::MatrixXd full_covariance(const Scatter& scatter) const {
         Eigen::MatrixXd covariance = fit_.covariance;
         for (std::size_t c = 0; c < groups_.size(); ++c) {
@@ -434,17 +480,30 @@ private:
             }
             covariance += moved * moved.transpose();
         }
+        if (!stretch_.isotropic()) {
+            const auto by_stretch = answers_to_stretch(groups_, spline_, fit_, stretch_);
+            Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), stretch_covariance_.rows());
+            for (std::size_t c = 0; c < groups_.size(); ++c) moved += answer(c) * by_stretch[c];
+            covariance += moved * stretch_covariance_ * moved.transpose();
+        }
         return covariance;
     }
 
+    /// Wavevectors of C_iso that data speak of: of stretched surfaces q/μ of lines along q, the whole C_iso to its end
+    /// where lines reach it.
     [[nodiscard]] Band used_band() const {
+        constexpr double nearly = 0.97;
         Band band{std::numeric_limits<double>::infinity(), 0.0};
         for (const auto& g : groups_)
             for (Index k = 0; k < g.data.wavevector.size(); ++k)
                 if (inside(g, k)) {
-                    band.lower = std::min(band.lower, g.data.wavevector[k]);
-                    band.upper = std::max(band.upper, g.data.wavevector[k]);
+                    const double q = g.data.wavevector[k],
+                                 surface = q / std::sqrt(stretch_.at(q).length_square(g.direction));
+                    band.lower = std::min(band.lower, surface);
+                    band.upper = std::max(band.upper, surface);
                 }
+        const bool whole = band.upper > nearly * surface_end(stretch_, spline_.shortest());
+        if (!stretch_.isotropic() && whole) band.upper = spline_.shortest();
         return band;
     }
 
@@ -461,6 +520,33 @@ private:
                  "it still rises at its longest wavelength, {:.3g} um: rms height and stored energy are those of shorter waves alone",
                  2.0e6 * pi / r.C_iso.band.lower),
              "scan longer, until C1D is flat; W_app predicted for a contact wider than that needs those waves"});
+    }
+
+    /// Errors of s and φ0 to first order in those of λ (cos 2φ0, sin 2φ0).
+    void add_stretch(LikelihoodSpectrum& r) const {
+        for (Index knot = 0; knot < stretch_.knots(); ++knot) {
+            const double wavevector = std::exp(stretch_.log_wavevector(knot));
+            const auto stretch = stretch_.at(wavevector);
+            const Eigen::Matrix2d covariance = stretch_covariance_.block<2, 2>(2 * knot, 2 * knot);
+            const double size = stretch.vector.norm();
+            const Eigen::Vector2d along = stretch.vector / size, across(-along[1], along[0]);
+            r.stretch.push_back(
+                {wavevector,
+                 {stretch.ratio(), stretch.ratio() * std::sqrt(along.dot(covariance * along))},
+                 {stretch.direction(), 0.5 / size * std::sqrt(across.dot(covariance * across))}});
+        }
+        if (r.stretch.empty()) return;
+        std::string found;
+        for (const auto& s : r.stretch)
+            found += fmt::format("{}{:.3g} ± {:.2g} times along {:.0f} ± {:.0f} degrees{}", found.empty() ? "" : ", ",
+                                 s.ratio.value, s.ratio.standard_error, s.direction.value * 180.0 / pi,
+                                 s.direction.standard_error * 180.0 / pi,
+                                 r.stretch.size() > 1 ? fmt::format(" at {:.2g} 1/m", s.wavevector) : "");
+        r.alerts.push_back({"STRETCHED", "spectrum",
+                            fmt::format("features are longer along one direction than across: {}; numbers are those of "
+                                        "the mean over directions",
+                                        found),
+                            "say along which direction each file was measured (direction), where it is not x of all"});
     }
 
     static void add_scatter_alerts(LikelihoodSpectrum& r, const Scatter& scatter) {
@@ -510,6 +596,10 @@ private:
     }
 
     std::vector<ObservedGroup> groups_;
+    StretchOfMaps maps_;
+    KnownStretch known_stretch_;
+    StretchLaw stretch_;  ///< that groups hold
+    Eigen::MatrixXd stretch_covariance_;
     LikelihoodOptions options_;
     LogSpline spline_;
     Smoothness smoothness_;
@@ -520,11 +610,29 @@ private:
     int rounds_ = 0;
 };
 
+StretchOfMaps stretch_of_maps(std::span<const ObservedSurface> observed, const LikelihoodOptions& options) {
+    std::vector<ObservedStretch> all;
+    for (const auto& o : observed) {
+        const auto* map = std::get_if<topography::HeightMap>(&o.measurement);
+        if (!map) continue;
+        const auto reliable = spectra::reliable_band(*map, {.both_directions = true}, options.threads).band;
+        const Band band{std::max(reliable.lower, o.untouched.lower), std::min(reliable.upper, o.untouched.upper)};
+        const double turn = 2.0 * o.direction;
+        const Eigen::Matrix2d turned{{std::cos(turn), -std::sin(turn)}, {std::sin(turn), std::cos(turn)}};
+        for (auto& one : observed_stretch(*map, band, options.threads)) {
+            one.stretch.vector = turned * one.stretch.vector;
+            one.information = turned * one.information * turned.transpose();
+            all.push_back(one);
+        }
+    }
+    return combined_stretch(all);
+}
+
 }  // namespace
 
 LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed, const LikelihoodOptions& options) {
     const auto range = spectrum_range(observed, options);
-    JointFit fit(observed_groups(observed, range, options), range, options);
+    JointFit fit(observed_groups(observed, range, options), stretch_of_maps(observed, options), range, options);
     fit.run();
     return fit.result();
 }
@@ -537,7 +645,9 @@ Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint
     Array1D normal(n);
     for (Index r = 0; r < count; ++r) {
         numerics::fill_normal({seed, 0}, static_cast<std::uint64_t>(r * n), normal);
-        result.row(r) = (spectrum.design * (spectrum.theta + *lower * normal.matrix())).array().exp().transpose();
+        result.row(r) =
+            spectrum.C_iso.density.transpose() *
+            (spectrum.design * (*lower * normal.matrix())).array().exp().transpose();
     }
     return result;
 }

@@ -109,6 +109,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
     auto place = std::find_if(groups.begin(), groups.end(), [&](const ObservedGroup& g) {
         return !g.contour && g.data.name == name && g.data.instrument == instrument.type &&
                g.lines == map.heights.cols() && g.trend_degree == shape.trend_degree &&
+               g.direction == observed.direction &&
                g.tip_radius == instrument.tip_radius.value_or(0.0) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
                g.data.periodogram.size() == periodogram.size();
     });
@@ -119,6 +120,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
         group.lines = map.heights.cols();
         group.pitch = pitch;
         group.trend_degree = shape.trend_degree;
+        group.direction = observed.direction;
         add_response(group, shape, range, map.size[0], options.threads);
         group.data.periodogram = Array1D::Zero(bins.size());
         groups.push_back(std::move(group));
@@ -140,6 +142,7 @@ void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& cu
     group.data.nodes = nodes;
     group.data.response = std::move(kernel.response);
     group.contour = &curve;
+    group.direction = observed.direction;
     group.pixel_size = kernel.length / static_cast<double>(curve.positions.size() - 1);
     if (kernel.noise.size() > 0 && kernel.noise.maxCoeff() > 0.0) {
         group.data.noise_response = std::move(kernel.noise);

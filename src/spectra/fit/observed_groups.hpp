@@ -20,6 +20,7 @@ struct ObservedGroup {
     double pitch = 0.0;             ///< between lines [m]
     Index lines = 1;                ///< of one measurement
     int trend_degree = 1;           ///< of the polynomial that each line loses
+    double direction = 0.0;         ///< of its lines [rad]
     int measurements = 0;
     std::vector<Array1D> periodograms;             ///< of each measurement [m³]
     std::vector<double> skewness;                  ///< of the heights of each measurement with a tip

@@ -12,6 +12,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/dense.hpp"
+#include "setae/spectral_fit/hat_node.hpp"
 
 namespace setae::spectral_fit {
 namespace {
@@ -81,7 +82,8 @@ public:
     Problem(const std::vector<PeriodogramClass>& classes, const LogSpline& spline, const Smoothness& smoothness)
         : classes_(classes), spline_(spline), parameters_(spline.coefficients()) {
         for (const auto& c : classes) {
-            designs_.push_back(spline.design(c.nodes).sparseView());
+            designs_.push_back(spline.design(surface_wavevectors(c).min(spline.shortest())).sparseView());
+            factors_.push_back(surface_factors(c));
             noise_index_.push_back(index_of_noise(c));
             added_index_.push_back(index_of_added(c));
             responds_ = responds_ || c.reference_amplitude > 0.0;
@@ -202,7 +204,7 @@ private:
     void add_class(std::size_t index, const Eigen::VectorXd& x, State& s) const {
         const auto& c = classes_[index];
         const Eigen::VectorXd theta = x.head(spline_.coefficients());
-        const Array1D f = (designs_[index] * theta).array().exp();
+        const Array1D f = factors_[index] * (designs_[index] * theta).array().exp();
         double change = 0.0;              // of ln A
         Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta
         if (c.reference_amplitude > 0.0) {
@@ -253,6 +255,7 @@ private:
     const std::vector<PeriodogramClass>& classes_;
     const LogSpline& spline_;
     std::vector<Eigen::SparseMatrix<double>> designs_;  ///< four coefficients a node
+    std::vector<Array1D> factors_;
     std::vector<Index> noise_index_, added_index_;
     std::map<double, Index> tips_;              ///< η by radius
     std::map<std::string, Index> known_noise_;  ///< of instruments whose noise is known beforehand
@@ -263,6 +266,20 @@ private:
 };
 
 }  // namespace
+
+Array1D surface_wavevectors(const PeriodogramClass& c) {
+    return c.lengths.size() > 0 ? Array1D(c.nodes / c.lengths) : c.nodes;
+}
+
+double share_below(double wavevector, double end) {
+    return std::clamp(std::log(end / wavevector) / node_spacing + 0.5, 0.0, 1.0);
+}
+
+Array1D surface_factors(const PeriodogramClass& c) {
+    if (c.lengths.size() == 0) return Array1D::Ones(c.nodes.size());
+    return (c.nodes / c.lengths).unaryExpr([&](double q) { return share_below(q, c.surface_end); }) /
+           c.lengths.square();
+}
 
 WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline,
                        const Smoothness& smoothness, const Eigen::VectorXd& start) {

@@ -16,7 +16,9 @@ struct PeriodogramClass {
     Array1D periodogram;     ///< mean over measurements [m³]
     Array1D freedom;   ///< independent values behind each mean: modes × lines × measurements × ω; 0 leaves it out
     Array1D nodes;     ///< q_j the response refers to [1/m]
-    Array2D response;  ///< E[P] = response · C_iso(nodes), the flat part below the first node included
+    Array2D response;  ///< E[P] = response · C(nodes), C(q) = C_iso(q/μ)/μ², the flat part below the first node included
+    Array1D lengths;   ///< μ at the nodes: of a stretched surface along the lines; empty: 1
+    double surface_end = 0.0;  ///< of C_iso of a stretched surface, beyond which it is 0 [1/m]
     Array1D noise_response;       ///< E[P] of white noise of variance 1 m², of a contour that of its trace's noise as
                                   ///< stated; empty where none is fitted
     double noise_known_to = 0.0;  ///< standard deviation of ln σ² about 0 known beforehand, σ² then one for all classes
@@ -39,6 +41,13 @@ struct Smoothness {
     double slope = 0.5;      ///< of the first difference, below `slope_end` alone
     double slope_end = 0.0;  ///< [1/m]
 };
+
+/// q/μ of a class's nodes, where C_iso is asked for.
+[[nodiscard]] Array1D surface_wavevectors(const PeriodogramClass& c);
+/// What C_iso there is multiplied by: 1/μ² up to the surface's end, 0 beyond, in part for the node it falls on.
+[[nodiscard]] Array1D surface_factors(const PeriodogramClass& c);
+/// Share of a node's width in ln q that lies below an end.
+[[nodiscard]] double share_below(double wavevector, double end);
 
 /// A fitted spectrum.
 struct WhittleFit {

@@ -22,6 +22,7 @@ struct ObservedSurface {
     topography::Trend trend = topography::Trend::mean;
     int trend_degree = 0;  ///< of the polynomial along x that maps and scans have lost besides
     Band untouched{0.0, std::numeric_limits<double>::infinity()};  ///< waves that are as they were [1/m]
+    double direction = 0.0;  ///< of its lines (x of a map) on the surface, against the same axis for all [rad]
 };
 
 struct LikelihoodOptions {
@@ -62,6 +63,13 @@ struct TipFactor {
     Array1D transfer;         ///< T
 };
 
+/// A surface whose features are longer along one direction, where maps or lines along several directions show one.
+struct SurfaceStretch {
+    double wavevector = 0.0;  ///< where it holds [1/m]; between such places the vector below is interpolated
+    Estimate ratio;           ///< s: length of features along over across
+    Estimate direction;       ///< of the long axis against the x of lines [rad]
+};
+
 /// INSTRUMENTS_DISAGREE below this probability of an agreement's χ²: neighbouring groups share the window, so that
 /// chance goes further than χ² says.
 inline constexpr double improbable_agreement = 1e-6;
@@ -72,12 +80,13 @@ struct LikelihoodSpectrum {
     /// it the prior continues.
     spectra::Spectrum C_iso;
     Array1D log_standard_error;  ///< of ln C_iso
-    Eigen::MatrixXd design;      ///< ln C_iso = design · theta
+    Eigen::MatrixXd design;      ///< ∂ ln C_iso/∂theta; ln C_iso = design · theta of surfaces that are not stretched
     Eigen::VectorXd theta;
     Eigen::MatrixXd covariance;  ///< of theta: scatter of the data and between measurements, response of the tips,
                                  ///< uncertain radii and skewness, noise of the simulation
     std::vector<Agreement> agreement;
     std::vector<TipFactor> tips;
+    std::vector<SurfaceStretch> stretch;  ///< empty: isotropic as far as is seen; C_iso is the mean over directions else
     int rounds = 0;
     bool converged = false;
     std::vector<Alert> alerts;  ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN, NOT_CONVERGED
