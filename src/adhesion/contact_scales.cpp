@@ -50,13 +50,7 @@ RoughnessInContact roughness_in_contact(const roughness::SpectralParameters& par
                                         const roughness::ParameterSpread& spread, const ContactShares& shares) {
     RoughnessInContact result{parameters, spread};
     scale(result.parameters, shares);
-    for (auto& replica : result.spread.replicas) scale(replica, shares);
-    for (auto& stratum : result.spread.left_out)
-        for (auto& without : stratum) scale(without, shares);
-    for (auto& source : result.spread.sources) {
-        scale(source.plus, shares);
-        scale(source.minus, shares);
-    }
+    result.spread.each([&shares](roughness::SpectralParameters& held) { scale(held, shares); });
     return result;
 }
 

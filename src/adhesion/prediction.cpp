@@ -14,13 +14,17 @@ namespace setae::adhesion {
 namespace {
 
 using roughness::SpectralParameters;
-using AreaRatio = double (*)(double);
+using AreaRatio = double (*)(const SpectralParameters&);
+
+double by_slopes(const SpectralParameters& p) { return p.area_ratio(); }
+double by_small_slopes(const SpectralParameters& p) { return roughness::small_slope_area_ratio(p.rms_slope); }
+
 
 /// prediction = W r − γ1 (r − 1) − E* u; its variance is quadratic in W − γ1
 PairPoint point(const RoughSide& rough, const SoftSide& soft, AreaRatio area_ratio, const Estimate& surface_energy) {
-    const double r = area_ratio(rough.parameters.rms_slope), u = rough.parameters.elastic_energy_per_modulus;
+    const double r = area_ratio(rough.parameters), u = rough.parameters.elastic_energy_per_modulus;
     const auto& modulus = soft.contact_modulus;
-    const auto ratio = [area_ratio](const SpectralParameters& p) { return area_ratio(p.rms_slope); };
+    const auto ratio = [area_ratio](const SpectralParameters& p) { return area_ratio(p); };
     const auto energy = [&modulus](const SpectralParameters& p) {
         return modulus.value * p.elastic_energy_per_modulus;
     };
@@ -60,9 +64,9 @@ std::array<VarianceTerm, 4> balance_terms(const RoughSide& rough, const SoftSide
                                           AreaRatio area_ratio, const Estimate& surface_energy) {
     const double gain = work.value - surface_energy.value, modulus = soft.contact_modulus.value;
     const auto balance = [&](const SpectralParameters& p) {
-        return gain * area_ratio(p.rms_slope) - modulus * p.elastic_energy_per_modulus;
+        return gain * area_ratio(p) - modulus * p.elastic_energy_per_modulus;
     };
-    const double ratio = area_ratio(rough.parameters.rms_slope);
+    const double ratio = area_ratio(rough.parameters);
     return {rough.spread.variance_term(balance),
             term(soft.contact_modulus, rough.parameters.elastic_energy_per_modulus), term(surface_energy, ratio - 1.0),
             term(work, ratio)};
@@ -71,17 +75,17 @@ std::array<VarianceTerm, 4> balance_terms(const RoughSide& rough, const SoftSide
 }  // namespace
 
 PairPoint modified_point(const RoughSide& rough, const SoftSide& soft) {
-    return point(rough, soft, roughness::gaussian_area_ratio, soft.surface_energy);
+    return point(rough, soft, by_slopes, soft.surface_energy);
 }
 PairPoint persson_tosatti_point(const RoughSide& rough, const SoftSide& soft) {
-    return point(rough, soft, roughness::small_slope_area_ratio, {});
+    return point(rough, soft, by_small_slopes, {});
 }
 PairPoint point_without_area_change(const RoughSide& rough, const SoftSide& soft) {
-    return point(rough, soft, roughness::gaussian_area_ratio, {});
+    return point(rough, soft, by_slopes, {});
 }
 
 Prediction predict(const RoughSide& rough, const SoftSide& soft, const Estimate& work) {
-    Prediction prediction{.area_ratio = roughness::gaussian_area_ratio(rough.parameters.rms_slope)};
+    Prediction prediction{.area_ratio = rough.parameters.area_ratio()};
     const double modulus = soft.contact_modulus.value, energy = rough.parameters.elastic_energy_per_modulus;
     const auto stored =
         rough.spread.variance_term([&](const SpectralParameters& p) { return modulus * p.elastic_energy_per_modulus; });
@@ -91,22 +95,22 @@ Prediction predict(const RoughSide& rough, const SoftSide& soft, const Estimate&
     const auto predicted = [&](const ApparentWork& apparent, const std::array<VarianceTerm, 4>& terms) {
         return PredictedWork{apparent, with_terms(rough, apparent.raw, terms)};
     };
-    const auto terms = balance_terms(rough, soft, work, roughness::gaussian_area_ratio, soft.surface_energy);
+    const auto terms = balance_terms(rough, soft, work, by_slopes, soft.surface_energy);
     prediction.modified = predicted(modified_balance(work.value, soft.surface_energy.value, state), terms);
     prediction.persson_tosatti =
         predicted(persson_tosatti_balance(work.value, rough.parameters.rms_slope, state.stored_energy),
-                  balance_terms(rough, soft, work, roughness::small_slope_area_ratio, {}));
+                  balance_terms(rough, soft, work, by_small_slopes, {}));
     prediction.without_area_change = predicted(balance_without_area_change(work.value, state),
-                                               balance_terms(rough, soft, work, roughness::gaussian_area_ratio, {}));
+                                               balance_terms(rough, soft, work, by_slopes, {}));
     prediction.budget = {std::sqrt(terms[0].variance), std::sqrt(terms[1].variance), std::sqrt(terms[2].variance),
                          std::sqrt(terms[3].variance)};
     return prediction;
 }
 
 Estimate predicted_loss(const RoughSide& rough, const Estimate& work, double contact_area) {
-    const double true_area = roughness::gaussian_area_ratio(rough.parameters.rms_slope) * contact_area;
+    const double true_area = rough.parameters.area_ratio() * contact_area;
     const auto spectrum = rough.spread.variance_term([&](const SpectralParameters& p) {
-        return work.value * roughness::gaussian_area_ratio(p.rms_slope) * contact_area;
+        return work.value * p.area_ratio() * contact_area;
     });
     return with_terms(rough, work.value * true_area, std::array{spectrum, term(work, true_area)});
 }

@@ -30,7 +30,7 @@ double chi_squared_of(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& c
     return information > 0.0 ? std::max(0.0, all - std::pow(s.dot(weighted), 2) / information) : all;
 }
 
-double area_ratio(const MeasuredPair& pair) { return roughness::gaussian_area_ratio(pair.rough.parameters.rms_slope); }
+double area_ratio(const MeasuredPair& pair) { return pair.rough.parameters.area_ratio(); }
 
 /// Covariance of two raw predictions, W_int exact.
 double shared_variance(const MeasuredPair& a, const MeasuredPair& b, double work) {
@@ -39,7 +39,7 @@ double shared_variance(const MeasuredPair& a, const MeasuredPair& b, double work
         const auto balance = [work](const MeasuredPair& pair) {
             return [gain = work - pair.soft.surface_energy.value,
                     modulus = pair.soft.contact_modulus.value](const SpectralParameters& p) {
-                return gain * roughness::gaussian_area_ratio(p.rms_slope) - modulus * p.elastic_energy_per_modulus;
+                return gain * p.area_ratio() - modulus * p.elastic_energy_per_modulus;
             };
         };
         variance += a.rough.spread.covariance(balance(a), balance(b));

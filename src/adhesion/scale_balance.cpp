@@ -41,13 +41,16 @@ Closing ScaleBalance::closing(Index i) const {
 }
 
 ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
-                           double work_of_adhesion, double surface_energy) {
+                           double work_of_adhesion, double surface_energy, double area_shape) {
+    const auto area_ratio = [area_shape](double slope) {
+        return 1.0 + area_shape * (roughness::gaussian_area_ratio(slope) - 1.0);
+    };
     const auto n = below.wavevector.size();
     const double slope2 = std::pow(below.rms_slope[n - 1], 2);
     const double energy = contact_modulus * below.elastic_energy_per_modulus[n - 1];
-    const double excess_area = roughness::gaussian_area_ratio(below.rms_slope[n - 1]) - 1.0;
+    const double excess_area = area_ratio(below.rms_slope[n - 1]) - 1.0;
     const auto work = [&](double slope, double stored) {
-        return modified_balance(work_of_adhesion, surface_energy, {roughness::gaussian_area_ratio(slope), stored}).raw;
+        return modified_balance(work_of_adhesion, surface_energy, {area_ratio(slope), stored}).raw;
     };
     const double change = work(below.rms_slope[n - 1], energy) - work_of_adhesion;
 
@@ -62,7 +65,7 @@ ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double 
         balance.gained[i] = work(slope_above, 0.0);
         balance.stored[i] = energy - stored_below;
         balance.stored_share[i] = stored_below / energy;
-        balance.area_share[i] = (roughness::gaussian_area_ratio(slope_below) - 1.0) / excess_area;
+        balance.area_share[i] = (area_ratio(slope_below) - 1.0) / excess_area;
         balance.work_share[i] = (work(slope_below, stored_below) - work_of_adhesion) / change;
         balance.closing_pressure[i] = pressure_to_close(balance.gained[i], balance.stored[i], height_above);
         if (balance.closing(i) != Closing::by_itself) extend(balance.pressed, below.wavevector[i]);

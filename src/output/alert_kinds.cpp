@@ -105,6 +105,12 @@ std::vector<AlertKind> of_surfaces() {
                      spectral_fit::improbable_agreement)},
         {"MEASUREMENTS_SCATTER", about,
          "an instrument's measurements differ from each other beyond what their waves explain"},
+        {"MEASURED_SLOPES", about,
+         "A_true/A_app follows the slopes that maps show, since more than half of their area is not Gaussian and "
+         "isotropic, or the surface is stretched"},
+        {"STRETCHED", about,
+         "features are longer along one direction than across by more than 5 %, which chance does less than once in a "
+         "hundred times; the fitted spectrum is the mean over directions"},
         {"FILES_LEFT_OUT", about, "measurements of a surface failed; its spectrum rests on the others"},
         {"WAVES_BEYOND_DATA", about,
          "the surface's waves go on behind the finest data and would add more than 5 % to A_true/A_app − 1"},

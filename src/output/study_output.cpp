@@ -337,6 +337,7 @@ std::vector<std::string> write_results(const study::StudyResult& result) {
     write_table("decades.csv", decade_table(result));
     write_table("agreement.csv", agreement_table(result));
     write_table("tip_factors.csv", tip_factor_table(result));
+    write_table("stretch.csv", stretch_table(result));
     write_table("cumulative.csv", cumulative_table(result));
     write_table("cutoff_scan.csv", cutoff_table(result));
     write_table("balances.csv", balance_table(result));

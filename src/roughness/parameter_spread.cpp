@@ -102,4 +102,14 @@ Estimate ParameterSpread::estimate(double value, const Function& f, double least
     return result;
 }
 
+void ParameterSpread::each(const std::function<void(SpectralParameters&)>& change) {
+    for (auto& replica : replicas) change(replica);
+    for (auto& stratum : left_out)
+        for (auto& without : stratum) change(without);
+    for (auto& source : sources) {
+        change(source.plus);
+        change(source.minus);
+    }
+}
+
 }  // namespace setae::roughness

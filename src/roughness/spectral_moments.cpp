@@ -13,6 +13,7 @@
 #include "cut_moments.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/roughness/true_area.hpp"
 #include "straight_line.hpp"
 
 namespace setae::roughness {
@@ -233,6 +234,8 @@ void make_rising(Array1D& values) {
 }
 
 }  // namespace
+
+double SpectralParameters::area_ratio() const { return 1.0 + area_shape * (gaussian_area_ratio(rms_slope) - 1.0); }
 
 SpectralParameters spectral_parameters(const spectra::Spectrum& curve, Conversion conversion) {
     const auto parts = pieces(curve);

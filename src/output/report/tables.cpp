@@ -458,7 +458,7 @@ DataTable reference_changes(const StudyResult& result) {
     return table;
 }
 
-DataTable balances(const StudyResult& result, const Json& study) {
+DataTable balances(const StudyResult& result, const Json&) {
     DataTable table{
         "balances",
         "Which balance",

@@ -48,6 +48,24 @@ Json agreement_json(const spectral_fit::Agreement& row) {
             {"probability", number(row.probability)}};
 }
 
+Estimate in_degrees(const Estimate& angle) {
+    constexpr double degree = pi / 180.0;
+    return {angle.value / degree, angle.standard_error / degree};
+}
+
+Json stretch_json(const spectral_fit::SurfaceStretch& stretch) {
+    const auto direction = in_degrees(stretch.direction);
+    return {{"wavevector", {{"value", number(stretch.wavevector)}, {"unit", "1/m"}}},
+            {"stretch",
+             {{"value", number(stretch.ratio.value)},
+              {"standard_error", number(stretch.ratio.standard_error)},
+              {"unit", "1"}}},
+            {"direction",
+             {{"value", number(direction.value)},
+              {"standard_error", number(direction.standard_error)},
+              {"unit", "deg"}}}};
+}
+
 Json tip_json(const spectral_fit::TipFactor& tip) {
     return {{"instrument", tip.instrument},
             {"tip_radius", {{"value", number(tip.tip_radius)}, {"unit", "m"}}},
@@ -103,11 +121,33 @@ tables::TidyTable tip_factor_table(const study::StudyResult& result) {
     return table;
 }
 
+tables::TidyTable stretch_table(const study::StudyResult& result) {
+    tables::TidyTable table{"", {"surface", "wavevector [1/m]", "stretch [1]"}, {}};
+    append(table.columns, uncertainty_columns("stretch_", "1"));
+    table.columns.emplace_back("direction [deg]");
+    append(table.columns, uncertainty_columns("direction_", "deg"));
+    each_fitted(result, [&](const std::string& surface, const study::FittedSpectrum& fitted) {
+        for (const auto& s : fitted.stretch) {
+            Cells row;
+            const auto direction = in_degrees(s.direction);
+            add_cells(row, surface, s.wavevector, s.ratio.value);
+            append(row, uncertainty_cells(s.ratio));
+            row.emplace_back(direction.value);
+            append(row, uncertainty_cells(direction));
+            table.rows.push_back(std::move(row));
+        }
+    });
+    return table;
+}
+
 Table fitted_spectrum_table(const study::FittedSpectrum& fitted) {
     Table table;
     table.columns = {{"wavevector", "1/m", fitted.wavevector}};
     add_curve(table, "C_iso", "m4", fitted.C_iso, fitted.log_C_iso_standard_error);
     add_curve(table, "C1D", "m3", fitted.C1D, fitted.log_C1D_standard_error);
+    if (fitted.C1D_along.size() == 0) return table;
+    table.columns.push_back({"C1D_along", "m3", fitted.C1D_along});
+    table.columns.push_back({"C1D_across", "m3", fitted.C1D_across});
     return table;
 }
 
@@ -135,6 +175,8 @@ Json to_json(const study::FittedSpectrum& fitted) {
     for (const auto& row : fitted.agreement) json["agreement"].push_back(agreement_json(row));
     json["tip_factors"] = Json::array();
     for (const auto& tip : fitted.tips) json["tip_factors"].push_back(tip_json(tip));
+    json["stretch"] = Json::array();
+    for (const auto& stretch : fitted.stretch) json["stretch"].push_back(stretch_json(stretch));
     for (const auto& column : fitted_spectrum_table(fitted).columns)
         json["spectrum"][column.name] = {{"values", numbers(column.values)}, {"unit", column.unit}};
     json["spectrum"]["level"] = level;

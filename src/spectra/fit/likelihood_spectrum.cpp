@@ -115,6 +115,8 @@ public:
             auto mean = direction_mean(spline_, fit_.theta, stretch_, r.C_iso.wavevector);
             r.C_iso.density = mean.log_density.exp();
             r.design = std::move(mean.design);
+            r.C_along = density_of_lines(spline_, fit_.theta, stretch_, r.C_iso.wavevector, 0.0);
+            r.C_across = density_of_lines(spline_, fit_.theta, stretch_, r.C_iso.wavevector, 0.5 * pi);
         }
         r.log_standard_error = (r.design * r.covariance).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
         r.rounds = rounds_;

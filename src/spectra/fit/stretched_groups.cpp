@@ -136,4 +136,14 @@ DirectionMean direction_mean(const LogSpline& spline, const Eigen::VectorXd& the
     return mean;
 }
 
+Array1D density_of_lines(const LogSpline& spline, const Eigen::VectorXd& theta, const StretchLaw& law,
+                         const Array1D& wavevector, double turn) {
+    const double end = surface_end(law, spline.shortest());
+    return wavevector.unaryExpr([&](double q) {
+        const auto stretch = law.at(q);
+        const double square = stretch.length_square(stretch.direction() + turn), surface = q / std::sqrt(square);
+        return spline.value(theta, std::min(surface, spline.shortest())) * share_below(surface, end) / square;
+    });
+}
+
 }  // namespace setae::spectral_fit

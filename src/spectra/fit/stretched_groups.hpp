@@ -55,4 +55,8 @@ struct DirectionMean {
 [[nodiscard]] DirectionMean direction_mean(const LogSpline& spline, const Eigen::VectorXd& theta, const StretchLaw& law,
                                            const Array1D& wavevector);
 
+/// C_iso that lines along the long direction, turned by `turn`, show: C(q/μ)/μ².
+[[nodiscard]] Array1D density_of_lines(const LogSpline& spline, const Eigen::VectorXd& theta, const StretchLaw& law,
+                                       const Array1D& wavevector, double turn);
+
 }  // namespace setae::spectral_fit

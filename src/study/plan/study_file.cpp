@@ -9,8 +9,10 @@
 #include "keys.hpp"
 #include "loop_keys.hpp"
 #include "setae/bytes/toml_reader.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/core/units.hpp"
 #include "setae/study/pipeline_file.hpp"
 #include "setae/study/study.hpp"
 
@@ -26,6 +28,11 @@ void read_pipeline_of(TomlReader& reader, MeasurementInput& input) {
     if (!file) return;
     input.pipeline = reader.beside(*file);
     input.steps = step_lines(read_pipeline(*input.pipeline));
+}
+
+double direction_from_text(const std::string& text) {
+    if (text == "x") return 0.0;
+    return text == "y" ? 0.5 * pi : parse_quantity(text, dimension::none);
 }
 
 const Keys<MeasurementInput>& measurement_keys() {
@@ -47,6 +54,11 @@ const Keys<MeasurementInput>& measurement_keys() {
                 [](Input& input, const std::string& name) { input.trend = topography::trend_from_name(name); },
                 "what is removed from the heights; without it: none behind a pipeline that levels, else what a container "
                 "says, else parabola for stylus, tilt otherwise")
+            .parsed(
+                "direction", "`x`, `y`, an angle such as `30 deg`",
+                [](Input& input, const std::string& text) { input.direction = direction_from_text(text); },
+                "of its lines, or of a map's x, on the surface; without it x. Surfaces that are longer along one "
+                "direction need it where not all files were measured along the same")
             .file("references", &Input::references, "scans of a smooth standard; their average is subtracted")
             .add("unit", &Input::unit, "of lengths and heights, where the file leaves it open")
             .add("size", &Input::size, dimension::length, "where the file leaves it open")

@@ -125,10 +125,10 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
         point.surface = pair.surface;
         point.elastomer = pair.elastomer;
         point.measured = *pair.loss;
-        point.slope = roughness::gaussian_area_ratio(rough.parameters.rms_slope) * *pair.contact_area;
+        point.slope = rough.parameters.area_ratio() * *pair.contact_area;
         point.slope_variance =
             std::pow(*pair.contact_area * rough.spread.standard_error([](const SpectralParameters& p) {
-                return roughness::gaussian_area_ratio(p.rms_slope);
+                return p.area_ratio();
             }),
                      2);
         if (!std::isfinite(point.slope_variance)) point.slope_variance = 0.0;
@@ -325,7 +325,8 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     pair.general = general_balance(elastomer.input, work.value, {pair.area_ratio, prediction.stored_energy.value});
     if (pair.contact_area) pair.predicted_loss = adhesion::predicted_loss(rough, work, *pair.contact_area);
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
-                                          soft.contact_modulus.value, work.value, soft.surface_energy.value);
+                                          soft.contact_modulus.value, work.value, soft.surface_energy.value,
+                                          rough.parameters.area_shape);
     add_alerts(pair);
 }
 

@@ -109,8 +109,10 @@ SETAE_KEEP(DirectionalSlope, angle, rms, rms_standard_error, skewness, skewness_
            excess_kurtosis_standard_error, blocks)
 SETAE_KEEP(SlopeDistribution, directions, slope, density, gaussian_p_value, isotropy_ratio, isotropy_p_value, alerts)
 SETAE_KEEP(TriangulatedArea, area_ratio, rms_slope, cells)
+SETAE_KEEP(SlopeShape, share, square)
+SETAE_KEEP(WeighedShape, shape, area)
 SETAE_KEEP(WavelengthLimits, longest, shortest)
-SETAE_KEEP(SpectralParameters, rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, decade_C1D)
+SETAE_KEEP(SpectralParameters, rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, decade_C1D, area_shape)
 SETAE_KEEP(BeyondData, end, up_to, exponent, rms_slope, excess_area, elastic_energy_per_modulus)
 SETAE_KEEP(ParameterSpread::Source, name, plus, minus)
 SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, left_out, sources)
@@ -121,6 +123,7 @@ namespace setae::spectral_fit {
 
 SETAE_KEEP(Agreement, instrument, decade, ratio, standard_error, chi_squared, groups, probability)
 SETAE_KEEP(TipFactor, instrument, tip_radius, wavevector, transfer)
+SETAE_KEEP(SurfaceStretch, wavevector, ratio, direction)
 
 /// The settings that decide a result: all but the threads.
 template <class Archive>
@@ -214,20 +217,21 @@ namespace setae::study {
 
 SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fringes)
 SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
-SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, references, unit, size, pipeline,
-           steps)
+SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, direction, references, unit, size,
+           pipeline, steps)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, moments)
 SETAE_KEEP(SurfaceAnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile,
            bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
 SETAE_KEEP(HeightPreview, positions, heights, map, size)
 SETAE_KEEP(MeasurementResult, file, name, error, trend, processing, spectrum, real_space, arithmetic_height,
-           bands_of_uncertain_tip, slopes, triangulated, preview, alerts)
+           bands_of_uncertain_tip, slopes, triangulated, slope_shape, waves_energy_per_modulus,
+           preview, alerts)
 SETAE_KEEP(SpectrumResult, curve, parameters, other_conversion, uncut_energy_per_modulus, spread)
 SETAE_KEEP(FittedSpectrum, band, wavevector, C_iso, log_C_iso_standard_error, C1D, log_C1D_standard_error, agreement,
-           tips, rounds, converged)
+           tips, stretch, C1D_along, C1D_across, rounds, converged)
 SETAE_KEEP(SurfaceResult, name, error, reconstructed, measurements, combined, method, average, likelihood, fitted,
-           beyond_data, alerts)
+           slope_shape, beyond_data, alerts)
 
 /// The bytes of a value: equal values, equal bytes.
 template <class T>

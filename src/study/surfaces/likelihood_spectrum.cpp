@@ -59,6 +59,9 @@ FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum,
     const auto first = std::lower_bound(q.begin(), q.end(), band.lower) - q.begin(),
                end = std::upper_bound(q.begin(), q.end(), band.upper) - q.begin();
     const auto inside = [&](const Array1D& values) -> Array1D { return values.segment(first, end - first); };
+    const auto lines = [&](const Array1D& C_iso) {
+        return C_iso.size() > 0 ? inside(spectral_fit::line_spectrum(q, C_iso)) : Array1D();
+    };
     return {band,
             inside(q),
             inside(spectrum.C_iso.density),
@@ -67,6 +70,9 @@ FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum,
             inside(error),
             spectrum.agreement,
             spectrum.tips,
+            spectrum.stretch,
+            lines(spectrum.C_along),
+            lines(spectrum.C_across),
             spectrum.rounds,
             spectrum.converged};
 }
@@ -79,7 +85,8 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     for (std::size_t i = 0; i < prepared.size(); ++i)
         if (!surface.measurements[i].failed())
             observed.push_back({std::move(prepared[i].measurement), prepared[i].trend,
-                                static_cast<int>(prepared[i].untouched.trend_degree), prepared[i].untouched.band});
+                                static_cast<int>(prepared[i].untouched.trend_degree), prepared[i].untouched.band,
+                                prepared[i].direction});
     auto likelihood = options.likelihood;
     likelihood.seed = options.seed;
     likelihood.threads = threads;

@@ -137,6 +137,7 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
                             const formats::ReadOptions& options) {
     PreparedMeasurement prepared;
     prepared.alerts = channel.info.alerts;
+    prepared.direction = input.direction;
     prepared.measurement = channel.read();
     apply_instrument(topography::metadata(prepared.measurement).instrument, input);
     if (!input.references.empty()) {

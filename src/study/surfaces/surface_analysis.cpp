@@ -9,6 +9,7 @@
 #include "average_spectrum.hpp"
 #include "given_spectrum.hpp"
 #include "likelihood_spectrum.hpp"
+#include "measured_slopes.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/roughness/true_area.hpp"
@@ -181,6 +182,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             add_failure_alert(surface, options);
             if (wanted.map) heights = only_map(std::move(prepared));
             else add_likelihood(surface, std::move(prepared), options, threads);
+            use_measured_slopes(surface);
             look_beyond_data(surface, options);
         }
         // a failure may be gone the next time
@@ -263,7 +265,9 @@ std::vector<NamedSpectrum> spectra_of(const SurfaceResult& surface) {
 
 SpectralParameters parameters_within(const SpectrumResult& spectrum, const roughness::WavelengthLimits& limits,
                                      roughness::Conversion conversion) {
-    return roughness::spectral_parameters(roughness::limited(spectrum.curve, limits), conversion);
+    auto parameters = roughness::spectral_parameters(roughness::limited(spectrum.curve, limits), conversion);
+    parameters.area_shape = spectrum.parameters.area_shape;
+    return parameters;
 }
 
 }  // namespace setae::study

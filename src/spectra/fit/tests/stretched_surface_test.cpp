@@ -45,8 +45,8 @@ std::vector<ObservedSurface> maps(const spectra::Anisotropy& anisotropy, std::ui
 /// read: waves of a surface twice as long along x end where their sampling does.
 std::vector<ObservedSurface> lines(const spectra::Anisotropy& anisotropy, std::uint64_t seed, bool along_y) {
     std::vector<ObservedSurface> all;
-    for (std::uint64_t i = 0; i < 3; ++i) {
-        const Array2D patch = heights(seed + i, anisotropy);
+    for (std::uint64_t n = 0; n < 3; ++n) {
+        const Array2D patch = heights(seed + n, anisotropy);
         for (Index line = 0; line < 8; ++line) {
             topography::LineScan scan;
             scan.size = points * pixel;

@@ -29,7 +29,8 @@ struct ScaleBalance {
     [[nodiscard]] Closing closing(Index i) const;
 };
 
-/// For an isotropic surface with Gaussian slopes, at the wavevectors of its cumulative parameters.
+/// For an isotropic surface, at the wavevectors of its cumulative parameters. area_shape: excess area over that of
+/// Gaussian slopes, taken to be the same for every part of the spectrum.
 ///
 /// Within `bridging` the solid would rather span the roughness shorter than 2π/q than conform to it, whatever (7) says
 /// in sum; formulas for full conformity then overstate both area and energy. Gained against stored tells whether closed
@@ -39,6 +40,7 @@ struct ScaleBalance {
 /// 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8; Johnson, Int. J. Solids Struct. 32
 /// (1995) 423.
 [[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
-                                         double work_of_adhesion, double surface_energy);
+                                         double work_of_adhesion, double surface_energy,
+                                         double area_shape = 1.0);
 
 }  // namespace setae::adhesion

@@ -47,6 +47,8 @@ namespace setae::output {
 /// One row a surface with a fitted spectrum, group of like measurements by a tip, and wavevector: what the tip does to
 /// C1D.
 [[nodiscard]] tables::TidyTable tip_factor_table(const study::StudyResult& result);
+/// One row a surface whose fitted spectrum found it longer along one direction, and wavevector it holds at.
+[[nodiscard]] tables::TidyTable stretch_table(const study::StudyResult& result);
 /// A fitted spectrum with standard error and 95 % band.
 [[nodiscard]] Table fitted_spectrum_table(const study::FittedSpectrum& fitted);
 

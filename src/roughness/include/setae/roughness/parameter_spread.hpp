@@ -56,6 +56,8 @@ struct ParameterSpread {
     /// or "delta on ln" for sources alone; without " on ln" where there is no interval of its own. Source: coverage
     /// measured in docs/theory/uncertainty.md.
     [[nodiscard]] Estimate estimate(double value, const Function& f, double least = 0.0) const;
+    /// Changes every set of parameters held here.
+    void each(const std::function<void(SpectralParameters&)>& change);
 
 private:
     [[nodiscard]] bool has_jackknife() const;

@@ -55,6 +55,10 @@ struct SpectralParameters {
     double rms_curvature = 0.0;               ///< [1/m]
     double elastic_energy_per_modulus = 0.0;  ///< U_el/(A_app E*) [m]
     DecadeMeans decade_C1D = no_decades;  ///< of C1D curves; of C_iso curves only where their Abel integral was taken
+    double area_shape = 1.0;              ///< A_true/A_app − 1 over that of Gaussian isotropic slopes
+
+    /// A_true/A_app: (9) for Gaussian isotropic slopes, else of slopes distributed as maps show them.
+    [[nodiscard]] double area_ratio() const;
 };
 
 /// Integrals over the band. A C_iso curve is what Eq. (11) approximates, so the conversion changes C1D curves alone.

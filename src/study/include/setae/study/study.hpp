@@ -28,6 +28,7 @@ struct MeasurementInput {
     std::optional<double> resolution;    ///< [m]
     std::optional<topography::Trend>
         trend;  ///< default: none where `steps` level, else what the container says, else by instrument
+    double direction = 0.0;                   ///< of its lines (x of a map) on the surface [rad]
     std::vector<std::string> references;      ///< scans of a smooth standard: the instrument's artefact
     std::optional<std::string> unit;          ///< where the file leaves it open
     std::optional<std::vector<double>> size;  ///< [m], where the file leaves it open

@@ -15,6 +15,7 @@
 #include "setae/roughness/parameter_spread.hpp"
 #include "setae/roughness/real_space.hpp"
 #include "setae/roughness/slope_distribution.hpp"
+#include "setae/roughness/slope_shape.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/spectra/combination.hpp"
@@ -39,6 +40,8 @@ struct MeasurementResult {
     std::optional<std::array<Band, 2>> bands_of_uncertain_tip;
     std::optional<roughness::SlopeDistribution> slopes;       ///< where there are enough of them
     std::optional<roughness::TriangulatedArea> triangulated;  ///< maps
+    std::optional<roughness::WeighedShape> slope_shape;       ///< maps
+    std::optional<double> waves_energy_per_modulus;  ///< maps: ¼ Σ |q| |h_q|² over the reliable band of all waves [m]
     HeightPreview preview;
     std::vector<Alert> alerts;
 
@@ -53,7 +56,7 @@ struct SpectrumResult {
     double uncut_energy_per_modulus = 0.0;                          ///< U_el/(A E*) without the limits [m]
     roughness::ParameterSpread spread;
 
-    [[nodiscard]] double area_ratio() const { return roughness::gaussian_area_ratio(parameters.rms_slope); }
+    [[nodiscard]] double area_ratio() const { return parameters.area_ratio(); }
     /// A function of the parameters with its uncertainty; `least` as in ParameterSpread::estimate().
     [[nodiscard]] Estimate estimate(const roughness::ParameterSpread::Function& function, double least = 0.0) const {
         return spread.estimate(function(parameters), function, least);
@@ -76,6 +79,8 @@ struct FittedSpectrum {
     Array1D log_C1D_standard_error;    ///< of ln C1D, the fit's covariance carried through the integral
     std::vector<spectral_fit::Agreement> agreement;
     std::vector<spectral_fit::TipFactor> tips;  ///< one for each group of like measurements by a tip
+    std::vector<spectral_fit::SurfaceStretch> stretch;  ///< empty where none is seen
+    Array1D C1D_along, C1D_across;  ///< of lines along and across the long direction; empty without [m³]
     int rounds = 0;                             ///< of tip simulations
     bool converged = false;
 };
@@ -92,6 +97,7 @@ struct SurfaceResult {
     std::optional<SpectrumResult>
         likelihood;                        ///< fitted to all measurements at once, where it is wanted and can be had
     std::optional<FittedSpectrum> fitted;  ///< beside `likelihood`
+    std::optional<roughness::SlopeShape> slope_shape;  ///< of its maps, by area
     std::optional<roughness::BeyondData> beyond_data;  ///< where the surface's waves go on behind the finest data
     std::vector<Alert> alerts;
 
@@ -120,6 +126,7 @@ struct NamedSpectrum {
 struct PreparedMeasurement {
     topography::Measurement measurement;  ///< heights of maps and scans may be undefined
     topography::Trend trend = topography::Trend::none;
+    double direction = 0.0;                 ///< of its lines on the surface [rad]
     processing::Untouched untouched = {};  ///< of its waves by the pipeline before
     std::vector<processing::StepRecord> processing = {};
     std::vector<Alert> alerts = {};

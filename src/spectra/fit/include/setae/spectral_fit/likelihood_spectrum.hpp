@@ -87,6 +87,7 @@ struct LikelihoodSpectrum {
     std::vector<Agreement> agreement;
     std::vector<TipFactor> tips;
     std::vector<SurfaceStretch> stretch;  ///< empty: isotropic as far as is seen; C_iso is the mean over directions else
+    Array1D C_along, C_across;  ///< of a stretched surface: C_iso that lines along and across its long direction show
     int rounds = 0;
     bool converged = false;
     std::vector<Alert> alerts;  ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN, NOT_CONVERGED
