@@ -161,6 +161,32 @@ double tip_reach(const Tip& tip, double height) {
     return std::visit([height](const auto& shape) { return reach_of(shape, height); }, tip);
 }
 
+double apex_radius(const ArrayTip& tip, Index reach) {
+    double fourth = 0.0, product = 0.0;
+    for (Index i = -reach; i <= reach; ++i)
+        for (Index j = -reach; j <= reach; ++j) {
+            const Index at_x = tip.centre_x + i, at_y = tip.centre_y + j;
+            if (at_x < 0 || at_x >= tip.heights.rows() || at_y < 0 || at_y >= tip.heights.cols()) continue;
+            if (!std::isfinite(tip.heights(at_x, at_y))) continue;
+            const double r2 = std::pow(static_cast<double>(i) * tip.pixel_size[0], 2) +
+                              std::pow(static_cast<double>(j) * tip.pixel_size[1], 2);
+            fourth += r2 * r2;
+            product += r2 * tip.heights(at_x, at_y);
+        }
+    return product > 0.0 ? 0.5 * fourth / product : undefined;
+}
+
+ArrayTip tip_from_picture(const HeightMap& picture) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const Array2D defined = picture.heights.isNaN().select(-none, picture.heights);
+    ArrayTip tip;
+    const double highest = defined.maxCoeff(&tip.centre_x, &tip.centre_y);
+    if (!std::isfinite(highest)) throw UndefinedDataError(picture.metadata.file + ": no height of the tip is defined");
+    tip.heights = highest - defined;
+    tip.pixel_size = picture.pixel_size();
+    return tip;
+}
+
 TipImage tip_image(const Tip& tip, double pixel_x, double pixel_y, double reach) {
     validate(tip);
     if (!is_positive_length(pixel_x) || !is_positive_length(pixel_y) || !(reach >= 0.0) || !std::isfinite(reach))

@@ -56,10 +56,13 @@ public:
     const spectral_fit::TipResponse& of(double radius) {
         const auto found = responses_.find(radius);
         if (found != responses_.end()) return found->second;
+        constexpr Index points = 1024;
+        const auto ball = spectral_fit::sphere({.value = radius});
         const spectral_fit::TipSimulation simulation{
-            .tip_radius = radius,
-            .step = spectral_fit::simulation_step(radius, planted_.median_wavelength, pi / planted_.shortest),
-            .radius_response = false,
+            .probe = ball,
+            .step = spectral_fit::simulation_step(ball, planted_.median_wavelength, pi / planted_.shortest, points),
+            .points = points,
+            .size_response = false,
             .correlation_length = 0.5 * planted_.median_wavelength,
             .threads = {1}};
         return responses_.emplace(radius, spectral_fit::tip_response(planted_.C_iso, simulation)).first->second;

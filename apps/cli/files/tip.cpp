@@ -40,21 +40,6 @@ struct Arguments {
     int rounds = 100;
 };
 
-/// R of the paraboloid through the apex that fits the pixels within `reach` of it.
-double apex_radius(const topography::ArrayTip& tip, Index reach) {
-    double fourth = 0.0, product = 0.0;
-    for (Index i = -reach; i <= reach; ++i)
-        for (Index j = -reach; j <= reach; ++j) {
-            const Index at_x = tip.centre_x + i, at_y = tip.centre_y + j;
-            if (at_x < 0 || at_x >= tip.heights.rows() || at_y < 0 || at_y >= tip.heights.cols()) continue;
-            const double r2 = std::pow(static_cast<double>(i) * tip.pixel_size[0], 2) +
-                              std::pow(static_cast<double>(j) * tip.pixel_size[1], 2);
-            fourth += r2 * r2;
-            product += r2 * tip.heights(at_x, at_y);
-        }
-    return product > 0.0 ? 0.5 * fourth / product : undefined;
-}
-
 topography::HeightMap map_of(const Arguments& arguments) {
     auto processed =
         processing::apply(arguments.processing.pipeline(), measurements_of(arguments.path, arguments.file).front(),
@@ -88,7 +73,7 @@ ExitCode run(const Arguments& arguments) {
         certain.heights = (certainty.certain > 0).select(certain.heights, undefined);
         write_heights(arguments.reconstruction, certain);
     }
-    const Quantity quantities[] = {output::quantity("tip_radius", "R", apex_radius(blind.tip, 2), "m"),
+    const Quantity quantities[] = {output::quantity("tip_radius", "R", topography::apex_radius(blind.tip), "m"),
                                    output::quantity("tip_height", "t", t.maxCoeff(), "m"),
                                    output::quantity("certain_share", "", certainty.share, "1")};
     std::vector<Alert> alerts;

@@ -68,7 +68,8 @@ Json stretch_json(const spectral_fit::SurfaceStretch& stretch) {
 
 Json tip_json(const spectral_fit::TipFactor& tip) {
     return {{"instrument", tip.instrument},
-            {"tip_radius", {{"value", number(tip.tip_radius)}, {"unit", "m"}}},
+            {"probe", tip.probe},
+            {"size", {{"value", number(tip.size)}, {"unit", "m"}}},
             {"wavevector", {{"values", numbers(tip.wavevector)}, {"unit", "1/m"}}},
             {"transfer", {{"values", numbers(tip.transfer)}, {"unit", "1"}}}};
 }
@@ -108,14 +109,14 @@ tables::TidyTable agreement_table(const study::StudyResult& result) {
 
 tables::TidyTable tip_factor_table(const study::StudyResult& result) {
     tables::TidyTable table{
-        "", {"surface", "instrument", "group", "tip_radius [m]", "wavevector [1/m]", "tip factor [1]"}, {}};
+        "", {"surface", "instrument", "group", "probe", "size [m]", "wavevector [1/m]", "tip factor [1]"}, {}};
     each_fitted(result, [&](const std::string& surface, const study::FittedSpectrum& fitted) {
         double group = 0.0;
         for (const auto& tip : fitted.tips) {
             ++group;
             for (Index k = 0; k < tip.wavevector.size(); ++k)
                 table.rows.push_back(
-                    {surface, tip.instrument, group, tip.tip_radius, tip.wavevector[k], tip.transfer[k]});
+                    {surface, tip.instrument, group, tip.probe, tip.size, tip.wavevector[k], tip.transfer[k]});
         }
     });
     return table;

@@ -10,10 +10,10 @@
 namespace setae::simulation {
 namespace {
 
-std::optional<double> apex_radius(const topography::ArrayTip&) { return {}; }
+std::optional<double> stated_radius(const topography::ArrayTip&) { return {}; }
 
 template <class Shape>
-std::optional<double> apex_radius(const Shape& shape) {
+std::optional<double> stated_radius(const Shape& shape) {
     return shape.radius;
 }
 
@@ -26,7 +26,7 @@ topography::Metadata simulated_with_tip(const std::string& type, const topograph
     metadata.unit = "m";
     metadata.instrument = {"simulated " + type,
                            type,
-                           std::visit([](const auto& shape) { return apex_radius(shape); }, tip),
+                           std::visit([](const auto& shape) { return stated_radius(shape); }, tip),
                            tip_radius_standard_error,
                            {}};
     return metadata;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 #include <Eigen/Core>
@@ -128,7 +130,7 @@ public:
         add_stretch(r);
         for (const auto& g : groups_)
             if (g.tip.log_transfer.size() > 0)
-                r.tips.push_back({g.data.instrument, g.tip_radius, g.data.wavevector, g.tip.log_transfer.exp()});
+                r.tips.push_back({g.data.instrument, g.probe->name, g.probe->size, g.data.wavevector, g.tip.log_transfer.exp()});
         if (!r.converged)
             r.alerts.push_back({"NOT_CONVERGED", "spectrum",
                                 fmt::format("the fit stopped after {} steps short of its optimum", fit_.iterations),
@@ -141,6 +143,7 @@ private:
     [[nodiscard]] bool inside(const ObservedGroup& g, Index k) const {
         const bool seen = g.tip.log_transfer.size() == 0 || std::exp(g.tip.log_transfer[k]) >= options_.least_transfer;
         const double end = std::min(g.band_end, (1.0 + 1e-9) * lines_end(stretch_, spline_.shortest(), g.direction));
+        if (g.optics && std::pow(g.optics->at(g.data.wavevector[k]), 2) < options_.least_transfer) return false;
         return g.data.wavevector[k] >= g.band_begin && g.data.wavevector[k] <= end && seen &&
                g.data.periodogram[k] > 0.0;
     }
@@ -252,36 +255,48 @@ private:
         return spectra::tabulated_density(at, line);
     }
 
+    [[nodiscard]] static bool read_with(const ObservedGroup& g, const std::string& probe) {
+        return g.probe && g.probe->name == probe;
+    }
+
     /// Simulates every tip on the fit: derivatives in the first round, T alone in the others, on heights as skewed as
     /// the tip reads them. Whether T was what the derivatives had led the fit to expect.
     bool simulate_tips() {
         if (rounds_ == 0) wavelength_ = median_wavelength();
         const auto line_density = C1D();
-        std::map<double, bool> done;
+        std::set<std::string> done;
         double change = 0.0, weight = 0.0;
         for (auto& g : groups_) {
-            if (!(g.tip_radius > 0.0)) continue;
-            if (!done[g.tip_radius]) simulate_tip(g.tip_radius, line_density);
-            done[g.tip_radius] = true;
+            if (!g.probe) continue;
+            if (done.insert(g.probe->name).second) simulate_tip(*g.probe, line_density);
             const Array1D before = expected_transfer(g);
-            g.tip = sampled(responses_.at(g.tip_radius), line_density, g.pixel_size, g.data.wavevector);
-            take_tip(g);
-            const Array1D now = (with_tip(g) / without_tip(g)).log();
+            g.tip = sampled(responses_.at(g.probe->name), line_density, g.pixel_size, g.data.wavevector);
+            if (!g.probe->is_foil()) take_tip(g);
+            const Array1D now = g.probe->is_foil() ? g.tip.log_transfer : Array1D((with_tip(g) / without_tip(g)).log());
             change += (g.data.freedom * (now - before).square()).sum();
             weight += g.data.freedom.sum();
-            const bool fine = g.tip_radius < 0.25 * wavelength_;
+            if (g.probe->is_foil()) {
+                take_foil(g, now - before);
+                continue;
+            }
+            const bool fine = g.probe->size < 0.25 * wavelength_;
             g.data.amplitude_order = fine ? 5.0 : 1.0;
-            g.data.amplitude_end = fine ? pi / g.tip_radius : spline_.shortest();
+            g.data.amplitude_end = fine ? pi / g.probe->size : spline_.shortest();
             g.data.reference_amplitude = amplitude(g);
         }
         flatten_below(end_of_unseen());
         return rounds_ > 0 && change < small_change * small_change * weight;
     }
 
+    /// A foil's T multiplies what lines are expected to have.
+    static void take_foil(ObservedGroup& g, const Array1D& change) {
+        g.data.response.colwise() *= change.exp();
+    }
+
     /// What the tip follows and what it adds to the periodogram of the fitted surface, with their answers to C_iso ∝ A.
     void take_tip(ObservedGroup& g) const {
-        const auto followed = followed_at(responses_.at(g.tip_radius), g.data.nodes);
-        g.data.tip_radius = g.tip_radius;
+        const auto followed = followed_at(responses_.at(g.probe->name), g.data.nodes);
+        g.data.probe = g.probe->name;
         g.data.log_followed = followed.log_square;
         g.data.followed_response = followed.response;
         g.data.added = g.tip.added_share * without_tip(g);
@@ -335,39 +350,41 @@ private:
     /// A ball touches the points of a patch alone: that makes white noise of about step²/8R in what it reads, C1D
     /// (step²/8R)² step. Where that is more than a hundredth of the surface's at half of the patch's shortest waves,
     /// the patch is made finer, which leaves a hundredth of it or less.
-    [[nodiscard]] double fine_step(double radius, const spectra::SpectralDensity& line_density) const {
+    [[nodiscard]] double fine_step(const Probe& probe, const spectra::SpectralDensity& line_density) const {
         constexpr double much = 0.01, finer = 0.3;
-        const double least = 0.5 * options_.shortest_wavelength, step = simulation_step(radius, wavelength_, least);
+        const double least = 0.5 * options_.shortest_wavelength, radius = probe.size,
+                     step = simulation_step(probe, wavelength_, least, options_.tip_points);
+        if (probe.is_foil()) return step;
         const double noise = std::pow(step * step / (8.0 * radius), 2) * step;
         return noise > much * line_density(0.5 * pi / step) ? std::max(finer * step, least) : step;
     }
 
-    void simulate_tip(double radius, const spectra::SpectralDensity& line_density) {
+    void simulate_tip(const Probe& probe, const spectra::SpectralDensity& line_density) {
         const bool uncertain = std::any_of(groups_.begin(), groups_.end(), [&](const ObservedGroup& g) {
-            return g.tip_radius == radius && g.tip_radius_error > 0.0;
+            return read_with(g, probe.name) && g.probe->size_error > 0.0;
         });
-        const double step = fine_step(radius, line_density);
+        const double step = fine_step(probe, line_density);
         // what a tip adds to waves longer than heights are wide takes many of them
         const bool has_long_waves = step * static_cast<double>(options_.tip_points) > waves_a_patch * wavelength_;
-        TipSimulation simulation{.tip_radius = radius,
+        TipSimulation simulation{.probe = probe,
                                  .step = step,
                                  .points = options_.tip_points,
                                  .length = has_long_waves ? options_.tip_length : options_.tip_points,
-                                 .radius_response = uncertain,
+                                 .size_response = uncertain,
                                  .correlation_length = 0.5 * wavelength_,
                                  .seed = options_.seed,
                                  .threads = options_.threads};
         const auto skewness = surface_skewness(simulation);
-        const bool newly_skewed = skewness.uncertain() && !skewness_[radius].uncertain();
-        skewness_[radius] = skewness;
+        const bool newly_skewed = skewness.uncertain() && !skewness_[probe.name].uncertain();
+        skewness_[probe.name] = skewness;
         simulation.skewness = skewness.value;
         simulation.skewness_response = skewness.uncertain();
         if (rounds_ == 0 || newly_skewed) {
             simulation.repetitions = 1;
-            responses_[radius] = tip_response(C_iso(), simulation);
+            responses_[probe.name] = tip_response(C_iso(), simulation);
         } else {
             simulation.repetitions = has_long_waves ? 4 : 2;
-            responses_[radius] = tip_response(C_iso(), simulation, responses_.at(radius));
+            responses_[probe.name] = tip_response(C_iso(), simulation, responses_.at(probe.name));
         }
     }
 
@@ -376,22 +393,22 @@ private:
     /// longest waves.
     [[nodiscard]] Estimate surface_skewness(const TipSimulation& simulation) const {
         constexpr double significant = 4.0;
-        const Estimate gaussian{0.0, 0.0}, measured = measured_skewness(simulation.tip_radius);
+        const Estimate gaussian{0.0, 0.0}, measured = measured_skewness(simulation.probe.name);
         if (!measured.uncertain() ||
             simulation.step * static_cast<double>(simulation.points) < waves_a_patch * wavelength_)
             return gaussian;
         auto skewed = simulation;
-        if (rounds_ > 0) skewed.skewness = skewness_.at(simulation.tip_radius).value;
+        if (rounds_ > 0) skewed.skewness = skewness_.at(simulation.probe.name).value;
         const double excess = measured.value - added_skewness(C_iso(), skewed);
         if (std::abs(excess) < significant * measured.standard_error) return gaussian;
         return {std::clamp(excess, -most_skewness, most_skewness), measured.standard_error};
     }
 
     /// Of the heights as one tip has read them, over its measurements; no standard error for fewer than three.
-    [[nodiscard]] Estimate measured_skewness(double radius) const {
+    [[nodiscard]] Estimate measured_skewness(const std::string& probe) const {
         std::vector<double> values;
         for (const auto& g : groups_)
-            if (g.tip_radius == radius) values.insert(values.end(), g.skewness.begin(), g.skewness.end());
+            if (read_with(g, probe)) values.insert(values.end(), g.skewness.begin(), g.skewness.end());
         const auto n = static_cast<double>(values.size());
         double mean = 0.0, squares = 0.0;
         for (const double v : values) mean += v / n;
@@ -406,6 +423,7 @@ private:
 
     /// ln T that the fit has used.
     [[nodiscard]] Array1D expected_transfer(const ObservedGroup& g) const {
+        if (g.probe->is_foil() && g.tip.log_transfer.size() > 0) return g.tip.log_transfer;
         if (!(g.data.reference_amplitude > 0.0)) return Array1D::Zero(g.data.wavevector.size());
         return (with_tip(g) / without_tip(g)).log();
     }
@@ -466,17 +484,17 @@ private:
             const Eigen::VectorXd together = answer(c).rowwise().sum();
             covariance += together * together.transpose() * (normal_variance(found->second) / groups_[c].measurements);
         }
-        for (const auto& [radius, response] : responses_) {
-            // a column a repetition, then by the radius, then by the skewness
+        for (const auto& [probe, response] : responses_) {
+            // a column a repetition, then by the size, then by the skewness
             const Index repetitions = response.simulation_errors.rows();
-            const auto& skewness = skewness_.at(radius);
+            const auto& skewness = skewness_.at(probe);
             Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), repetitions + 2);
             for (std::size_t c = 0; c < groups_.size(); ++c) {
                 const auto& g = groups_[c];
-                if (g.tip_radius != radius) continue;
+                if (!read_with(g, probe)) continue;
                 const Eigen::MatrixXd answers = answer(c);
                 moved.leftCols(repetitions) += answers * g.tip.simulation_errors.matrix().transpose();
-                moved.col(repetitions) += answers * (g.tip.radius_response * (g.tip_radius_error / radius)).matrix();
+                moved.col(repetitions) += answers * (g.tip.size_response * (g.probe->size_error / g.probe->size)).matrix();
                 moved.col(repetitions + 1) +=
                     answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
             }
@@ -606,8 +624,8 @@ private:
     LogSpline spline_;
     Smoothness smoothness_;
     WhittleFit fit_;
-    std::map<double, TipResponse> responses_;  ///< by radius
-    std::map<double, Estimate> skewness_;      ///< of the surface's heights, by radius of the tip that read them
+    std::map<std::string, TipResponse> responses_;  ///< by probe
+    std::map<std::string, Estimate> skewness_;      ///< of the surface's heights, by the tip that read them
     double wavelength_ = 0.0;                  ///< half of ∫ q C_iso dq lies below it
     int rounds_ = 0;
 };

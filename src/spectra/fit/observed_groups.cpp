@@ -76,14 +76,32 @@ double band_end(const ObservedSurface& observed, double nyquist, const SpectrumR
     return std::min(sampled, spectra::reliable_band(observed.measurement, {}, options.threads).band.upper);
 }
 
+/// What heights were read with.
+std::optional<Probe> probe_of(const ObservedSurface& observed, const topography::Instrument& instrument) {
+    if (observed.probe || !instrument.tip_radius) return observed.probe;
+    return sphere({.value = *instrument.tip_radius, .standard_error = instrument.tip_radius_standard_error.value_or(0.0)});
+}
+
+std::string name_of(const std::optional<Probe>& probe) { return probe ? probe->name : std::string(); }
+
+bool same(const std::optional<OpticalTransfer>& a, const std::optional<OpticalTransfer>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return a->numerical_aperture == b->numerical_aperture && a->light_wavelength == b->light_wavelength;
+}
+
+/// An optical profiler shows T² of the waves' power.
+void look_through(ObservedGroup& group, const OpticalTransfer& optics) {
+    const Array1D transfer = group.data.nodes.unaryExpr([&](double q) { return optics.at(q); });
+    group.data.response.rowwise() *= transfer.square().transpose();
+    group.optics = optics;
+}
+
 /// Name, instrument and the wavevectors of the groups of modes over a length.
 ObservedGroup described(const topography::Metadata& metadata, Index points, double length, const ModeBins& bins) {
     const auto& instrument = metadata.instrument;
     ObservedGroup group;
     group.data.instrument = instrument.type;
     group.data.name = class_name(metadata, points, length);
-    group.tip_radius = instrument.tip_radius.value_or(0.0);
-    group.tip_radius_error = instrument.tip_radius_standard_error.value_or(0.0);
     group.data.wavevector =
         Array1D::NullaryExpr(bins.size(), [&](Index b) { return 2.0 * pi / length * bins.centre(b); });
     group.mode_counts = Array1D::NullaryExpr(bins.size(), [&](Index b) { return static_cast<double>(bins.count(b)); });
@@ -102,6 +120,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
     }
     const ScanShape shape{map.heights.rows(), trend_degree(observed)};
     const auto& instrument = map.metadata.instrument;
+    const auto probe = probe_of(observed, instrument);
     const double step = map.pixel_size()[0];
     const Array1D periodogram = scan_periodogram(map.heights, step, shape.trend_degree, options.threads);
     const double end = band_end(observed, pi / step * (1.0 + 1e-9), range, options);
@@ -110,7 +129,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
         return !g.contour && g.data.name == name && g.data.instrument == instrument.type &&
                g.lines == map.heights.cols() && g.trend_degree == shape.trend_degree &&
                g.direction == observed.direction &&
-               g.tip_radius == instrument.tip_radius.value_or(0.0) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
+               name_of(g.probe) == name_of(probe) && same(g.optics, observed.optics) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
                g.data.periodogram.size() == periodogram.size();
     });
     if (place == groups.end()) {
@@ -121,13 +140,15 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
         group.pitch = pitch;
         group.trend_degree = shape.trend_degree;
         group.direction = observed.direction;
+        group.probe = probe;
         add_response(group, shape, range, map.size[0], options.threads);
+        if (observed.optics) look_through(group, *observed.optics);
         group.data.periodogram = Array1D::Zero(bins.size());
         groups.push_back(std::move(group));
         place = groups.end() - 1;
     }
     place->band_begin = std::max(place->band_begin, observed.untouched.lower);
-    if (place->tip_radius > 0.0) place->skewness.push_back(skewness_of(map.heights));
+    if (place->probe) place->skewness.push_back(skewness_of(map.heights));
     if (gaps.undefined.cols() > 0) place->gaps.push_back(std::move(gaps));
     place->periodograms.push_back(periodogram);
     const double n = ++place->measurements;
@@ -142,6 +163,7 @@ void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& cu
     group.data.nodes = nodes;
     group.data.response = std::move(kernel.response);
     group.contour = &curve;
+    group.probe = probe_of(observed, curve.metadata.instrument);
     group.direction = observed.direction;
     group.pixel_size = kernel.length / static_cast<double>(curve.positions.size() - 1);
     if (kernel.noise.size() > 0 && kernel.noise.maxCoeff() > 0.0) {
@@ -151,7 +173,8 @@ void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& cu
         group.data.noise_response = white_noise(curve, options.threads);
     }
     group.band_begin = observed.untouched.lower;
-    if (group.tip_radius > 0.0) group.skewness.push_back(skewness_of(curve.heights));
+    if (observed.optics) look_through(group, *observed.optics);
+    if (group.probe && !group.probe->is_foil()) group.skewness.push_back(skewness_of(curve.heights));
     group.data.periodogram = std::move(kernel.periodogram);
     group.periodograms = {group.data.periodogram};
     group.measurements = 1;

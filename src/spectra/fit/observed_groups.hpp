@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,8 +15,7 @@ namespace setae::spectral_fit {
 /// Measurements of one shape by one instrument: what the fit sees of them and what they were.
 struct ObservedGroup {
     PeriodogramClass data;
-    double tip_radius = 0.0;        ///< [m]; 0: no tip
-    double tip_radius_error = 0.0;  ///< [m]
+    std::optional<Probe> probe;     ///< none: heights as they are
     double pixel_size = 0.0;        ///< [m]; of curves the mean step
     double pitch = 0.0;             ///< between lines [m]
     Index lines = 1;                ///< of one measurement
@@ -29,6 +29,7 @@ struct ObservedGroup {
     Array1D mode_counts;                           ///< modes in each group of modes
     Array1D independent_share;                     ///< ω of each group of modes
     const topography::Profile* contour = nullptr;  ///< where it is a curve
+    std::optional<OpticalTransfer> optics;
     std::vector<GappedLines> gaps;                 ///< of each measurement that has some
     Array1D gap_factor;                            ///< that response and noise_response hold; empty: none yet
     SampledResponse tip;

@@ -24,7 +24,7 @@ namespace setae::spectral_fit {
 namespace {
 
 constexpr double bins_a_decade = 8.0;
-constexpr double amplitude_step = 1.2, radius_step = 1.1, skewness_step = 0.2;
+constexpr double amplitude_step = 1.2, size_step = 1.1, skewness_step = 0.2;
 
 /// Of ln C_added in a band, where one patch alone was simulated: measured on twelve patches.
 constexpr double error_of_one_patch = 0.1;
@@ -57,8 +57,28 @@ Array2D every_point_read(const topography::HeightMap& surface) {
                                 [&](Index i, Index j) { return surface.heights(i * stride_x, j * stride_y); });
 }
 
-/// Readings of the tip there, line after line: each point starts from its neighbour's contact.
-Array2D read(const topography::HeightMap& surface, double radius, parallel::Threads threads) {
+/// The highest of the lines over a foil's thickness, from every eighth line on; the patch is periodic.
+Array2D silhouettes(const topography::HeightMap& surface, const Foil& foil, parallel::Threads threads) {
+    const Index nx = surface.heights.rows() / stride_x, ny = surface.heights.cols() / stride_y,
+                width = surface.heights.cols();
+    const auto lines =
+        std::min(width, static_cast<Index>(std::floor(foil.thickness / surface.pixel_size()[1] + 1e-9)) + 1);
+    Array2D readings(nx, ny);
+    parallel::for_each_index(static_cast<std::size_t>(nx), threads, [&](std::size_t i) {
+        const double* row = surface.heights.data() + static_cast<Index>(i) * stride_x * width;
+        for (Index j = 0; j < ny; ++j) {
+            double highest = row[j * stride_y];
+            for (Index l = 1; l < lines; ++l) highest = std::max(highest, row[(j * stride_y + l) % width]);
+            readings(static_cast<Index>(i), j) = highest;
+        }
+    });
+    return readings;
+}
+
+/// Readings of the probe there, line after line: each point starts from its neighbour's contact.
+Array2D read(const topography::HeightMap& surface, const Probe& probe, parallel::Threads threads) {
+    if (const auto* foil = std::get_if<Foil>(&probe.shape)) return silhouettes(surface, *foil, threads);
+    const auto& tip = std::get<topography::Tip>(probe.shape);
     const Index nx = surface.heights.rows() / stride_x, ny = surface.heights.cols() / stride_y;
     const auto [step_x, step_y] = surface.pixel_size();
     Array1D x(nx * ny), y(nx * ny);
@@ -67,7 +87,7 @@ Array2D read(const topography::HeightMap& surface, double radius, parallel::Thre
         x[k] = static_cast<double>(column * stride_x) * step_x;
         y[k] = static_cast<double>(row * stride_y) * step_y;
     }
-    const Array1D readings = topography::dilated_at(surface, topography::SphereTip{radius}, x, y, {.threads = threads});
+    const Array1D readings = topography::dilated_at(surface, tip, x, y, {.threads = threads});
     return Eigen::Map<const Array2D>(readings.data(), ny, nx).transpose();
 }
 
@@ -216,14 +236,15 @@ public:
                                     [&](Index i) { return i < beyond_ ? 0.0 : bins_.modes(i - beyond_); });
     }
 
-    [[nodiscard]] WavePowers powers(const topography::HeightMap& patch, double radius) const {
-        const Array2D surface = every_point_read(patch), touched = read(patch, radius, simulation_.threads);
+    [[nodiscard]] WavePowers powers(const topography::HeightMap& patch, const Probe& probe) const {
+        const Array2D surface = every_point_read(patch), touched = read(patch, probe, simulation_.threads);
         return {wave_power(surface, simulation_.threads), wave_power(touched, simulation_.threads),
                 wave_power(touched - surface, simulation_.threads)};
     }
 
     /// Of patches whose spectrum is `scale` times the one given: H_read = a H + H_added, ⟨H* H_added⟩ = 0.
     [[nodiscard]] Transfer transfer(const WavePowers& sums, int repetitions, double scale) const {
+        if (simulation_.probe.is_foil()) return of_lines(sums, repetitions);
         const Array2D shared = 0.5 * (sums.touched + sums.surface - sums.lifted);
         const Array1D followed = followed_share(sums, shared);
         const Array1D log_added = added_power(sums, shared, followed, repetitions, scale);
@@ -234,6 +255,19 @@ public:
             result.log_added[i] = log_added[b];
         }
         result.log_transfer = log_transfer(result.log_followed, result.log_added, scale);
+        return result;
+    }
+
+    /// A foil takes waves across the lines away and follows those along them: T is the ratio of what lines have, and
+    /// nothing is counted as added.
+    [[nodiscard]] Transfer of_lines(const WavePowers& sums, int repetitions) const {
+        const Array1D ratio =
+            (bins_.sums(sums.touched.rowwise().sum()) / bins_.sums(sums.surface.rowwise().sum())).log();
+        const Array1D modes = Array1D::NullaryExpr(bins_.size(), [&](Index b) { return bins_.modes(b); });
+        const Array1D own = smoothed(ratio, independent_lines_ * repetitions * modes, bends_of_followed_);
+        const Index n = wavevector_.size();
+        Transfer result{Array1D(n), Array1D::Zero(n), Array1D::Constant(n, std::log(nothing_added))};
+        for (Index i = 0; i < n; ++i) result.log_transfer[i] = own[std::max<Index>(0, i - beyond_)];
         return result;
     }
 
@@ -250,6 +284,7 @@ private:
     static constexpr double band_step = 3.0;
     static constexpr double decades_beyond = 3.0;   ///< of waves longer than the patch
     static constexpr double least_added = 1e-12;    ///< of C1D: a tip that fits everywhere adds rounding
+    static constexpr double nothing_added = 1e-300;
     static constexpr double least_followed = 1e-8;  ///< a²: of waves that it cannot enter a tip follows nothing
     static constexpr double bend = 0.09;            ///< what a and ln C_added may turn by, a bin, at short waves …
     static constexpr double least_bend = 0.1;  ///< … and this much of it where they are flat: ever less at waves that
@@ -346,43 +381,46 @@ Array2D added_errors(const Reading& reading, const std::vector<Transfer>& each) 
 }
 
 /// What repetitions differ by in what they follow, from their mean and over √(n(n − 1)), as ln T.
-Array2D simulation_errors(const Reading& reading, const Transfer& all, const std::vector<Transfer>& each) {
+Array2D simulation_errors(const Reading& reading, const Transfer& all, const std::vector<Transfer>& each,
+                          bool is_foil) {
     const auto repetitions = static_cast<Index>(each.size());
     if (repetitions < 2) return Array2D(0, all.log_transfer.size());
     Array2D errors(repetitions, all.log_transfer.size());
-    for (Index r = 0; r < repetitions; ++r)
-        errors.row(r) =
-            reading.log_transfer(each[static_cast<std::size_t>(r)].log_followed, all.log_added, 1.0).transpose();
+    for (Index r = 0; r < repetitions; ++r) {
+        const auto& one = each[static_cast<std::size_t>(r)];
+        errors.row(r) = (is_foil ? one.log_transfer : reading.log_transfer(one.log_followed, all.log_added, 1.0))
+                            .transpose();
+    }
     const auto n = static_cast<double>(repetitions);
     return (errors.rowwise() - errors.colwise().mean().eval()) / std::sqrt(n * (n - 1.0));
 }
 
 void require(const TipSimulation& simulation) {
-    if (!(simulation.tip_radius > 0.0) || !(simulation.step > 0.0) || !(simulation.correlation_length > 0.0) ||
+    if (!(simulation.probe.size > 0.0) || !(simulation.step > 0.0) || !(simulation.correlation_length > 0.0) ||
         simulation.repetitions < 1)
         throw InvalidArgument(
-            fmt::format("a tip of {} m simulated with steps of {} m, correlated over {} m, {} times; expected all > 0",
-                        simulation.tip_radius, simulation.step, simulation.correlation_length, simulation.repetitions));
+            fmt::format("a probe of {} m simulated with steps of {} m, correlated over {} m, {} times; expected all > 0",
+                        simulation.probe.size, simulation.step, simulation.correlation_length, simulation.repetitions));
 }
 
 TipResponse simulated(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, bool with_derivatives) {
     require(simulation);
     const Reading reading(C_iso, simulation);
-    const double radius = simulation.tip_radius;
+    const auto& probe = simulation.probe;
     WavePowers plain, blunter, higher, skewed;
     std::vector<Transfer> each;
     for (int r = 0; r < simulation.repetitions; ++r) {
         const auto parent = gaussian_patch(C_iso, simulation, simulation.step, r);
         auto patch = with_skewness(parent, simulation.skewness);
-        const auto powers = reading.powers(patch, radius);
+        const auto powers = reading.powers(patch, probe);
         add(plain, powers);
         each.push_back(reading.transfer(powers, 1, 1.0));
         if (!with_derivatives) continue;
-        if (simulation.radius_response) add(blunter, reading.powers(patch, radius * radius_step));
+        if (simulation.size_response) add(blunter, reading.powers(patch, with_size(probe, probe.size * size_step)));
         patch.heights *= std::sqrt(amplitude_step);
-        add(higher, reading.powers(patch, radius));
+        add(higher, reading.powers(patch, probe));
         if (simulation.skewness_response)
-            add(skewed, reading.powers(with_skewness(parent, simulation.skewness + skewness_step), radius));
+            add(skewed, reading.powers(with_skewness(parent, simulation.skewness + skewness_step), probe));
     }
     const auto transfer = [&](const WavePowers& sums, double scale) {
         return reading.transfer(sums, simulation.repetitions, scale);
@@ -393,25 +431,28 @@ TipResponse simulated(const spectra::SpectralDensity& C_iso, const TipSimulation
                          .log_followed = own.log_followed,
                          .log_added = own.log_added};
     const Array1D none = Array1D::Zero(response.wavevector.size());
-    response.followed_response = response.added_response = response.radius_response = response.skewness_response = none;
+    response.followed_response = response.added_response = response.size_response = response.skewness_response = none;
     if (with_derivatives) {
         const auto of_higher = transfer(higher, amplitude_step);
         response.followed_response = (of_higher.log_followed - own.log_followed) / std::log(amplitude_step);
         response.added_response = (of_higher.log_added - own.log_added) / std::log(amplitude_step);
     }
-    if (with_derivatives && simulation.radius_response)
-        response.radius_response = (transfer(blunter, 1.0).log_transfer - own.log_transfer) / std::log(radius_step);
+    if (with_derivatives && simulation.size_response)
+        response.size_response = (transfer(blunter, 1.0).log_transfer - own.log_transfer) / std::log(size_step);
     if (with_derivatives && simulation.skewness_response)
         response.skewness_response = (transfer(skewed, 1.0).log_transfer - own.log_transfer) / skewness_step;
     response.added_errors = added_errors(reading, each);
-    response.simulation_errors = simulation_errors(reading, own, each);
+    response.simulation_errors = simulation_errors(reading, own, each, probe.is_foil());
     return response;
 }
 
 }  // namespace
 
-double simulation_step(double tip_radius, double median_wavelength, double shortest_step) {
-    return std::max(std::min(median_wavelength / 50.0, tip_radius / 20.0), shortest_step);
+double simulation_step(const Probe& probe, double median_wavelength, double shortest_step, Index points) {
+    constexpr double foils_a_patch = 4.0, finer = 0.5;
+    if (probe.is_foil())
+        return std::max(finer * shortest_step, foils_a_patch * probe.size / static_cast<double>(points));
+    return std::max(std::min(median_wavelength / 50.0, probe.size / 20.0), shortest_step);
 }
 
 TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation) {
@@ -423,7 +464,7 @@ TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulat
     TipResponse response = simulated(C_iso, simulation, false);
     response.followed_response = before.followed_response;
     response.added_response = before.added_response;
-    response.radius_response = before.radius_response;
+    response.size_response = before.size_response;
     response.skewness_response = before.skewness_response;
     return response;
 }
@@ -434,7 +475,7 @@ double added_skewness(const spectra::SpectralDensity& C_iso, const TipSimulation
     auto square = simulation;
     square.length = square.points;
     const auto patch = with_skewness(gaussian_patch(C_iso, square, coarser * simulation.step, 0), simulation.skewness);
-    return skewness_of(read(patch, simulation.tip_radius, simulation.threads)) - skewness_of(every_point_read(patch));
+    return skewness_of(read(patch, simulation.probe, simulation.threads)) - skewness_of(every_point_read(patch));
 }
 
 SampledResponse sampled(const TipResponse& response, const spectra::SpectralDensity& C1D, double pixel_size,
@@ -456,7 +497,7 @@ SampledResponse sampled(const TipResponse& response, const spectra::SpectralDens
             read += kept;
             added += own;
             result.added_response[k] += own * place.of(response.added_response);
-            result.radius_response[k] += kept * place.of(response.radius_response);
+            result.size_response[k] += kept * place.of(response.size_response);
             result.skewness_response[k] += kept * place.of(response.skewness_response);
             for (Index r = 0; r < repetitions; ++r)
                 result.simulation_errors(r, k) += kept * place.of(response.simulation_errors.row(r).transpose());
@@ -467,7 +508,7 @@ SampledResponse sampled(const TipResponse& response, const spectra::SpectralDens
         result.added_share[k] = plain > 0.0 ? added / plain : 0.0;
         const double share = read > 0.0 ? 1.0 / read : 0.0, of_added = added > 0.0 ? 1.0 / added : 0.0;
         result.added_response[k] *= of_added;
-        result.radius_response[k] *= share;
+        result.size_response[k] *= share;
         result.skewness_response[k] *= share;
         result.simulation_errors.col(k) *= share;
         result.added_errors.col(k) *= of_added;

@@ -171,7 +171,7 @@ private:
     /// Of a tip's first η among the parameters; −1 without.
     [[nodiscard]] Index index_of_added(const PeriodogramClass& c) {
         if (c.added.size() == 0 || c.added_errors.rows() == 0) return -1;
-        const auto [place, is_new] = tips_.emplace(c.tip_radius, parameters_);
+        const auto [place, is_new] = tips_.emplace(c.probe, parameters_);
         if (is_new) parameters_ += c.added_errors.rows();
         return place->second;
     }
@@ -257,7 +257,7 @@ private:
     std::vector<Eigen::SparseMatrix<double>> designs_;  ///< four coefficients a node
     std::vector<Array1D> factors_;
     std::vector<Index> noise_index_, added_index_;
-    std::map<double, Index> tips_;              ///< η by radius
+    std::map<std::string, Index> tips_;         ///< η by probe
     std::map<std::string, Index> known_noise_;  ///< of instruments whose noise is known beforehand
     Index parameters_;
     bool responds_ = false;  ///< a tip's T to the fit

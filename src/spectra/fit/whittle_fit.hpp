@@ -29,7 +29,7 @@ struct PeriodogramClass {
     Array1D added_response;     ///< ∂ ln added/∂ ln A
     Array2D added_errors;  ///< ε_j of E_added = exp(Σ η_j ε_j) added, a row each; η of variance 1 and the same for all
                            ///< classes of a tip
-    double tip_radius = 0.0;           ///< tells tips apart [m]
+    std::string probe;                 ///< tells tips apart
     double amplitude_order = 1.0;      ///< A = ∫_0^{amplitude_end} q^order C_iso dq
     double amplitude_end = 0.0;        ///< [1/m]
     double reference_amplitude = 0.0;  ///< A that both were simulated at; 0: the tip does not respond

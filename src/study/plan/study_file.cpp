@@ -48,6 +48,23 @@ const Keys<MeasurementInput>& measurement_keys() {
                                  {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}},
                                  "its kind")
             .add("tip_radius", &Input::tip_radius, dimension::length, "what the tip hides is cut from the spectrum")
+            .choice<std::string>("tip_shape", &Input::tip_shape,
+                                 {{"sphere", "sphere"}, {"cone", "cone"}, {"paraboloid", "paraboloid"}},
+                                 "of the tip, with `tip_radius` at its apex; without it a sphere")
+            .parsed(
+                "tip_half_angle", "an angle such as `20 deg`",
+                [](Input& input, const std::string& text) {
+                    input.tip_half_angle = parse_quantity(text, dimension::none);
+                },
+                "between axis and flank of a cone")
+            .file("tip_file", &Input::tip_file,
+                  "a map of the tip, apex up, as `setae tip` writes it, in place of a shape; the fitted spectrum reads "
+                  "with it")
+            .add("foil_thickness", &Input::foil_thickness, dimension::length,
+                 "of a side view's lamella along the beam; without it what the contour's file says, else a line")
+            .add("numerical_aperture", &Input::numerical_aperture, dimension::none,
+                 "of an optical profiler; with `light_wavelength` the fitted spectrum allows for what it blurs")
+            .add("light_wavelength", &Input::light_wavelength, dimension::length, "mean wavelength of its light")
             .add("resolution", &Input::resolution, dimension::length, "what it hides is cut from the spectrum")
             .parsed(
                 "trend", "`none`, `mean`, `tilt`, `parabola`",

@@ -25,6 +25,7 @@ std::vector<std::string> named_files(const Study& study) {
         for (const auto& measurement : surface.measurements) {
             add(measurement.file);
             for (const auto& reference : measurement.references) add(reference);
+            if (measurement.tip_file) add(*measurement.tip_file);
             if (measurement.pipeline) add(*measurement.pipeline);
             for (const auto& file : files_of_steps(measurement.steps)) add(file);
         }

@@ -21,6 +21,7 @@ bool add_content(cache::KeyBuilder& key, const Run& run, const std::vector<std::
 std::vector<std::string> files_of(const MeasurementInput& input) {
     auto files = input.references;
     files.push_back(input.file);
+    if (input.tip_file) files.push_back(*input.tip_file);
     const auto named = files_of_steps(input.steps);
     files.insert(files.end(), named.begin(), named.end());
     return files;

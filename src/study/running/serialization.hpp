@@ -122,7 +122,7 @@ SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, 
 namespace setae::spectral_fit {
 
 SETAE_KEEP(Agreement, instrument, decade, ratio, standard_error, chi_squared, groups, probability)
-SETAE_KEEP(TipFactor, instrument, tip_radius, wavevector, transfer)
+SETAE_KEEP(TipFactor, instrument, probe, size, wavevector, transfer)
 SETAE_KEEP(SurfaceStretch, wavevector, ratio, direction)
 
 /// The settings that decide a result: all but the threads.
@@ -217,7 +217,8 @@ namespace setae::study {
 
 SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fringes)
 SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
-SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, resolution, trend, direction, references, unit, size,
+SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, tip_half_angle, tip_file, foil_thickness,
+           numerical_aperture, light_wavelength, resolution, trend, direction, references, unit, size,
            pipeline, steps)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, moments)

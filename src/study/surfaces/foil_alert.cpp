@@ -10,9 +10,9 @@ Alert foil_projection_alert(const std::string& subject, double thickness) {
     return {
         "FOIL_PROJECTION", subject,
         fmt::format(
-            "the contour is the silhouette of a foil {:.3g} nm thick, not a line scan: at wavelengths below {:.3g} nm C1D reads up to a third low, and the rms slope 1 to 7 %",
+            "the contour is the silhouette of a foil {:.3g} nm thick, not a line scan: at wavelengths below {:.3g} nm C1D reads up to a third low, and the rms slope 1 to 7 %; the likelihood expects that, the average does not",
             thickness * 1e9, felt_below * thickness * 1e9),
-        "take thinner foils; `setae lab foil` gives the factor for a spectrum, docs/theory/tem-projection.md a table"};
+        "rest the numbers on the likelihood (several measurements), or take thinner foils; docs/theory/tem-projection.md"};
 }
 
 }  // namespace setae::study

@@ -86,7 +86,7 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
         if (!surface.measurements[i].failed())
             observed.push_back({std::move(prepared[i].measurement), prepared[i].trend,
                                 static_cast<int>(prepared[i].untouched.trend_degree), prepared[i].untouched.band,
-                                prepared[i].direction});
+                                prepared[i].direction, std::move(prepared[i].probe), prepared[i].optics});
     auto likelihood = options.likelihood;
     likelihood.seed = options.seed;
     likelihood.threads = threads;

@@ -23,12 +23,65 @@ topography::Trend usual_trend(const std::string& instrument) {
     return instrument == "stylus" ? topography::Trend::parabola : topography::Trend::tilt;
 }
 
+/// By the study, else by the contour's file.
+std::optional<Estimate> foil_thickness(const MeasurementInput& input, const topography::Metadata& metadata) {
+    if (input.foil_thickness) return input.foil_thickness;
+    const auto entry = metadata.attributes.find("foil_thickness");
+    if (entry == metadata.attributes.end()) return std::nullopt;
+    const Estimate thickness = parse_uncertain_quantity(entry->second, dimension::length);
+    return thickness.value > 0.0 ? std::optional(thickness) : std::nullopt;
+}
+
+void add_projection_alert(PreparedMeasurement& prepared, const MeasurementInput& input) {
+    const auto& metadata = topography::metadata(prepared.measurement);
+    if (const auto thickness = foil_thickness(input, metadata))
+        prepared.alerts.push_back(foil_projection_alert(topography::label(metadata), thickness->value));
+}
+
 void apply_instrument(topography::Instrument& instrument, const MeasurementInput& input) {
     if (!input.instrument.empty()) instrument.type = input.instrument;
     if (input.resolution) instrument.resolution = input.resolution;
     if (!input.tip_radius) return;
     instrument.tip_radius = input.tip_radius->value;
     if (input.tip_radius->standard_error > 0.0) instrument.tip_radius_standard_error = input.tip_radius->standard_error;
+}
+
+/// What a measurement was read with, where that is no sphere. @throws InvalidArgument for a shape without a size.
+std::optional<spectral_fit::Probe> probe_of(const MeasurementInput& input, const topography::Metadata& metadata,
+                                            const formats::ReadOptions& options) {
+    const auto radius = [&] {
+        const auto& instrument = metadata.instrument;
+        if (!instrument.tip_radius)
+            throw InvalidArgument(
+                fmt::format("{}: tip_shape = \"{}\" needs a tip_radius", input.file, input.tip_shape));
+        return Estimate{.value = *instrument.tip_radius,
+                        .standard_error = instrument.tip_radius_standard_error.value_or(0.0)};
+    };
+    if (input.tip_file) {
+        const auto picture = formats::read(*input.tip_file, 0, options);
+        const auto* map = std::get_if<topography::HeightMap>(&picture);
+        if (!map) throw InvalidArgument(fmt::format("{}: a line does not show a tip; expected a map", *input.tip_file));
+        return spectral_fit::measured_tip(topography::tip_from_picture(*map), *input.tip_file);
+    }
+    if (input.tip_shape == "paraboloid") return spectral_fit::paraboloid(radius());
+    if (input.tip_shape == "cone") {
+        if (!input.tip_half_angle)
+            throw InvalidArgument(fmt::format("{}: tip_shape = \"cone\" needs a tip_half_angle", input.file));
+        return spectral_fit::cone(radius(), *input.tip_half_angle);
+    }
+    if (const auto thickness = foil_thickness(input, metadata)) return spectral_fit::foil(*thickness);
+    return std::nullopt;
+}
+
+std::optional<spectral_fit::OpticalTransfer> optics_of(const MeasurementInput& input) {
+    if (input.numerical_aperture.has_value() != input.light_wavelength.has_value())
+        throw InvalidArgument(
+            fmt::format("{}: expected numerical_aperture and light_wavelength together", input.file));
+    if (!input.numerical_aperture) return std::nullopt;
+    if (!(*input.numerical_aperture > 0.0) || !(*input.light_wavelength > 0.0))
+        throw InvalidArgument(fmt::format("{}: numerical_aperture {}, light_wavelength {} m; expected both > 0",
+                                          input.file, *input.numerical_aperture, *input.light_wavelength));
+    return spectral_fit::OpticalTransfer{*input.numerical_aperture, *input.light_wavelength};
 }
 
 topography::LineScan subtract_references(const topography::LineScan& scan, const MeasurementInput& input,
@@ -45,14 +98,6 @@ topography::LineScan subtract_references(const topography::LineScan& scan, const
     return topography::subtract_artefact(scan, topography::average_reference(references));
 }
 
-void add_projection_alert(PreparedMeasurement& prepared) {
-    const auto& metadata = topography::metadata(prepared.measurement);
-    const auto entry = metadata.attributes.find("foil_thickness");
-    if (entry == metadata.attributes.end()) return;
-    const double thickness = parse_quantity(entry->second, dimension::length);
-    if (!(thickness > 0.0)) return;
-    prepared.alerts.push_back(foil_projection_alert(topography::label(metadata), thickness));
-}
 
 /// What levelling the traced curve left out.
 void add_reentrance_alert(PreparedMeasurement& prepared) {
@@ -138,6 +183,7 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     PreparedMeasurement prepared;
     prepared.alerts = channel.info.alerts;
     prepared.direction = input.direction;
+    prepared.optics = optics_of(input);
     prepared.measurement = channel.read();
     apply_instrument(topography::metadata(prepared.measurement).instrument, input);
     if (!input.references.empty()) {
@@ -152,7 +198,8 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     process(prepared, pipeline, options);
     make_analysable(prepared);
     topography::validate(prepared.measurement);
-    add_projection_alert(prepared);
+    prepared.probe = probe_of(input, topography::metadata(prepared.measurement), options);
+    add_projection_alert(prepared, input);
     add_reentrance_alert(prepared);
     prepared.trend = levels(pipeline) ? input.trend.value_or(topography::Trend::none)
                                       : trend_of(channel, input, topography::metadata(prepared.measurement));

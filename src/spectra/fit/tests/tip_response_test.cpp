@@ -23,7 +23,7 @@ spectra::SpectralDensity gentle(double slope) {
 }
 
 TipSimulation simulation(double radius) {
-    return {.tip_radius = radius,
+    return {.probe = sphere({.value = radius}),
             .step = 10e-9,
             .points = 512,
             .length = 512,
@@ -48,7 +48,7 @@ TEST(TipResponse, OfATipThatFitsEverywhereIsOne) {
 TEST(TipResponse, IsTheRatioOfPowersOfOtherSurfacesReadByTheTip) {
     auto options = simulation(1e-6);
     options.repetitions = 4;
-    options.radius_response = false;
+    options.size_response = false;
     const auto response = tip_response(gentle(0.1), options);
     constexpr Index n = 512, first = 10, last = 22;
     double plain = 0.0, read = 0.0;
@@ -142,12 +142,12 @@ double line_density(const TipResponse& response, const spectra::SpectralDensity&
 // power of its own, which stays where long waves are raised ninefold. The same strips with and without know the ratio
 // to a tenth.
 TEST(TipResponse, AddsPowerOfItsOwnToLongWaves) {
-    const auto response = tip_response(rough(1.0), {.tip_radius = 5e-6,
+    const auto response = tip_response(rough(1.0), {.probe = sphere({.value = 5e-6}),
                                                     .step = 20e-9,
                                                     .points = 512,
                                                     .length = 2048,
                                                     .repetitions = 4,
-                                                    .radius_response = false,
+                                                    .size_response = false,
                                                     .correlation_length = 0.25e-6,
                                                     .threads = {2}});
     const auto read = [&](double raised) {
@@ -176,14 +176,14 @@ TEST(TipResponse, HasTheDerivativesOfItsOwnDifferences) {
     const auto response = tip_response(C_iso, simulation(1e-6)), blunter = tip_response(C_iso, simulation(1.1e-6)),
                higher = tip_response([&](double q) { return 1.2 * C_iso(q); }, simulation(1e-6));
     EXPECT_NEAR(
-        ((blunter.log_transfer - response.log_transfer) / std::log(1.1) - response.radius_response).abs().maxCoeff(),
+        ((blunter.log_transfer - response.log_transfer) / std::log(1.1) - response.size_response).abs().maxCoeff(),
         0.0, 1e-9);
     EXPECT_NEAR(
         ((higher.log_followed - response.log_followed) / std::log(1.2) - response.followed_response).abs().maxCoeff(),
         0.0, 1e-9);
     EXPECT_NEAR(((higher.log_added - response.log_added) / std::log(1.2) - response.added_response).abs().maxCoeff(),
                 0.0, 1e-9);
-    EXPECT_LT(at(response.wavevector, response.radius_response, 2.0 * pi / 300e-9), -0.05);
+    EXPECT_LT(at(response.wavevector, response.size_response, 2.0 * pi / 300e-9), -0.05);
 }
 
 // A ball rests on peaks and cannot enter valleys: it loses less of what peaks show, and reads heights more skewed than
@@ -208,7 +208,7 @@ TEST(TipResponse, OnceMoreKeepsTheDerivatives) {
     const auto again = tip_response(gentle(0.021), simulation(1e-6), first);
     EXPECT_TRUE((again.followed_response == first.followed_response).all());
     EXPECT_TRUE((again.added_response == first.added_response).all());
-    EXPECT_TRUE((again.radius_response == first.radius_response).all());
+    EXPECT_TRUE((again.size_response == first.size_response).all());
     // they themselves are what the derivatives foretold
     const double q = 2.0 * pi / 400e-9, change = std::log(1.05 * 1.05);
     const auto foretold = [&](const Array1D& values, const Array1D& slope) {
@@ -255,7 +255,7 @@ TEST(SampledResponse, WeighsAliasesByTheirPower) {
     response.log_transfer = Array1D(2);
     response.log_transfer << 0.0, std::log(0.5);
     response.log_followed = response.log_added = response.log_transfer;
-    response.added_response = response.followed_response = response.radius_response = response.skewness_response =
+    response.added_response = response.followed_response = response.size_response = response.skewness_response =
         Array1D::Zero(2);
     const double pixel = 2.0 * pi / 10e6;  // 1e6 and 9e6 fold together
     const auto C1D = [](double q) { return std::abs(q - 1e6) < 1.0 ? 3.0 : std::abs(q - 9e6) < 1.0 ? 1.0 : 0.0; };
@@ -264,9 +264,9 @@ TEST(SampledResponse, WeighsAliasesByTheirPower) {
 }
 
 TEST(SimulationStep, IsTheFinerOfWaveAndTipButNoFinerThanAsked) {
-    EXPECT_DOUBLE_EQ(simulation_step(10e-9, 1e-6, 2e-10), 0.5e-9);
-    EXPECT_DOUBLE_EQ(simulation_step(5e-6, 1e-6, 2e-10), 20e-9);
-    EXPECT_DOUBLE_EQ(simulation_step(1e-9, 1e-6, 2e-10), 2e-10);
+    EXPECT_DOUBLE_EQ(simulation_step(sphere({.value = 10e-9}), 1e-6, 2e-10, 1024), 0.5e-9);
+    EXPECT_DOUBLE_EQ(simulation_step(sphere({.value = 5e-6}), 1e-6, 2e-10, 1024), 20e-9);
+    EXPECT_DOUBLE_EQ(simulation_step(sphere({.value = 1e-9}), 1e-6, 2e-10, 1024), 2e-10);
 }
 
 }  // namespace

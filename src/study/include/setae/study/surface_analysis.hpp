@@ -127,6 +127,8 @@ struct PreparedMeasurement {
     topography::Measurement measurement;  ///< heights of maps and scans may be undefined
     topography::Trend trend = topography::Trend::none;
     double direction = 0.0;                 ///< of its lines on the surface [rad]
+    std::optional<spectral_fit::Probe> probe = {};           ///< that it was read with, where it is no sphere
+    std::optional<spectral_fit::OpticalTransfer> optics = {};
     processing::Untouched untouched = {};  ///< of its waves by the pipeline before
     std::vector<processing::StepRecord> processing = {};
     std::vector<Alert> alerts = {};

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "setae/core/arrays.hpp"
+#include "setae/topography/measurement.hpp"
 
 namespace setae::topography {
 
@@ -49,6 +50,13 @@ void validate(const Tip& tip);
 /// farthest such grid point.
 /// @throws InvalidArgument outside the domain.
 [[nodiscard]] double tip_reach(const Tip& tip, double height);
+
+/// R [m] of the paraboloid through the apex that fits the pixels within `reach` of it; undefined where they are level.
+[[nodiscard]] double apex_radius(const ArrayTip& tip, Index reach = 2);
+
+/// A tip from its picture, apex up, as `setae tip` writes it: t below the highest point. Undefined heights are where
+/// there is no tip. @throws UndefinedDataError where no height is defined.
+[[nodiscard]] ArrayTip tip_from_picture(const HeightMap& picture);
 
 /// A tip on the pixels of a map.
 struct TipImage {

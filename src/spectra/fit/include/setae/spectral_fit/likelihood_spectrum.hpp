@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "setae/parallel/for_each.hpp"
 #include "setae/spectra/spectrum.hpp"
 #include "setae/spectral_fit/log_spline.hpp"
+#include "setae/spectral_fit/probe.hpp"
 #include "setae/topography/detrend.hpp"
 #include "setae/topography/measurement.hpp"
 
@@ -23,6 +25,8 @@ struct ObservedSurface {
     int trend_degree = 0;  ///< of the polynomial along x that maps and scans have lost besides
     Band untouched{0.0, std::numeric_limits<double>::infinity()};  ///< waves that are as they were [1/m]
     double direction = 0.0;  ///< of its lines (x of a map) on the surface, against the same axis for all [rad]
+    std::optional<Probe> probe = {};  ///< that it was read with; without it a sphere of its instrument's tip radius
+    std::optional<OpticalTransfer> optics = {};
 };
 
 struct LikelihoodOptions {
@@ -58,7 +62,8 @@ struct Agreement {
 /// What a tip was found to do.
 struct TipFactor {
     std::string instrument;
-    double tip_radius = 0.0;  ///< [m]
+    std::string probe;  ///< what it is, such as "sphere, 10 nm"
+    double size = 0.0;  ///< radius of its apex, or a foil's thickness [m]
     Array1D wavevector;       ///< [1/m]
     Array1D transfer;         ///< T
 };

@@ -6,16 +6,17 @@
 #include "setae/core/arrays.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/spectra/spectral_density.hpp"
+#include "setae/spectral_fit/probe.hpp"
 
 namespace setae::spectral_fit {
 
 struct TipSimulation {
-    double tip_radius = 0.0;         ///< R of the sphere [m]
+    Probe probe;                     ///< a tip, or a foil seen from its side
     double step = 0.0;               ///< of the simulated patch [m]; simulation_step() says which is fine enough
     Index points = 1024;             ///< of the patch across the lines that are read
     Index length = 1024;             ///< along them
     int repetitions = 2;             ///< patches, each of its own random numbers
-    bool radius_response = true;     ///< whether ∂ ln T/∂ ln R is wanted; else it is 0
+    bool size_response = true;       ///< whether ∂ ln T/∂ ln(size of the probe) is wanted; else it is 0
     double skewness = 0.0;           ///< of the surface's heights, log-normal; 0: Gaussian
     bool skewness_response = false;  ///< whether ∂ ln T/∂ skewness is wanted; else it is 0
     double correlation_length =
@@ -24,16 +25,19 @@ struct TipSimulation {
     parallel::Threads threads;
 };
 
-/// The coarser of shortest_step and the finer of median_wavelength/50 and R/20 [m].
+/// The coarser of shortest_step and the finer of median_wavelength/50 and R/20 [m]; of foils the coarser of
+/// half of shortest_step, since peaks lie between points, and what makes a patch four times as wide as the foil is
+/// thick.
 /// Half of ∫ q C_iso dq lies below 2π/median_wavelength.
-[[nodiscard]] double simulation_step(double tip_radius, double median_wavelength, double shortest_step);
+[[nodiscard]] double simulation_step(const Probe& probe, double median_wavelength, double shortest_step, Index points);
 
-/// What a spherical tip does to a surface, with its derivatives.
+/// What a probe does to a surface, with its derivatives.
 ///
 ///   H_read(q⃗) = a(|q⃗|) H(q⃗) + H_added,   T = [Abel integral of a² C_iso + C_added]/C1D
 ///
 /// The tip follows long waves and cannot enter short ones; where it hops from peak to peak it adds power of its own, to
-/// lines of all long waves alike, whatever the surface has there.
+/// lines of all long waves alike, whatever the surface has there. A foil shows the highest of all lines over its
+/// thickness: T is then the ratio of what lines have, a is 1 and nothing is added.
 struct TipResponse {
     Array1D wavevector;         ///< centres of bins, eight a decade [1/m], increasing; three decades beyond the patch
     Array1D log_transfer;       ///< ln T, along lines
@@ -41,7 +45,7 @@ struct TipResponse {
     Array1D log_added;          ///< ln C_added, along lines [m³]
     Array1D followed_response;  ///< ∂ ln a²/∂ ln A for C_iso ∝ A
     Array1D added_response;     ///< ∂ ln C_added/∂ ln A
-    Array1D radius_response;    ///< ∂ ln T/∂ ln R
+    Array1D size_response;      ///< ∂ ln T/∂ ln(size of the probe)
     Array1D skewness_response;  ///< ∂ ln T/∂ skewness
     Array2D added_errors;       ///< what ln C_added is wrong by in bands of ln q, a row each: standard errors that
                                 ///< repetitions tell, independent of each other
@@ -50,8 +54,8 @@ struct TipResponse {
                                 ///< leaves. None for one repetition.
 };
 
-/// Simulates the tip on periodic random patches of the given spectrum, their heights transformed to the skewness asked
-/// for: 2-D dilation, read along x, the same surface with and without tip. a is the regression of what is read on the
+/// Simulates the probe on periodic random patches of the given spectrum, their heights transformed to the skewness asked
+/// for: 2-D dilation or silhouettes, read along x, the same surface with and without tip. a is the regression of what is read on the
 /// surface, bin by bin, C_added what is left; both are smoothed over ln q and constant beyond the patch's longest wave,
 /// where C1D is the spectrum's own: T is not constant there. Same random numbers for every spectrum, so that T changes
 /// smoothly with it.
@@ -74,7 +78,7 @@ struct TipResponse {
 /// and what is added over what the surface has there, likewise. C1D: density of lines [m³], 0 beyond its ends.
 /// Derivatives and errors of T are averaged weighted with T C1D, those of what is added with it.
 struct SampledResponse {
-    Array1D log_transfer, added_share, added_response, radius_response, skewness_response;
+    Array1D log_transfer, added_share, added_response, size_response, skewness_response;
     Array2D added_errors;       ///< a row a band
     Array2D simulation_errors;  ///< a row a repetition
 };
