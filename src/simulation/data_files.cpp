@@ -140,11 +140,13 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
         line("measurements = [");
         for (const auto& m : measurements[i]) {
             const std::string tip = m.tip_radius.empty() ? "" : fmt::format(", tip_radius = \"{}\"", m.tip_radius);
+            const std::string foil =
+                m.foil_thickness > 0.0 ? fmt::format(", foil_thickness = \"{:.6g} nm\"", nano * m.foil_thickness) : "";
             std::string references;
             for (const auto& file : m.references)
                 references += (references.empty() ? ", references = [" : ", ") + bytes::toml_quoted(file);
             if (!references.empty()) references += "]";
-            line("  {{ file = {}, instrument = \"{}\"{}{} }},", bytes::toml_quoted(m.file), m.instrument, tip,
+            line("  {{ file = {}, instrument = \"{}\"{}{}{} }},", bytes::toml_quoted(m.file), m.instrument, tip, foil,
                  references);
         }
         line("]");

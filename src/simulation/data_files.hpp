@@ -28,6 +28,7 @@ struct MeasurementFile {
     std::string file;  ///< relative to the data set's folder
     std::string instrument;
     std::string tip_radius;               ///< "5e-06 ± 2e-07 m", empty without tip
+    double foil_thickness = 0.0;          ///< [m]; 0: a line
     std::vector<std::string> references;  ///< scans of a smooth standard in the same session
 };
 

@@ -56,7 +56,7 @@ public:
             const auto names = named(stem, "afm", "txt", rough.afm->sizes.size());
             for (std::size_t k = 0; k < names.size(); ++k) {
                 files.push_back(
-                    {names[k], "afm", tip_text(rough.afm->tip_radius, rough.afm->tip_radius_standard_error), {}});
+                    {names[k], "afm", tip_text(rough.afm->tip_radius, rough.afm->tip_radius_standard_error), 0.0, {}});
                 const auto side = static_cast<double>(rough.afm->pixels_of(k));
                 jobs_.push_back({side * side, [this, &rough, key, k, name = names[k]] {
                                      write(name,
@@ -67,7 +67,7 @@ public:
         if (rough.tem) {
             const auto names = named(stem, "tem", "csv", rough.tem->lengths.size());
             for (std::size_t k = 0; k < names.size(); ++k) {
-                files.push_back({names[k], "tem", "", {}});
+                files.push_back({names[k], "tem", "", rough.tem->foil_thickness, {}});
                 jobs_.push_back({0.0, [this, &rough, C1D, key, k, name = names[k]] {
                                      write(name, contour_text(tem_contour(rough.surface, *C1D, *rough.tem, k,
                                                                           substream(key, of_tem))));
@@ -116,7 +116,7 @@ private:
         std::vector<std::string> references;
         if (protocol.artefact > 0.0) references = named(stem, "stylus_reference", "csv", protocol.lengths.size());
         for (std::size_t k = 0; k < names.size(); ++k)
-            files.push_back({names[k], "stylus", tip_text(protocol.tip_radius, protocol.tip_radius_standard_error),
+            files.push_back({names[k], "stylus", tip_text(protocol.tip_radius, protocol.tip_radius_standard_error), 0.0,
                              references.empty() ? references : std::vector{references[k]}});
         jobs_.push_back({cost_of_strip, [this, &rough, &protocol, C1D, key, names, references] {
                              const auto scans = stylus_scans(rough.surface, *C1D, protocol, key);
