@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 #include "checks.hpp"
@@ -185,6 +186,26 @@ MeasuredSpectrum isotropic_power_spectrum(const topography::HeightMap& map, cons
     spectrum.alerts = reliable.alerts;
     spectrum.metadata = map.metadata;
     return spectrum;
+}
+
+double energy_per_modulus_of_modes(const topography::HeightMap& map, const Band& band, const SpectrumOptions& options) {
+    require_shape(map);
+    const Index nx = map.heights.rows(), ny = map.heights.cols();
+    const Array1D qx = Array1D::NullaryExpr(
+        nx, [&](Index k) { return 2.0 * pi / map.size[0] * static_cast<double>(std::min(k, nx - k)); });
+    std::vector<double> shares(static_cast<std::size_t>(fourier::block_count(ny / 2 + 1)), 0.0);
+    transform(map, resolved(options.window, map.periodic), options, [&](const fourier::SpectrumBlock& block) {
+        auto& share = shares[static_cast<std::size_t>(block.index)];
+        for (Index line = 0; line < block.lines; ++line) {
+            const Index m = block.first + line;
+            const double sides = m == 0 || 2 * m == ny ? 1.0 : 2.0;  // lines m and ny − m
+            const Array1D q = (qx.square() + std::pow(2.0 * pi / map.size[1] * static_cast<double>(m), 2)).sqrt();
+            const Array1D power = Eigen::Map<const Eigen::ArrayXcd>(block.line(line), nx).abs2();
+            share += sides * (q >= band.lower && q <= band.upper).select(q * power, 0.0).sum();
+        }
+    });
+    const double area = map.size[0] * map.size[1];
+    return 0.25 * spectral_factor(map) / area * std::accumulate(shares.begin(), shares.end(), 0.0);
 }
 
 Array2D power_spectrum_map(const topography::HeightMap& map, const SpectrumOptions& options) {

@@ -55,5 +55,14 @@ TEST(LoopAlerts, SayThatNoJkrCurveGoesThroughTheRadius) {
     EXPECT_FALSE(has(shape.make(), "POOR_FIT"));
 }
 
+// Dirt at the rim: the first contact reads too small by half, less with every sample.
+TEST(LoopAlerts, SayThatTheWorkDependsOnWhereTheFitBegins) {
+    Loop late = tests::SyntheticLoop{.retraction_work = 0.07, .samples = 60}.make();
+    EXPECT_FALSE(has(late, "RANGE_SENSITIVE"));
+    constexpr Index contact = 61, spoilt = 30;
+    for (Index i = 0; i < spoilt; ++i) late.contact_radius[contact + i] *= 0.5 + 0.5 * static_cast<double>(i) / spoilt;
+    EXPECT_TRUE(has(late, "RANGE_SENSITIVE"));
+}
+
 }  // namespace
 }  // namespace setae::loops::alerts_test

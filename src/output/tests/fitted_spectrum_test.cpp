@@ -98,6 +98,17 @@ TEST_F(FittedSpectrum, IsNotUsedOfOneMeasurementUnlessAskedFor) {
             .likelihood);
 }
 
+TEST_F(FittedSpectrum, SaysWhatWavesBeyondItsDataWouldAdd) {
+    const auto coarse = surface("two", {walk(1), walk(2)});  // waves to 0.2 µm
+    const auto open = study::analyse_surface(coarse, {}, {1});
+    EXPECT_TRUE(has_alert(open, "WAVES_BEYOND_DATA"));
+    ASSERT_TRUE(open.beyond_data);
+    EXPECT_GT(open.beyond_data->rms_slope.value, open.used().parameters.rms_slope);
+    study::SurfaceAnalysisOptions ends;
+    ends.likelihood.shortest_wavelength = 0.2e-6;
+    EXPECT_FALSE(has_alert(study::analyse_surface(coarse, ends, {1}), "WAVES_BEYOND_DATA"));
+}
+
 TEST_F(FittedSpectrum, LeavesTheAverageWhereItIsRefused) {
     const auto result = study::analyse_surface(surface("short", {walk(1, 7), walk(2, 7)}), {}, {1});
     ASSERT_EQ(result.error, "");

@@ -13,10 +13,13 @@
 namespace setae::spectral_fit {
 namespace {
 
+/// 0 where nothing is known of it.
+double known_error(const Estimate& size) { return size.standard_error > 0.0 ? size.standard_error : 0.0; }
+
 Probe tip(topography::Tip shape, const Estimate& radius, const std::string& kind) {
     if (!(radius.value > 0.0)) throw InvalidArgument(fmt::format("a tip of {} m; expected > 0", radius.value));
     topography::validate(shape);
-    return {std::move(shape), radius.value, radius.standard_error,
+    return {std::move(shape), radius.value, known_error(radius),
             fmt::format("{}, {:.6g} nm", kind, radius.value * 1e9)};
 }
 
@@ -42,7 +45,7 @@ Probe measured_tip(topography::ArrayTip shape, const std::string& name) {
 Probe foil(const Estimate& thickness) {
     if (!(thickness.value > 0.0))
         throw InvalidArgument(fmt::format("a foil {} m thick; expected > 0", thickness.value));
-    return {Foil{thickness.value}, thickness.value, thickness.standard_error,
+    return {Foil{thickness.value}, thickness.value, known_error(thickness),
             fmt::format("foil, {:.6g} nm", thickness.value * 1e9)};
 }
 

@@ -119,6 +119,29 @@ TEST(IsotropicPowerSpectrum, DoesNotDependOnTheDirectionOfAWave) {
     EXPECT_NEAR((one.density * one.count).sum(), 0.5, 1e-12);
 }
 
+// A cos(q·r) stores |q| A²/8 whatever its direction, over modes inside the band alone; sums of waves store the sum.
+TEST(EnergyOfModes, IsThatOfEachWave) {
+    constexpr Index nx = 48, ny = 35;
+    constexpr double size_x = 2e-6, size_y = 1e-6;
+    topography::HeightMap map{Array2D::Zero(nx, ny), {size_x, size_y}, true, {}};
+    double total = 0.0, inside = 0.0;
+    const Band band{2e7, 6e7};
+    for (const auto& [k, m, amplitude] :
+         {std::tuple{3, 0, 2e-9}, {0, 4, 1e-9}, {5, -7, 0.5e-9}, {-11, 2, 0.3e-9}, {24, 3, 0.2e-9}}) {
+        for (Index i = 0; i < nx; ++i)
+            for (Index j = 0; j < ny; ++j)
+                map.heights(i, j) +=
+                    amplitude *
+                    std::cos(2.0 * pi * (static_cast<double>(k * i) / nx + static_cast<double>(m * j) / ny));
+        const double q = 2.0 * pi * std::hypot(k / size_x, m / size_y);
+        total += q * amplitude * amplitude / 8.0;
+        if (q >= band.lower && q <= band.upper) inside += q * amplitude * amplitude / 8.0;
+    }
+    EXPECT_NEAR(energy_per_modulus_of_modes(map, {0.0, 1e12}) / total, 1.0, 1e-12);
+    EXPECT_NEAR(energy_per_modulus_of_modes(map, band) / inside, 1.0, 1e-12);
+    EXPECT_LT(inside, 0.9 * total);
+}
+
 TEST(IsotropicPowerSpectrum, SurvivesTilt) {
     auto map = map_of(32, 32, false);
     const SpectrumOptions options{.trend = Trend::tilt};

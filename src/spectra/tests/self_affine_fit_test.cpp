@@ -146,5 +146,13 @@ TEST(SelfAffineFit, RefusesWhatItCannotFit) {
     EXPECT_THROW((void)fit_self_affine(uneven), InvalidArgument);
 }
 
+TEST(SelfAffineFit, SaysWhereNoShortCutoffIsSeen) {
+    const auto fit = fit_self_affine(exact(surface, 1e5, 1e8), {.short_cutoff = true});  // waves end at 1.3e9 1/m
+    EXPECT_EQ(fit.short_cutoff, ScaleStatus::bounded);
+    ASSERT_EQ(fit.alerts.size(), 1U);
+    EXPECT_EQ(fit.alerts[0].code, "CUTOFF_NOT_SEEN");
+    EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 0.01);
+}
+
 }  // namespace
 }  // namespace setae::spectra::self_affine_fit_test

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/roughness/spectral_moments.hpp"
 #include "setae/processing/fill.hpp"
+#include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/isotropic.hpp"
 #include "setae/study/surface_analysis.hpp"
 
@@ -71,19 +71,6 @@ std::optional<topography::Measurement> without_gaps(const topography::Measuremen
     return std::nullopt;
 }
 
-/// U_el/(A E*) of a map's own waves inside a band, ¼ Σ |q| |h_q|²: (8) without its isotropy, since the mean over all
-/// directions is taken.
-std::optional<double> energy_of_waves(const topography::HeightMap& map, const Band& band,
-                                      const spectra::SpectrumOptions& options) {
-    spectra::Spectrum waves = spectra::isotropic_power_spectrum(map, options);
-    waves.band = band;
-    try {
-        return roughness::spectral_parameters(waves).elastic_energy_per_modulus;
-    } catch (const UndefinedDataError&) {
-        return std::nullopt;  // fewer than two nodes inside the band
-    }
-}
-
 /// A map without its trend as pictures show it.
 HeightPreview preview_of(const topography::TiledMap& map, Index lines_together) {
     MapPreview preview(map.nx, map.ny, map.size);
@@ -131,7 +118,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     const auto whole = without_gaps(measurement, threads);
     result.spectrum = spectra::power_spectrum(whole ? *whole : measurement, spectrum);
     if (const auto* map = std::get_if<topography::HeightMap>(whole ? &*whole : &measurement); map && wanted.parameters)
-        result.waves_energy_per_modulus = energy_of_waves(*map, result.spectrum.band, spectrum);
+        result.waves_energy_per_modulus = spectra::energy_per_modulus_of_modes(*map, result.spectrum.band, spectrum);
     if (auto moved = with_uncertain_tip(measurement))
         result.bands_of_uncertain_tip = bands_of_uncertain_tip(topography::metadata(*moved).instrument, [&] {
             return spectra::reliable_band(*moved, spectrum.reliability, threads).band;

@@ -12,6 +12,7 @@
 
 #include "running/serialization.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/formats/netcdf.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/output/json.hpp"
 #include "setae/tables/table_file.hpp"
@@ -192,6 +193,22 @@ TEST_F(KeptResults, NameEveryInputWithItsDigest) {
     EXPECT_EQ(result.inputs[0].path, study().path);
     for (const auto& input : result.inputs) EXPECT_EQ(input.sha256.size(), 64);
     EXPECT_EQ(result.inputs[0].size, 23);
+}
+
+TEST_F(KeptResults, DependOnThePictureOfATip) {
+    auto wanted = study();
+    const auto picture = (folder_ / "tip.nc").string();
+    const auto draw = [&](double drop) {
+        Array2D heights = Array2D::Constant(9, 9, -drop);
+        heights(4, 4) = 0.0;
+        formats::write_netcdf(picture, topography::HeightMap{heights, {9e-8, 9e-8}, false, {}});
+    };
+    draw(50e-9);
+    wanted.surfaces[1].measurements[0].tip_file = picture;
+    EXPECT_EQ(run(wanted).result.surfaces[1].measurements[0].error, "");
+    EXPECT_EQ(run(wanted).cached("measurement"), 3);
+    draw(60e-9);
+    EXPECT_EQ(run(wanted).cached("measurement"), 2);
 }
 
 }  // namespace

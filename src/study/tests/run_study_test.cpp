@@ -211,6 +211,34 @@ TEST_F(StudyOfFiles, ComparesWithReferencesBeforeAndAfter) {
     EXPECT_NEAR(result.reference_drifts[0].change.work_of_adhesion_loading.value, 0.001, 4e-5);
 }
 
+TEST_F(StudyOfFiles, SaysWhichReferenceIsNotWhole) {
+    auto pressed = loop(0.040, 0.0405, 20e-6);
+    for (auto& column : pressed.columns) column.values = Array1D(column.values.head(column.values.size() / 2 - 200));
+    tables::write_csv((folder_ / "pressed.csv").string(), pressed);
+    const auto result = run(std::string(rough_loops) +
+                            "[[experiments]]\nfile = \"pressed.csv\"\nrole = \"reference\"\nstage = \"before\"\n"
+                            "elastomer = \"soft\"\n");
+    EXPECT_TRUE(result.references.empty());
+    const auto& alerts = result.experiments.back().alerts;
+    EXPECT_TRUE(
+        std::any_of(alerts.begin(), alerts.end(), [](const Alert& a) { return a.code == "REFERENCE_INCOMPLETE"; }));
+}
+
+// A power law given to 1e8 1/m; the surface goes on to 4 Å. The table names no units.
+TEST_F(StudyOfFiles, SaysWhatAGivenSpectrumLeavesOpen) {
+    std::ofstream table(folder_ / "psd.csv");
+    table << "q,C1D\n";
+    for (int i = 0; i <= 30; ++i)
+        table << std::pow(10.0, 5.0 + 0.1 * i) << "," << 1e-8 * std::pow(10.0, -2.6 * (5.0 + 0.1 * i)) << "\n";
+    table.close();
+    const auto path = (folder_ / "given.toml").string();
+    std::ofstream(path) << "[surfaces.G]\npower_spectrum = \"psd.csv\"\n";
+    const auto surface = run_study(read_study(path), {2}).surface("G");
+    ASSERT_EQ(surface.error, "");
+    EXPECT_TRUE(std::any_of(surface.alerts.begin(), surface.alerts.end(),
+                            [](const Alert& a) { return a.code == "UNIT_GUESSED"; }));
+}
+
 TEST_F(StudyOfFiles, KeepsTheRestWhenOneLoopIsMissing) {
     const auto result =
         run(std::string(rough_loops) + "[[experiments]]\nfile = \"none.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n");

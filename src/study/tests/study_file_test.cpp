@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/study/study.hpp"
 #include "setae/study/study_keys.hpp"
@@ -69,6 +70,36 @@ TEST_F(StudyFile, LeavesTheSpectrumToTheMeasurementsUnlessOneIsAskedFor) {
 TEST_F(StudyFile, NamesTheNearestKeyAndItsLine) {
     EXPECT_EQ(message_of("[analysis]\nlongest_wavelenght = \"1 um\"\n"),
               "study.toml:2: unknown key 'longest_wavelenght' in analysis; did you mean 'longest_wavelength'?");
+}
+
+TEST_F(StudyFile, KnowsWhatEachFileWasReadWithAndAlongWhichDirection) {
+    const auto study = read(
+        "[surfaces.A]\nmeasurements = [\n"
+        "{ file = \"a.txt\", instrument = \"stylus\", direction = \"y\", tip_radius = \"2 um\", "
+        "tip_shape = \"cone\", tip_half_angle = \"30 deg\" },\n"
+        "{ file = \"b.txt\", instrument = \"afm\", direction = \"45 deg\", tip_file = \"tip.txt\" },\n"
+        "{ file = \"c.txt\", instrument = \"tem\", foil_thickness = \"20 ± 5 nm\" },\n"
+        "{ file = \"d.txt\", instrument = \"optical\", numerical_aperture = 0.55, "
+        "light_wavelength = \"520 nm\" }]\n");
+    const auto& all = study.surfaces.at(0).measurements;
+    EXPECT_DOUBLE_EQ(all[0].direction, 0.5 * pi);
+    EXPECT_EQ(all[0].tip_shape, "cone");
+    EXPECT_DOUBLE_EQ(*all[0].tip_half_angle, pi / 6.0);
+    EXPECT_DOUBLE_EQ(all[1].direction, 0.25 * pi);
+    EXPECT_EQ(*all[1].tip_file, (folder_ / "tip.txt").string());
+    EXPECT_DOUBLE_EQ(all[2].foil_thickness->standard_error, 5e-9);
+    EXPECT_DOUBLE_EQ(*all[3].numerical_aperture, 0.55);
+    EXPECT_DOUBLE_EQ(*all[3].light_wavelength, 520e-9);
+}
+
+TEST_F(StudyFile, RefusesDirectionsAndShapesItDoesNotKnow) {
+    const auto message = [&](const std::string& key) {
+        return message_of("[surfaces.A]\nmeasurements = [{ file = \"a.txt\", instrument = \"afm\", " + key + " }]\n");
+    };
+    EXPECT_EQ(message("direction = \"north\"").find("study.toml:2"), 0U) << message("direction = \"north\"");
+    EXPECT_EQ(message("tip_shape = \"pyramid\"").find("study.toml:2"), 0U) << message("tip_shape = \"pyramid\"");
+    EXPECT_NE(message("tip_half_angle = \"1 nm\""), "no error");
+    EXPECT_NE(message("foil_thickness = \"20\""), "no error");
 }
 
 TEST_F(StudyFile, RefusesANumberWithoutUnit) {

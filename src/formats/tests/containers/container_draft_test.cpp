@@ -214,5 +214,18 @@ TEST(ContainerCheck, NamesRepeatedScalesBadMembersAndUnknownFields) {
     EXPECT_TRUE(newest.differences.empty()) << newest.differences.at(0);
 }
 
+TEST(ContainerDraft, LeavesOutACopyThatWouldHaveToBeFilled) {
+    const TemporaryFolder folder;
+    const auto container = bytes::memory_source(
+        "c.zip", zip_archive({{"index.json", R"({"surfaces": [{"name": "s", "topographies": [{"name": "l", "unit": "um",
+"size": [4], "fill_undefined_data_mode": "harmonic", "datafile": {"original": "l.txt"}}]}]})"},
+                              {"l.txt", "0 1\n1 3\n2 2\n3 6\n"}}));
+    ContainerDraft draft;
+    add_container(draft, container);
+    EXPECT_TRUE(has_code(draft.alerts, "NO_PROCESSED_COPY"));
+    EXPECT_TRUE(
+        read_container(written(folder, draft)).container.surfaces.at(0).topographies.at(0).datafile.squeezed.empty());
+}
+
 }  // namespace
 }  // namespace setae::formats::tests::container_draft_test

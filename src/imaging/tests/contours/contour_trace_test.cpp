@@ -277,5 +277,13 @@ TEST(ContourTrace, OfAnyMaskEnclosesItsPixelsExactly) {
     }
 }
 
+TEST(ContourTrace, OfAFaintEdgeSaysSo) {
+    const Wave wave;
+    EXPECT_FALSE(has(trace_contour(rendered({.noise = 50}, wave)), "LOW_CONTRAST"));
+    const auto faint = trace_contour(rendered({.noise = 150}, wave));
+    EXPECT_TRUE(has(faint, "LOW_CONTRAST"));
+    EXPECT_LT(faint.segments.at(0).contrast_to_noise, 1.0);
+}
+
 }  // namespace
 }  // namespace setae::imaging::contour_trace_test

@@ -128,5 +128,17 @@ TEST(SpatialParameters, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.Std, three.Std);
 }
 
+// Two islands, one high and one low: pairs within an island are alike, pairs of its size do not exist.
+TEST(SpatialParameters, OfIslandsThatAreFlatHaveNoLength) {
+    HeightMap map{Array2D::Constant(24, 24, undefined), {1.0, 1.0}, false, {}};
+    map.heights.block(4, 4, 2, 2) = 1.0;
+    map.heights.block(16, 16, 2, 2) = -1.0;
+    const auto result = spatial_parameters(map);
+    EXPECT_TRUE(std::isnan(result.Sal));
+    ASSERT_EQ(result.alerts.size(), 2U);
+    EXPECT_EQ(result.alerts[0].code, "SAL_UNDEFINED");
+    EXPECT_EQ(result.alerts[1].code, "STR_UNDEFINED");
+}
+
 }  // namespace
 }  // namespace setae::texture::spatial_parameters_test

@@ -252,5 +252,11 @@ TEST(Probe, OfAFoilIsExpectedByTheFit) {
     EXPECT_LT(with.worst, 3.5);
 }
 
+TEST(Probe, OfASizeWithoutErrorHasNone) {
+    EXPECT_EQ(foil(Estimate{.value = 20e-9}).size_error, 0.0);
+    EXPECT_EQ(sphere(Estimate{.value = 20e-9}).size_error, 0.0);
+    EXPECT_EQ(foil({20e-9, 3e-9}).size_error, 3e-9);
+}
+
 }  // namespace
 }  // namespace setae::spectral_fit::probe_test

@@ -20,6 +20,17 @@ namespace setae::spectra {
 [[nodiscard]] MeasuredSpectrum isotropic_power_spectrum(const topography::HeightMap& map,
                                                         const SpectrumOptions& options = {}, const LogGrid& grid = {});
 
+/// Elastic energy that a map's own waves store in a half-space pressed to follow them, over area and modulus,
+///
+///   U_el/(A E*) = ¼ Σ |q| |h_q|²    [m]
+///
+/// over its modes inside a band of |q| [1/m], h_q the amplitude of exp(iq·r): equation (8) of [D19] without its
+/// isotropy. One wave A cos(q·r) has |q| A²/8.
+/// @throws as isotropic_power_spectrum.
+/// Source: [D19] eq. (8); Persson, Tosatti, J. Chem. Phys. 115 (2001) 5597.
+[[nodiscard]] double energy_per_modulus_of_modes(const topography::HeightMap& map, const Band& band,
+                                                 const SpectrumOptions& options = {});
+
 /// C2D [m⁴] on the full grid of modes, shape (nx, ny), entry (k, m) at q_x = 2πk/L_x for k <= nx/2, 2π(k − nx)/L_x
 /// above.
 [[nodiscard]] Array2D power_spectrum_map(const topography::HeightMap& map, const SpectrumOptions& options = {});

@@ -18,7 +18,7 @@ struct Foil {
 struct Probe {
     std::variant<topography::Tip, Foil> shape;
     double size = 0.0;        ///< radius of the apex, or thickness [m], > 0
-    double size_error = 0.0;  ///< its standard error [m]
+    double size_error = 0.0;  ///< its standard error [m]; 0 where none is known
     std::string name;         ///< such as "sphere, 10 nm"; tells probes apart
 
     [[nodiscard]] bool is_foil() const { return std::holds_alternative<Foil>(shape); }
