@@ -30,7 +30,7 @@ double xml_number(const pugi::xml_node& node, double fallback, const Source& sou
     if (text.empty()) return fallback;
     double value = 0.0;
     if (!parse_cell(text, '.', value) || !std::isfinite(value))
-        throw FormatError(source.name, {}, fmt::format("{}: '{:.40}' in <{}> is no number", format, text, node.name()));
+        throw FormatError(source.name, {}, fmt::format("{}: '{:.40}' in {} is no number", format, text, node.path()));
     return value;
 }
 

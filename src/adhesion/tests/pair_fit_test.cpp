@@ -95,6 +95,58 @@ TEST(WorkFit, ClusteredErrorsGrowWhenSurfacesShareTheirDeviation) {
     EXPECT_LT(b.clustered.standard_error, a.clustered.standard_error);
 }
 
+/// Slopes 1, no offsets: W is the mean.
+std::vector<PairPoint> table(const std::vector<std::vector<double>>& measured) {
+    std::vector<PairPoint> points;
+    for (std::size_t s = 0; s < measured.size(); ++s)
+        for (std::size_t e = 0; e < measured[s].size(); ++e) {
+            PairPoint p;
+            p.surface = "s" + std::to_string(s);
+            p.elastomer = "e" + std::to_string(e);
+            p.slope = 1.0;
+            p.measured.value = measured[s][e];
+            points.push_back(p);
+        }
+    return points;
+}
+
+// Residuals {4 2 0; 2 0 −2; 0 −2 −4} mJ/m². Sums over surfaces 6, 0, −6: 72 · 3/2; over elastomers the same; over pairs
+// 48 · 9/8. (108 + 108 − 54)/9² = 2 (mJ/m²)²
+TEST(WorkFit, ClusteredErrorsAddTheWaysAndTakeOffTheirIntersection) {
+    const auto fit = fit_work_of_adhesion(table({{84e-3, 82e-3, 80e-3}, {82e-3, 80e-3, 78e-3}, {80e-3, 78e-3, 76e-3}}));
+    EXPECT_NEAR(fit.work_of_adhesion.value, 80e-3, 1e-15);
+    EXPECT_NEAR(fit.clustered.standard_error, std::sqrt(2.0) * 1e-3, 1e-12);
+    EXPECT_EQ(*fit.clustered.degrees_of_freedom, 2.0);
+    // {3 1 2; −1 −3 −2}: 144 by surfaces is more than 144 + 12 − 33.6
+    const auto one_way = fit_work_of_adhesion(table({{83e-3, 81e-3, 82e-3}, {79e-3, 77e-3, 78e-3}}));
+    EXPECT_NEAR(one_way.clustered.standard_error, std::sqrt(144.0) / 6.0 * 1e-3, 1e-12);
+}
+
+// Four surfaces and five elastomers that each shift all their pairs by 3 mJ/m²: independent errors hold the truth in
+// about half of all cases.
+TEST(WorkFit, ClusteredIntervalsHoldTheTruthWhereSurfacesAndElastomersShift) {
+    constexpr int draws = 400;
+    constexpr double shift = 3e-3, noise = 1e-3;
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    int clustered = 0, independent = 0;
+    for (int d = 0; d < draws; ++d) {
+        std::vector<double> elastomers(5);
+        for (auto& e : elastomers) e = shift * normal(random);
+        std::vector<std::vector<double>> measured(4);
+        for (auto& row : measured) {
+            const double surface = shift * normal(random);
+            for (const double e : elastomers) row.push_back(80e-3 + surface + e + noise * normal(random));
+        }
+        const auto fit = fit_work_of_adhesion(table(measured));
+        const double off = std::abs(fit.work_of_adhesion.value - 80e-3);
+        clustered += off < 3.182 * fit.clustered.standard_error ? 1 : 0;  // t, 3 degrees of freedom
+        independent += off < 2.093 * fit.work_of_adhesion.standard_error ? 1 : 0;
+    }
+    EXPECT_NEAR(clustered / double(draws), 0.95, 0.04);
+    EXPECT_LT(independent / double(draws), 0.75);
+}
+
 TEST(WorkFit, RefusesASinglePair) { EXPECT_THROW((void)fit_work_of_adhesion({pairs(0.03).front()}), InvalidArgument); }
 
 TEST(LineFit, HasTheTextbookStandardErrors) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "pulls.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/loops/lens_radius.hpp"
 #include "setae/loops/rubber.hpp"
@@ -102,15 +103,18 @@ TEST(FitConic, RefusesPointsWithoutAnApex) {
 TEST(FitCircle, CoversTheTruthWithItsStandardError) {
     const Arc points = arc(1.25e-3, 0.5, 60);
     int covered = 0;
+    setae::tests::Pulls pulls;
     constexpr int seeds = 200;
     for (int seed = 0; seed < seeds; ++seed) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
         const Array1D x = tests::with_noise(points.x, 2e-6, generator);
         const Circle circle = fit_circle(x, tests::with_noise(points.y, 2e-6, generator));
         covered += std::abs(circle.radius.value - 1.25e-3) < 2.0 * circle.radius.standard_error;
+        pulls.add(circle.radius, 1.25e-3);
     }
     // 95 % ± 3 binomial standard deviations
     EXPECT_GE(covered, 181);
+    expect_honest(pulls);
 }
 
 TEST(FitCircle, RefusesTooFewOrUndefinedPoints) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "pulls.hpp"
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
@@ -69,6 +70,7 @@ TEST(LoopEnergy, CoversTheTruthWithItsErrorBudget) {
     const SyntheticLoop shape{.retraction_work = 0.07, .samples = 800};
     const Loop clean = shape.make();
     int covered = 0;
+    setae::tests::Pulls pulls;
     constexpr int seeds = 200;
     for (int seed = 0; seed < seeds; ++seed) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
@@ -77,8 +79,11 @@ TEST(LoopEnergy, CoversTheTruthWithItsErrorBudget) {
         loop.displacement = with_noise(clean.displacement, 2e-9, generator);
         const LoopEnergy energy = energy_of(loop);
         covered += std::abs(energy.energy - shape.loss()) < 1.96 * energy.standard_error.total;
+        const auto& budget = energy.standard_error;
+        pulls.add(energy.energy, shape.loss(), std::hypot(budget.noise, budget.drift, budget.discretisation));
     }
     EXPECT_GE(covered, 0.95 * seeds);
+    expect_honest(pulls);  // without `sampling`: these jumps are sampled at both ends
 }
 
 TEST(LoopEnergy, OfAReversiblePartialReleaseIsZero) {

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "pulls.hpp"
 #include "receding_edge.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/loops/analysis.hpp"
@@ -79,6 +80,7 @@ TEST(CrackSpeedFit, FindsPlantedLawsInNoise) {
     for (const auto& planted : planted_laws()) {
         double threshold = 0.0, speed = 0.0, exponent = 0.0, threshold_error = 0.0;
         int covered = 0;
+        setae::tests::Pulls pulls;
         for (unsigned seed = 0; seed < seeds; ++seed) {
             const CrackSpeedFit fit = fitted(with_noise(planted).make(seed));
             threshold += fit.threshold.value / planted.threshold / seeds;
@@ -86,6 +88,7 @@ TEST(CrackSpeedFit, FindsPlantedLawsInNoise) {
             exponent += fit.exponent.value / seeds;
             threshold_error += fit.threshold.standard_error / planted.threshold / seeds;
             covered += std::abs(fit.threshold.value - planted.threshold) < 2.0 * fit.threshold.standard_error;
+            pulls.add(fit.threshold, planted.threshold);
             EXPECT_NEAR(fit.threshold.value / planted.threshold, 1.0, 0.06);
             EXPECT_NEAR(fit.exponent.value, planted.exponent, 0.15);
             EXPECT_NEAR(fit.chi2_reduced, 1.0, 0.4);
@@ -96,6 +99,7 @@ TEST(CrackSpeedFit, FindsPlantedLawsInNoise) {
         EXPECT_NEAR(exponent, planted.exponent, 0.05) << planted.reference_speed;
         EXPECT_LT(threshold_error, 0.025);
         EXPECT_GE(covered, seeds - 3);
+        expect_honest(pulls);
     }
 }
 

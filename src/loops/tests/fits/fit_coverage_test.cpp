@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "noisy_branch.hpp"
+#include "pulls.hpp"
 #include "setae/loops/jkr_fits.hpp"
 
 namespace setae::loops::fit_coverage_test {
@@ -37,6 +38,7 @@ TEST_P(FitCoverage, OfEveryRouteIsThatOfItsIntervals) {
     constexpr int seeds = 40;
     const BranchData truth = tests::branch_of(lens, run.shape, 1000);
     int modulus = 0, work = 0, converged = 0;
+    setae::tests::Pulls modulus_pulls, work_pulls;
     double modulus_bias = 0.0, work_bias = 0.0;
     for (int seed = 0; seed < seeds; ++seed) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
@@ -44,6 +46,8 @@ TEST_P(FitCoverage, OfEveryRouteIsThatOfItsIntervals) {
         converged += fit.converged;
         modulus += tests::covers(fit.contact_modulus, lens.contact_modulus);
         work += tests::covers(fit.work_of_adhesion, lens.work_of_adhesion);
+        modulus_pulls.add(fit.contact_modulus, lens.contact_modulus);
+        work_pulls.add(fit.work_of_adhesion, lens.work_of_adhesion);
         modulus_bias += (fit.contact_modulus.value - lens.contact_modulus) / fit.contact_modulus.standard_error / seeds;
         work_bias += (fit.work_of_adhesion.value - lens.work_of_adhesion) / fit.work_of_adhesion.standard_error / seeds;
     }
@@ -51,6 +55,8 @@ TEST_P(FitCoverage, OfEveryRouteIsThatOfItsIntervals) {
     // 38 of 40 expected, standard deviation 1.4
     EXPECT_GE(modulus, 34);
     EXPECT_GE(work, 34);
+    expect_honest(modulus_pulls, "E*");
+    expect_honest(work_pulls, "W");
     // mean of 40 numbers of standard deviation 1: ± 0.16
     EXPECT_NEAR(modulus_bias, 0.0, 0.5);
     EXPECT_NEAR(work_bias, 0.0, 0.5);

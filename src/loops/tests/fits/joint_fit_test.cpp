@@ -5,6 +5,7 @@
 #include <random>
 
 #include "noisy_branch.hpp"
+#include "pulls.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/loops/jkr_fits.hpp"
 #include "synthetic_loop.hpp"
@@ -93,6 +94,7 @@ TEST(JointFit, KnowsNoiseThatForceAndDisplacementShare) {
     constexpr int seeds = 100;
     const BranchData truth = branch_of(lens, BranchShape::loading, 200);
     int modulus = 0, work = 0;
+    setae::tests::Pulls modulus_pulls, work_pulls;
     double chi2 = 0.0;
     for (int seed = 0; seed < seeds; ++seed) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
@@ -104,11 +106,15 @@ TEST(JointFit, KnowsNoiseThatForceAndDisplacementShare) {
         const JkrFit fit = fit_joint(data, rubber_on_diamond());
         modulus += tests::covers(fit.contact_modulus, lens.contact_modulus);
         work += tests::covers(fit.work_of_adhesion, lens.work_of_adhesion);
+        modulus_pulls.add(fit.contact_modulus, lens.contact_modulus);
+        work_pulls.add(fit.work_of_adhesion, lens.work_of_adhesion);
         chi2 += fit.chi2_reduced / seeds;
     }
     // 95 expected, standard deviation 2.2
     EXPECT_GE(modulus, 88);
     EXPECT_GE(work, 88);
+    expect_honest(modulus_pulls, "E*");
+    expect_honest(work_pulls, "W");
     EXPECT_NEAR(chi2, 1.0, 0.03);
 }
 
@@ -117,6 +123,7 @@ TEST(JointFit, CoversTheTruthWithNoiseThatFollowsItsNeighbours) {
     constexpr double follows = 0.8;
     const BranchData truth = branch_of(lens, BranchShape::loading, 400);
     int modulus = 0, work = 0;
+    setae::tests::Pulls modulus_pulls, work_pulls;
     double correlated_samples = 0.0;
     for (int seed = 0; seed < seeds; ++seed) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
@@ -135,11 +142,15 @@ TEST(JointFit, CoversTheTruthWithNoiseThatFollowsItsNeighbours) {
         const JkrFit fit = fit_joint(data, rubber_on_diamond());
         modulus += tests::covers(fit.contact_modulus, lens.contact_modulus);
         work += tests::covers(fit.work_of_adhesion, lens.work_of_adhesion);
+        modulus_pulls.add(fit.contact_modulus, lens.contact_modulus);
+        work_pulls.add(fit.work_of_adhesion, lens.work_of_adhesion);
         correlated_samples += fit.correlated_samples / seeds;
     }
     // 57 of 60 expected, standard deviation 1.7; independent errors would cover about half
     EXPECT_GE(modulus, 52);
     EXPECT_GE(work, 52);
+    expect_honest(modulus_pulls, "E*");
+    expect_honest(work_pulls, "W");
     EXPECT_NEAR(correlated_samples, 9.0, 2.0);  // (1 + φ)/(1 − φ)
 }
 

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "noisy_branch.hpp"
+#include "pulls.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::loops::profile_likelihood_test {
@@ -75,16 +76,24 @@ TEST(ProfileLikelihood, OfWorkLeansToLargerValuesWhereTheNoiseIsLarge) {
 TEST(ProfileLikelihood, CoversTheTruth) {
     constexpr int seeds = 40;
     int modulus = 0, work = 0;
+    setae::tests::Pulls modulus_pulls, work_pulls;
+    const auto pull = [](setae::tests::Pulls& pulls, const Estimate& found, double truth) {
+        pulls.add(found.value, truth, (found.interval->upper - found.interval->lower) / (2.0 * 1.96));
+    };
     for (int seed = 0; seed < seeds; ++seed) {
         const BranchData data = branch(20.0, static_cast<std::uint64_t>(seed));
         const ProfileLikelihood found =
             profile_likelihood(data, rubber_on_diamond(), {.fit = ProfiledFit::joint, .points = 3});
         modulus += tests::covers(found.contact_modulus.estimate, lens.contact_modulus);
         work += tests::covers(found.work_of_adhesion.estimate, lens.work_of_adhesion);
+        pull(modulus_pulls, found.contact_modulus.estimate, lens.contact_modulus);
+        pull(work_pulls, found.work_of_adhesion.estimate, lens.work_of_adhesion);
     }
     // 38 of 40 expected, standard deviation 1.4
     EXPECT_GE(modulus, 34);
     EXPECT_GE(work, 34);
+    expect_honest(modulus_pulls, "E*");
+    expect_honest(work_pulls, "W");
 }
 
 TEST(ProfileLikelihood, RefusesImpossibleOptions) {

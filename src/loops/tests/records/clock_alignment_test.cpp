@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pulls.hpp"
 #include "setae/core/errors.hpp"
 #include "synthetic_loop.hpp"
 
@@ -46,6 +47,7 @@ TEST(ClockAlignment, HoldsWithNoiseAndItsStandardErrorCoversTheError) {
     const double frame = 40 * (loop.time[1] - loop.time[0]);
     const double force_noise = 0.02 * loop.force.maxCoeff(), radius_noise = 0.01 * loop.contact_radius.maxCoeff();
     int covered = 0;
+    setae::tests::Pulls pulls;
     constexpr int seeds = 20;
     for (int seed = 0; seed < seeds; ++seed) {
         std::mt19937_64 generator(static_cast<unsigned>(seed));
@@ -58,7 +60,9 @@ TEST(ClockAlignment, HoldsWithNoiseAndItsStandardErrorCoversTheError) {
         const auto found = align_clocks(noisy, camera);
         EXPECT_NEAR(found.offset.value, offset, 0.5 * frame) << seed;
         covered += std::abs(found.offset.value - offset) < 3.0 * found.offset.standard_error ? 1 : 0;
+        pulls.add(found.offset, offset);
     }
+    expect_honest(pulls);
     EXPECT_GE(covered, 19);  // 3 standard errors: 1 in 370 misses
 }
 

@@ -96,7 +96,8 @@ topography::HeightMap picture_of(const topography::Tip& tip, double pixel) {
     const auto image = topography::tip_image(tip, pixel, pixel, 400e-9);
     topography::HeightMap picture{-image.heights, {}, false, {}};
     picture.heights = picture.heights.isInf().select(undefined, picture.heights);
-    picture.size = {static_cast<double>(image.heights.rows()) * pixel, static_cast<double>(image.heights.cols()) * pixel};
+    picture.size = {static_cast<double>(image.heights.rows()) * pixel,
+                    static_cast<double>(image.heights.cols()) * pixel};
     return picture;
 }
 
@@ -250,6 +251,45 @@ TEST(Probe, OfAFoilIsExpectedByTheFit) {
     EXPECT_LT(without.mean, -0.1);
     EXPECT_LT(std::abs(with.mean), 0.08);
     EXPECT_LT(with.worst, 3.5);
+}
+
+// A radius one standard error larger moves the spectrum by what the radius's error adds to its variance.
+TEST(Probe, OfUncertainSizeWidensIntervalsByWhatItWouldMove) {
+    constexpr Index points = 512;
+    constexpr double pixel = 10e-9, radius = 200e-9, error = 10e-9;
+    std::vector<ObservedSurface> scans;
+    for (std::uint64_t seed = 200; seed < 206; ++seed) {
+        const auto map =
+            topography::dilated(surface(seed, points, pixel), topography::SphereTip{radius}, {.threads = {1}});
+        for (Index line = 0; line < points; line += points / 4) {
+            topography::LineScan scan;
+            scan.heights = map.heights.col(line).head(points / 2);
+            scan.size = points / 2 * pixel;
+            scan.metadata.instrument.type = "stylus";
+            scans.push_back({scan, topography::Trend::tilt});
+        }
+    }
+    const auto fit = [&](const Estimate& size) {
+        for (auto& one : scans) one.probe = sphere(size);
+        return likelihood_spectrum(scans, {.shortest_wavelength = shortest_wavelength,
+                                           .tip_band = false,
+                                           .tip_points = 512,
+                                           .tip_length = 512,
+                                           .threads = {1}});
+    };
+    const auto known = fit({.value = radius}), uncertain = fit({radius, error}),
+               larger = fit({.value = radius + error});
+    // where T falls; at its end the fit answers by another T, too, which the covariance takes to first order
+    double moved = 0.0, added = 0.0;
+    for (Index i = 0; i < known.C_iso.wavevector.size(); ++i) {
+        const double q = known.C_iso.wavevector[i];
+        const double more = std::pow(uncertain.log_standard_error[i], 2) - std::pow(known.log_standard_error[i], 2);
+        EXPECT_GT(more, -1e-12) << q;
+        if (q < 1.5e7 || q > 4.5e7) continue;
+        moved += std::pow(std::log(larger.C_iso.density[i] / known.C_iso.density[i]), 2);
+        added += more;
+    }
+    EXPECT_NEAR(std::sqrt(added / moved), 1.0, 0.25);
 }
 
 TEST(Probe, OfASizeWithoutErrorHasNone) {

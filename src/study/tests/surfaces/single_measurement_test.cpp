@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "pulls.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "surfaces/average_spectrum.hpp"
@@ -50,6 +51,7 @@ topography::LineScan scan(std::uint64_t seed) {
 // matter.
 TEST(SingleMeasurement, HoldsTheTruthInItsIntervalAsOftenAsItSays) {
     int held = 0;
+    setae::tests::Pulls pulls;
     constexpr int scans = 60;
     for (std::uint64_t seed = 0; seed < scans; ++seed) {
         const auto estimate =
@@ -59,9 +61,11 @@ TEST(SingleMeasurement, HoldsTheTruthInItsIntervalAsOftenAsItSays) {
         EXPECT_EQ(estimate.method, "parametric noise on ln");
         const auto interval = interval_of(estimate);
         ASSERT_TRUE(interval);
+        pulls.add(estimate, true_slope());
         held += interval->lower < true_slope() && true_slope() < interval->upper ? 1 : 0;
     }
     EXPECT_GE(held, 51);
+    expect_honest(pulls);
 }
 
 // Lines of a map half a roll-off wavelength apart say about the same: 64 of them are fewer than 64.
