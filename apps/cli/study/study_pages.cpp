@@ -43,9 +43,9 @@ std::string alerts_page() {
     for (const auto& kind : kinds) {
         if (kind.about != about) {
             about = kind.about;
-            text += fmt::format("\n## {}\n\n| code | said when |\n|---|---|\n", about);
+            text += fmt::format("\n## {}\n\n| code | said when | its threshold rests on |\n|---|---|---|\n", about);
         }
-        text += fmt::format("| {} | {} |\n", kind.code, kind.said);
+        text += fmt::format("| {} | {} | {} |\n", kind.code, kind.said, kind.rests_on);
     }
     return text;
 }

@@ -100,6 +100,34 @@ TEST(LikelihoodSpectrum, SaysWhichInstrumentDisagrees) {
     EXPECT_EQ(wrong.alerts[0].code, "INSTRUMENTS_DISAGREE");
 }
 
+// Where instruments agree, a probability below p is as rare as p: within a factor of three or so, since χ² of groups of
+// a few modes is known no better, and decades of one fit share its parameters.
+TEST(LikelihoodSpectrum, AgreementHasTheProbabilityItSays) {
+    int rows = 0, tenth = 0, hundredth = 0;
+    double logs = 0.0;
+    for (std::uint64_t set = 0; set < 40; ++set) {
+        std::vector<ObservedSurface> all;
+        for (std::uint64_t i = 0; i < 2; ++i)
+            all.push_back({cut_map(1000 + 10 * set + i, 64, 40e-9), topography::Trend::tilt});
+        auto fine = cut_map(1005 + 10 * set, 64, 10e-9);
+        fine.metadata.instrument.type = "other";
+        all.push_back({fine, topography::Trend::tilt});
+        const auto fit = likelihood_spectrum(all, {.shortest_wavelength = shortest_wavelength, .threads = {1}});
+        for (const auto& row : fit.agreement) {
+            if (row.groups < 3) continue;
+            ++rows;
+            tenth += row.probability < 0.1 ? 1 : 0;
+            hundredth += row.probability < 0.01 ? 1 : 0;
+            logs -= std::log10(std::max(row.probability, 1e-30));
+        }
+    }
+    ASSERT_GT(rows, 80);
+    EXPECT_GT(tenth, 0.02 * rows);
+    EXPECT_LT(tenth, 0.2 * rows);
+    EXPECT_LT(hundredth, 0.03 * rows);
+    EXPECT_NEAR(logs / rows, 1.0 / std::log(10.0), 0.25);  // the mean of −lg p is 0.43
+}
+
 TEST(LikelihoodSpectrum, SaysThatTheRolloffIsNotSeen) {
     std::vector<ObservedSurface> short_ones;  // 500 nm of waves up to 500 nm
     for (std::uint64_t seed : {4, 5, 6}) short_ones.push_back({traced(seed), topography::Trend::mean});

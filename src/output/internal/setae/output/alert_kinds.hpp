@@ -11,6 +11,7 @@ struct AlertKind {
     std::string code;
     std::string about;  ///< what it is about: "files", "spectra", …
     std::string said;   ///< when it is said, with its threshold
+    std::string rests_on = {};  ///< why the threshold is where it is; empty for alerts without one
 };
 
 /// Every kind of alert that setae knows.

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/alert_kinds.hpp"
+
+#include <regex>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace setae::output::alert_kinds_test {
+namespace {
+
+TEST(AlertKinds, SayWhatEachThresholdRestsOn) {
+    const std::regex threshold(R"(\d (%|times|robust)|(above|below|than) ([1-9]|0[.])|p < |\d+ GiB)");
+    int with_threshold = 0;
+    for (const auto& kind : alert_kinds()) {
+        if (!std::regex_search(kind.said, threshold)) continue;
+        ++with_threshold;
+        EXPECT_NE(kind.rests_on, "") << kind.code << ": " << kind.said;
+    }
+    EXPECT_GT(with_threshold, 30);
+}
+
+TEST(AlertKinds, AreListedOnce) {
+    std::set<std::string> codes;
+    for (const auto& kind : alert_kinds()) EXPECT_TRUE(codes.insert(kind.code).second) << kind.code;
+}
+
+}  // namespace
+}  // namespace setae::output::alert_kinds_test
