@@ -124,9 +124,9 @@ tables::TidyTable tip_factor_table(const study::StudyResult& result) {
 
 tables::TidyTable stretch_table(const study::StudyResult& result) {
     tables::TidyTable table{"", {"surface", "wavevector [1/m]", "stretch [1]"}, {}};
-    append(table.columns, uncertainty_columns("stretch_", "1"));
+    append(table.columns, uncertainty_columns("stretch", "1"));
     table.columns.emplace_back("direction [deg]");
-    append(table.columns, uncertainty_columns("direction_", "deg"));
+    append(table.columns, uncertainty_columns("direction", "deg"));
     each_fitted(result, [&](const std::string& surface, const study::FittedSpectrum& fitted) {
         for (const auto& s : fitted.stretch) {
             Cells row;
