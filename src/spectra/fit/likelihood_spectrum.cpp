@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 #include <Eigen/Core>
 
+#include "agreement.hpp"
 #include "contour_kernel.hpp"
 #include "observed_groups.hpp"
+#include "place_scatter.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/estimate.hpp"
@@ -29,27 +31,6 @@
 
 namespace setae::spectral_fit {
 namespace {
-
-/// Σ |ρ|² over the modes of a group of its own size under the Hann window: their mean is worth size/this values.
-double shared_within(double size) {
-    return 1.0 + 2.0 * (4.0 / 9.0 * std::max(0.0, 1.0 - 1.0 / size) + 1.0 / 36.0 * std::max(0.0, 1.0 - 2.0 / size));
-}
-
-/// How much measurements of an instrument differ from each other as wholes.
-struct PlaceScatter {
-    double variance = 0.0;     ///< τ², of ln of the power at a place
-    double probability = 1.0;  ///< of departures as large without any
-    int measurements = 0;
-};
-using Scatter = std::map<std::string, PlaceScatter>;
-
-/// What τ² of n places is worth in a normal distribution whose 95 % interval is that of Student's t with n − 1 degrees
-/// of freedom.
-double normal_variance(const PlaceScatter& scatter) {
-    if (!(scatter.variance > 0.0)) return 0.0;
-    const double wider = student_t_quantile(0.975, scatter.measurements - 1.0) / normal_quantile(0.975);
-    return wider * wider * scatter.variance;
-}
 
 /// A patch as many times wide as its heights' median wavelength has their long waves.
 constexpr double waves_a_patch = 8.0;
@@ -109,7 +90,7 @@ public:
             spline_.shortest() * (Array1D::LinSpaced(count, static_cast<double>(1 - count), 0.0) * node_spacing).exp();
         r.design = spline_.design(r.C_iso.wavevector);
         r.theta = fit_.theta;
-        const auto scatter = scatter_between_measurements();
+        const auto scatter = scatter_between_places(groups_, fit_);
         r.covariance = full_covariance(scatter);
         r.C_iso.kind = spectra::Density::C_iso;
         r.C_iso.density = (r.design * r.theta).array().exp();
@@ -124,13 +105,15 @@ public:
         r.rounds = rounds_;
         r.converged = fit_.converged;
         r.C_iso.band = used_band();
-        add_agreement(r);
-        add_scatter_alerts(r, scatter);
+        r.agreement = agreement(groups_, fit_);
+        for (const auto& alerts : {agreement_alerts(r.agreement), scatter_alerts(scatter)})
+            r.alerts.insert(r.alerts.end(), alerts.begin(), alerts.end());
         add_rolloff_alert(r);
         add_stretch(r);
         for (const auto& g : groups_)
             if (g.tip.log_transfer.size() > 0)
-                r.tips.push_back({g.data.instrument, g.probe->name, g.probe->size, g.data.wavevector, g.tip.log_transfer.exp()});
+                r.tips.push_back(
+                    {g.data.instrument, g.probe->name, g.probe->size, g.data.wavevector, g.tip.log_transfer.exp()});
         if (!r.converged)
             r.alerts.push_back({"NOT_CONVERGED", "spectrum",
                                 fmt::format("the fit stopped after {} steps short of its optimum", fit_.iterations),
@@ -289,9 +272,7 @@ private:
     }
 
     /// A foil's T multiplies what lines are expected to have.
-    static void take_foil(ObservedGroup& g, const Array1D& change) {
-        g.data.response.colwise() *= change.exp();
-    }
+    static void take_foil(ObservedGroup& g, const Array1D& change) { g.data.response.colwise() *= change.exp(); }
 
     /// What the tip follows and what it adds to the periodogram of the fitted surface, with their answers to C_iso ∝ A.
     void take_tip(ObservedGroup& g) const {
@@ -327,9 +308,9 @@ private:
 
     /// C_iso of the lines of a group at its nodes.
     [[nodiscard]] Array1D C_iso_of(const ObservedGroup& g) const {
-        return surface_wavevectors(g.data).unaryExpr(
-                   [&](double q) { return spline_.value(fit_.theta, std::min(q, spline_.shortest())); }) *
-               surface_factors(g.data);
+        return surface_wavevectors(g.data).unaryExpr([&](double q) {
+            return spline_.value(fit_.theta, std::min(q, spline_.shortest()));
+        }) * surface_factors(g.data);
     }
 
     /// Periodogram that the fitted surface would have without tip and noise …
@@ -341,8 +322,7 @@ private:
     [[nodiscard]] Array1D with_tip(const ObservedGroup& g) const {
         const double change =
             g.data.reference_amplitude > 0.0 ? std::log(amplitude(g) / g.data.reference_amplitude) : 0.0;
-        const Array1D followed =
-            C_iso_of(g) * (g.data.log_followed + g.data.followed_response * change).exp();
+        const Array1D followed = C_iso_of(g) * (g.data.log_followed + g.data.followed_response * change).exp();
         return (g.data.response.matrix() * followed.matrix()).array() +
                g.data.added * (g.data.added_response * change).exp();
     }
@@ -433,47 +413,6 @@ private:
         return fit_.gain * fit_.jacobian[c].transpose() * groups_[c].data.freedom.matrix().asDiagonal();
     }
 
-    /// How much measurements of one instrument differ from each other as wholes beyond what their modes explain: b_m =
-    /// Σ ν (P/E − 1)/Σ ν scatters by 1/√Σν about zero, and by τ more where the surface is not the same everywhere. τ²
-    /// makes Σ b²/(τ² + 1/Σν) equal to their number less the one that the fit has followed (Paule and Mandel), 0 where
-    /// it is less already. One measurement tells nothing.
-    [[nodiscard]] Scatter scatter_between_measurements() const {
-        struct Departure {
-            double square, own_variance;
-        };
-        std::map<std::string, std::vector<Departure>> departures;
-        for (std::size_t c = 0; c < groups_.size(); ++c) {
-            const auto& g = groups_[c];
-            const double freedom = g.data.freedom.sum() / g.measurements;
-            if (!(freedom > 0.0)) continue;
-            for (const auto& periodogram : g.periodograms) {
-                const double departure =
-                    (g.data.freedom * (periodogram / fit_.expected[c] - 1.0)).sum() / g.data.freedom.sum();
-                departures[g.data.instrument].push_back({departure * departure, 1.0 / freedom});
-            }
-        }
-        Scatter scatter;
-        for (const auto& [instrument, all] : departures) {
-            if (all.size() < 2) continue;
-            const double expected = static_cast<double>(all.size()) - 1.0;
-            const auto chi_squared = [&all = all](double variance) {
-                double sum = 0.0;
-                for (const auto& d : all) sum += d.square / (variance + d.own_variance);
-                return sum;
-            };
-            auto& found = scatter[instrument];
-            found.measurements = static_cast<int>(all.size());
-            found.probability = chi_squared_exceedance(chi_squared(0.0), static_cast<double>(all.size()));
-            if (chi_squared(0.0) <= expected) continue;
-            double most = 0.0;
-            for (const auto& d : all) most += d.square / expected;  // makes χ² less than that
-            const auto [lower, upper] =
-                numerics::bisected([&](double v) { return chi_squared(v) > expected; }, 0.0, most, 60);
-            found.variance = 0.5 * (lower + upper);
-        }
-        return scatter;
-    }
-
     /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by
     /// itself, what measurements differ by as wholes, and what the stretch is not known to.
     [[nodiscard]] Eigen::MatrixXd full_covariance(const Scatter& scatter) const {
@@ -482,7 +421,7 @@ private:
             const auto found = scatter.find(groups_[c].data.instrument);
             if (found == scatter.end() || found->second.variance == 0.0) continue;
             const Eigen::VectorXd together = answer(c).rowwise().sum();
-            covariance += together * together.transpose() * (normal_variance(found->second) / groups_[c].measurements);
+            covariance += together * together.transpose() * (found->second.normal_variance() / groups_[c].measurements);
         }
         for (const auto& [probe, response] : responses_) {
             // a column a repetition, then by the size, then by the skewness
@@ -494,7 +433,8 @@ private:
                 if (!read_with(g, probe)) continue;
                 const Eigen::MatrixXd answers = answer(c);
                 moved.leftCols(repetitions) += answers * g.tip.simulation_errors.matrix().transpose();
-                moved.col(repetitions) += answers * (g.tip.size_response * (g.probe->size_error / g.probe->size)).matrix();
+                moved.col(repetitions) +=
+                    answers * (g.tip.size_response * (g.probe->size_error / g.probe->size)).matrix();
                 moved.col(repetitions + 1) +=
                     answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
             }
@@ -550,10 +490,9 @@ private:
             const Eigen::Matrix2d covariance = stretch_covariance_.block<2, 2>(2 * knot, 2 * knot);
             const double size = stretch.vector.norm();
             const Eigen::Vector2d along = stretch.vector / size, across(-along[1], along[0]);
-            r.stretch.push_back(
-                {wavevector,
-                 {stretch.ratio(), stretch.ratio() * std::sqrt(along.dot(covariance * along))},
-                 {stretch.direction(), 0.5 / size * std::sqrt(across.dot(covariance * across))}});
+            r.stretch.push_back({wavevector,
+                                 {stretch.ratio(), stretch.ratio() * std::sqrt(along.dot(covariance * along))},
+                                 {stretch.direction(), 0.5 / size * std::sqrt(across.dot(covariance * across))}});
         }
         if (r.stretch.empty()) return;
         std::string found;
@@ -569,52 +508,6 @@ private:
                             "say along which direction each file was measured (direction), where it is not x of all"});
     }
 
-    static void add_scatter_alerts(LikelihoodSpectrum& r, const Scatter& scatter) {
-        constexpr double significant = 0.01;
-        for (const auto& [instrument, found] : scatter)
-            if (found.probability < significant)
-                r.alerts.push_back(
-                    {"MEASUREMENTS_SCATTER", instrument,
-                     fmt::format(
-                         "its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it",
-                         100.0 * std::sqrt(found.variance)),
-                     "measure more places: the surface differs from place to place, or its heights are not Gaussian"});
-    }
-
-    void add_agreement(LikelihoodSpectrum& r) const {
-        std::map<std::pair<std::string, int>, Agreement> rows;
-        std::map<std::pair<std::string, int>, double> weights;
-        for (std::size_t c = 0; c < groups_.size(); ++c) {
-            const auto& g = groups_[c];
-            for (Index k = 0; k < g.data.wavevector.size(); ++k) {
-                if (!inside(g, k)) continue;
-                const std::pair key{g.data.instrument, static_cast<int>(std::floor(std::log10(g.data.wavevector[k])))};
-                auto& row = rows[key];
-                const double ratio = g.data.periodogram[k] / fit_.expected[c][k], nu = g.data.freedom[k];
-                row.ratio = (weights[key] * (weights[key] > 0.0 ? row.ratio : 0.0) + nu * ratio) / (weights[key] + nu);
-                weights[key] += nu;
-                const double own = nu / (g.independent_share[k] * shared_within(g.mode_counts[k]));
-                row.standard_error += nu * nu / own;
-                row.chi_squared += 2.0 * own * (ratio - 1.0 - std::log(ratio)) / (1.0 + 1.0 / (6.0 * own));
-                ++row.groups;
-            }
-        }
-        for (auto& [key, row] : rows) {
-            row.instrument = key.first;
-            row.decade = key.second;
-            row.standard_error = std::sqrt(row.standard_error) / weights[key];
-            row.probability = chi_squared_exceedance(row.chi_squared, row.groups);
-            if (row.probability < improbable_agreement)
-                r.alerts.push_back(
-                    {"INSTRUMENTS_DISAGREE", row.instrument,
-                     fmt::format(
-                         "between 1e{} and 1e{} 1/m its periodograms are {:.2f} of what the fit expects, chi² {:.0f} for {} groups of modes",
-                         row.decade, row.decade + 1, row.ratio, row.chi_squared, row.groups),
-                     "check its calibration, tip radius and shape; look at its own spectrum beside the others"});
-            r.agreement.push_back(row);
-        }
-    }
-
     std::vector<ObservedGroup> groups_;
     StretchOfMaps maps_;
     KnownStretch known_stretch_;
@@ -626,7 +519,7 @@ private:
     WhittleFit fit_;
     std::map<std::string, TipResponse> responses_;  ///< by probe
     std::map<std::string, Estimate> skewness_;      ///< of the surface's heights, by the tip that read them
-    double wavelength_ = 0.0;                  ///< half of ∫ q C_iso dq lies below it
+    double wavelength_ = 0.0;                       ///< half of ∫ q C_iso dq lies below it
     int rounds_ = 0;
 };
 
@@ -665,9 +558,8 @@ Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint
     Array1D normal(n);
     for (Index r = 0; r < count; ++r) {
         numerics::fill_normal({seed, 0}, static_cast<std::uint64_t>(r * n), normal);
-        result.row(r) =
-            spectrum.C_iso.density.transpose() *
-            (spectrum.design * (*lower * normal.matrix())).array().exp().transpose();
+        result.row(r) = spectrum.C_iso.density.transpose() *
+                        (spectrum.design * (*lower * normal.matrix())).array().exp().transpose();
     }
     return result;
 }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "observed_groups.hpp"
+#include "setae/core/quantity.hpp"
+
+namespace setae::spectral_fit {
+
+/// How well each instrument agrees with the fit, decade by decade, over the groups of modes that the fit has used.
+[[nodiscard]] std::vector<Agreement> agreement(const std::vector<ObservedGroup>& groups, const WhittleFit& fit);
+
+/// INSTRUMENTS_DISAGREE for rows that chance does not explain.
+[[nodiscard]] std::vector<Alert> agreement_alerts(const std::vector<Agreement>& rows);
+
+}  // namespace setae::spectral_fit
