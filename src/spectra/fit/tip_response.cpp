@@ -23,7 +23,7 @@
 namespace setae::spectral_fit {
 namespace {
 
-constexpr double bins_a_decade = 8.0;
+constexpr double bins_a_decade = 24.0;
 constexpr double amplitude_step = 1.2, size_step = 1.1, skewness_step = 0.2;
 
 /// Of ln C_added in a band, where one patch alone was simulated: measured on twelve patches.
@@ -113,6 +113,10 @@ struct Bins {
         return static_cast<Index>(above - first.begin()) - 1;
     }
     [[nodiscard]] Index highest() const { return first.back() - 1; }
+    /// Modes from which and to which a bin reaches.
+    [[nodiscard]] std::pair<double, double> ends(Index b) const {
+        return {static_cast<double>(first[b]), static_cast<double>(first[b + 1])};
+    }
     [[nodiscard]] double centre(Index b) const {
         return std::sqrt(static_cast<double>(first[b]) * static_cast<double>(first[b + 1] - 1));
     }
@@ -120,10 +124,15 @@ struct Bins {
     Index last_bin = -1;
 };
 
-/// Whittaker smoothing: Σ w (y − x)² + Σ (Δ²x)²/s². At long waves x ends at `limit` where that is known, else flat, to
+/// Where a curve ends at long waves, and how nearly.
+struct Limit {
+    double value, error;
+};
+
+/// Whittaker smoothing: Σ w (y − x)² + Σ (Δ²x)²/s². At long waves x ends at a limit where that is known, else flat, to
 /// s of the first bin. bends: s, a value a bin.
 Array1D smoothed(const Array1D& values, const Array1D& weights, const Array1D& bends,
-                 std::optional<double> limit = std::nullopt) {
+                 const std::optional<Limit>& limit = std::nullopt) {
     const Index n = values.size();
     Eigen::MatrixXd matrix = weights.matrix().asDiagonal();
     Eigen::VectorXd right = (weights * values).matrix();
@@ -131,13 +140,13 @@ Array1D smoothed(const Array1D& values, const Array1D& weights, const Array1D& b
         const Eigen::Vector3d row(1.0, -2.0, 1.0);
         matrix.block(i, i, 3, 3) += row * row.transpose() / (bends[i + 1] * bends[i + 1]);
     }
-    const double at_end = 1.0 / (bends[0] * bends[0]);
     if (limit) {
-        matrix(0, 0) += at_end;
-        right[0] += at_end * *limit;
+        const double weight = 1.0 / (limit->error * limit->error);
+        matrix(0, 0) += weight;
+        right[0] += weight * limit->value;
     } else {
         const Eigen::Vector2d difference(1.0, -1.0);
-        matrix.block(0, 0, 2, 2) += difference * difference.transpose() * at_end;
+        matrix.block(0, 0, 2, 2) += difference * difference.transpose() / (bends[0] * bends[0]);
     }
     return numerics::solved_symmetric(matrix, right).array();
 }
@@ -197,20 +206,17 @@ public:
                      width = simulation.step * static_cast<double>(simulation.points);
         unit_x_ = 2.0 * pi / length;
         unit_y_ = 2.0 * pi / width;
-        beyond_ = static_cast<Index>(decades_beyond * bins_a_decade);
-        wavevector_.resize(beyond_ + bins_.size());
-        for (Index i = 0; i < beyond_; ++i)
-            wavevector_[i] = unit_x_ * std::pow(10.0, -static_cast<double>(beyond_ - i) / bins_a_decade);
-        for (Index b = 0; b < bins_.size(); ++b) wavevector_[beyond_ + b] = unit_x_ * bins_.centre(b);
+        set_wavevectors(C_iso);
         independent_lines_ = std::max(4.0, width / std::max(simulation.correlation_length, simulation.step * stride_y));
         // Σ over m of |H|² is ny² times the mean power of lines, and that C1D · length/sample²
-        const auto lines = static_cast<double>(simulation.points / stride_y);
+        const auto lines_read = static_cast<double>(simulation.points / stride_y);
         const double sample = simulation.step * stride_x;
-        power_unit_ = sample * sample / length / (lines * lines);
+        power_unit_ = sample * sample / length / (lines_read * lines_read);
         set_density(C_iso);
         const double carrying = pi / simulation.correlation_length;  // 2π over the wavelength of the heights' median
+        const Array1D lines = log_lines_.exp();
         const auto bends = [&](double longest) {
-            return Array1D(bend * (longest / carrying * wavevector_.tail(bins_.size())).max(least_bend).min(1.0));
+            return Array1D(bend * (longest / carrying * lines).max(least_bend).min(1.0));
         };
         bends_of_followed_ = bends(3.0);
         bends_of_added_ = bends(10.0);
@@ -250,9 +256,9 @@ public:
         const Array1D log_added = added_power(sums, shared, followed, repetitions, scale);
         Transfer result{Array1D(wavevector_.size()), Array1D(wavevector_.size()), Array1D(wavevector_.size())};
         for (Index i = 0; i < wavevector_.size(); ++i) {
-            const Index b = std::max<Index>(0, i - beyond_);
-            result.log_followed[i] = std::log(std::max(followed[b] * followed[b], least_followed));
-            result.log_added[i] = log_added[b];
+            const double a = followed[std::max<Index>(0, i - beyond_)];
+            result.log_followed[i] = std::log(std::max(a * a, least_followed));
+            result.log_added[i] = Place(log_lines_, std::log(wavevector_[i])).of(log_added);
         }
         result.log_transfer = log_transfer(result.log_followed, result.log_added, scale);
         return result;
@@ -267,7 +273,7 @@ public:
         const Array1D own = smoothed(ratio, independent_lines_ * repetitions * modes, bends_of_followed_);
         const Index n = wavevector_.size();
         Transfer result{Array1D(n), Array1D::Zero(n), Array1D::Constant(n, std::log(nothing_added))};
-        for (Index i = 0; i < n; ++i) result.log_transfer[i] = own[std::max<Index>(0, i - beyond_)];
+        for (Index i = 0; i < n; ++i) result.log_transfer[i] = Place(log_lines_, std::log(wavevector_[i])).of(own);
         return result;
     }
 
@@ -282,13 +288,36 @@ public:
 
 private:
     static constexpr double band_step = 3.0;
-    static constexpr double decades_beyond = 3.0;   ///< of waves longer than the patch
-    static constexpr double least_added = 1e-12;    ///< of C1D: a tip that fits everywhere adds rounding
+    static constexpr double decades_beyond = 3.0;  ///< of waves longer than the patch
+    static constexpr double least_added = 1e-12;   ///< of C1D: a tip that fits everywhere adds rounding
     static constexpr double nothing_added = 1e-300;
     static constexpr double least_followed = 1e-8;  ///< a²: of waves that it cannot enter a tip follows nothing
-    static constexpr double bend = 0.09;            ///< what a and ln C_added may turn by, a bin, at short waves …
+    static constexpr double bend = 0.0173;          ///< what a and ln C_added may turn by, a bin, at short waves …
     static constexpr double least_bend = 0.1;  ///< … and this much of it where they are flat: ever less at waves that
                                                ///< are longer than those that carry heights, three and ten times
+
+    /// Those that rings tell of, their mean of ln q, each wave weighed by its power as the regression does it; and
+    /// longer ones.
+    void set_wavevectors(const spectra::SpectralDensity& C_iso) {
+        constexpr int pieces = 8;
+        beyond_ = static_cast<Index>(decades_beyond * bins_a_decade);
+        wavevector_.resize(beyond_ + bins_.size());
+        for (Index b = 0; b < bins_.size(); ++b) {
+            const auto [first, end] = bins_.ends(b);
+            const double width = std::log(end / first) / pieces;
+            double sum = 0.0, weights = 0.0;
+            for (int i = 0; i < pieces; ++i) {
+                const double log_q = std::log(unit_x_ * first) + (i + 0.5) * width, q = std::exp(log_q);
+                const double weight = q * q * C_iso(q);
+                sum += weight * log_q;
+                weights += weight;
+            }
+            wavevector_[beyond_ + b] = weights > 0.0 ? std::exp(sum / weights) : unit_x_ * std::sqrt(first * end);
+        }
+        for (Index i = 0; i < beyond_; ++i)
+            wavevector_[i] = wavevector_[beyond_] * std::pow(10.0, -static_cast<double>(beyond_ - i) / bins_a_decade);
+        log_lines_ = Array1D::NullaryExpr(bins_.size(), [&](Index b) { return std::log(unit_x_ * bins_.centre(b)); });
+    }
 
     void set_density(const spectra::SpectralDensity& C_iso) {
         constexpr double nodes_a_decade = 40.0;
@@ -298,13 +327,14 @@ private:
         C_iso_ = nodes_.unaryExpr([&](double q) { return C_iso(q); });
         C_iso_ = C_iso_.max(1e-30 * C_iso_.maxCoeff());
         density_ = spectra::profile_from_isotropic(nodes_, C_iso_, wavevector_);
+        density_of_lines_ = spectra::profile_from_isotropic(nodes_, C_iso_, log_lines_.exp());
     }
 
     [[nodiscard]] double wavevector_of(Index k, Index m) const {
         return std::hypot(unit_x_ * static_cast<double>(k + 1), unit_y_ * static_cast<double>(m));
     }
 
-    /// a of waves of every direction, a bin each: the regression of what is read on the surface.
+    /// a of waves of every direction, a ring each: the regression of what is read on the surface.
     [[nodiscard]] Array1D followed_share(const WavePowers& sums, const Array2D& shared) const {
         Array1D surface = Array1D::Zero(bins_.size()), together = surface, left = surface, counts = surface;
         for (Index k = 0; k < shared.rows(); ++k)
@@ -318,37 +348,41 @@ private:
             }
         const Array1D follows = together / surface;
         left = (left - together * follows).max(least_added * surface);
-        constexpr double of_endless_waves = 1.0;  // what is lifted or tilted as a whole is followed
+        constexpr Limit of_endless_waves{1.0, 0.009};  // what is lifted or tilted as a whole is followed
         return smoothed(follows, counts * surface / left, bends_of_followed_, of_endless_waves);
     }
 
     /// ln C_added of lines, a bin each: what is read and not followed.
     [[nodiscard]] Array1D added_power(const WavePowers& sums, const Array2D& shared, const Array1D& followed,
                                       int repetitions, double scale) const {
-        const Array1D x = wavevector_.tail(bins_.size()).log();
+        const Array1D log_rings = wavevector_.tail(bins_.size()).log();
         Array1D line(shared.rows());
         for (Index k = 0; k < shared.rows(); ++k) {
             line[k] = 0.0;
             for (Index m = 0; m < shared.cols(); ++m) {
-                const double a = Place(x, std::log(wavevector_of(k, m))).of(followed);
+                const double a = Place(log_rings, std::log(wavevector_of(k, m))).of(followed);
                 line[k] += sums.touched(k, m) - 2.0 * a * shared(k, m) + a * a * sums.surface(k, m);
             }
         }
         const Array1D modes = Array1D::NullaryExpr(bins_.size(), [&](Index b) { return bins_.modes(b); });
-        const Array1D added = (bins_.sums(line) / modes * (power_unit_ / repetitions))
-                                  .max(least_added * scale * density_.tail(bins_.size()));
-        return smoothed(added.log(), independent_lines_ * repetitions * modes, bends_of_added_);
+        const Array1D waves = independent_lines_ * repetitions * modes;
+        const Array1D added =
+            (bins_.sums(line) / modes * (power_unit_ / repetitions)).max(least_added * scale * density_of_lines_);
+        // the logarithm of a mean of n exponential variates lies 1/2n low
+        return smoothed(added.log() + 0.5 / waves, waves, bends_of_added_);
     }
 
     TipSimulation simulation_;
-    Bins bins_;
+    Bins bins_;  ///< of modes along lines, and rings of waves of all directions
     Index beyond_ = 0;
     double unit_x_ = 0.0, unit_y_ = 0.0;  ///< between modes [1/m]
     Array1D wavevector_;
     Array1D bends_of_followed_, bends_of_added_;
     double independent_lines_ = 0.0, power_unit_ = 0.0;
     Array1D nodes_, C_iso_;
-    Array1D density_;  ///< C1D at the wavevectors
+    Array1D log_lines_;         ///< ln q of the bins of lines
+    Array1D density_;           ///< C1D at the wavevectors …
+    Array1D density_of_lines_;  ///< … and there
 };
 
 void add(WavePowers& sum, const WavePowers& powers) {
@@ -388,8 +422,8 @@ Array2D simulation_errors(const Reading& reading, const Transfer& all, const std
     Array2D errors(repetitions, all.log_transfer.size());
     for (Index r = 0; r < repetitions; ++r) {
         const auto& one = each[static_cast<std::size_t>(r)];
-        errors.row(r) = (is_foil ? one.log_transfer : reading.log_transfer(one.log_followed, all.log_added, 1.0))
-                            .transpose();
+        errors.row(r) =
+            (is_foil ? one.log_transfer : reading.log_transfer(one.log_followed, all.log_added, 1.0)).transpose();
     }
     const auto n = static_cast<double>(repetitions);
     return (errors.rowwise() - errors.colwise().mean().eval()) / std::sqrt(n * (n - 1.0));
@@ -398,9 +432,9 @@ Array2D simulation_errors(const Reading& reading, const Transfer& all, const std
 void require(const TipSimulation& simulation) {
     if (!(simulation.probe.size > 0.0) || !(simulation.step > 0.0) || !(simulation.correlation_length > 0.0) ||
         simulation.repetitions < 1)
-        throw InvalidArgument(
-            fmt::format("a probe of {} m simulated with steps of {} m, correlated over {} m, {} times; expected all > 0",
-                        simulation.probe.size, simulation.step, simulation.correlation_length, simulation.repetitions));
+        throw InvalidArgument(fmt::format(
+            "a probe of {} m simulated with steps of {} m, correlated over {} m, {} times; expected all > 0",
+            simulation.probe.size, simulation.step, simulation.correlation_length, simulation.repetitions));
 }
 
 TipResponse simulated(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation, bool with_derivatives) {
