@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "sample_files.hpp"
@@ -118,6 +121,44 @@ TEST(OpenLoop, CountsFramesOutsideTheForceRecord) {
     EXPECT_TRUE(has(open_loop({.file = force_file(folder), .camera = camera}), "FRAMES_OUTSIDE", "3 frames"));
     camera.clock_offset = 0.0;
     EXPECT_FALSE(has(open_loop({.file = force_file(folder), .camera = camera}), "FRAMES_OUTSIDE"));
+}
+
+/// A disc darker than its surroundings, as an uncompressed picture of 24 bits; radius 0: nothing but one grey.
+void write_picture(const std::string& path, double radius) {
+    constexpr int width = 100, height = 80, offset = 54,
+                  bytes = 3 * width * height;  // rows of 300 bytes need no filling
+    std::string picture(offset + bytes, '\0');
+    const auto put = [&picture](int at, int value, int size) {
+        for (int k = 0; k < size; ++k) picture[static_cast<std::size_t>(at + k)] = static_cast<char>(value >> (8 * k));
+    };
+    picture[0] = 'B', picture[1] = 'M';
+    put(2, offset + bytes, 4), put(10, offset, 4), put(14, 40, 4), put(18, width, 4), put(22, height, 4);
+    put(26, 1, 2), put(28, 24, 2), put(34, bytes, 4);
+    std::mt19937 generator(static_cast<unsigned>(100.0 * radius) + 1);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const double edge = radius - std::hypot(column - 50.3, row - 40.6);
+            const double shade = 60.0 * std::clamp(0.5 + 0.6 * edge, 0.0, 1.0);
+            const int grey =
+                radius > 0.0 ? static_cast<int>(140.0 - shade) + static_cast<int>(generator() % 9) - 4 : 50;
+            for (int channel = 0; channel < 3; ++channel)
+                picture[static_cast<std::size_t>(offset + 3 * (row * width + column) + channel)] =
+                    static_cast<char>(grey);
+        }
+    std::ofstream(path, std::ios::binary) << picture;
+}
+
+TEST(OpenLoop, CountsFramesOfARecordingWithoutARadius) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path("frames"));
+    for (int k = 0; k < 6; ++k)
+        write_picture(folder.path(fmt::format("frames/{}.bmp", k)), k == 4 ? 0.0 : 12.0 + 3.0 * k);
+    const CameraInput camera{
+        .file = folder.path("frames"), .clock_offset = 16.0, .pixel_size = 2e-6, .frame_rate = 0.5};
+    const auto opened = open_loop({.file = force_file(folder), .camera = camera});
+    EXPECT_TRUE(has(opened, "FRAMES_BAD", "1 of 6 frames"));
+    const auto& radius = opened.table.at("contact_radius");
+    EXPECT_NEAR(radius[1600], 2e-6 * 12.0, 0.5e-6);  // the first frame, at 16 s
 }
 
 }  // namespace
