@@ -285,5 +285,11 @@ TEST(ContourTrace, OfAFaintEdgeSaysSo) {
     EXPECT_LT(faint.segments.at(0).contrast_to_noise, 1.0);
 }
 
+TEST(ContourTrace, ThatStillMovesInItsLastRoundSaysSo) {
+    const Wave wave;
+    EXPECT_TRUE(has(trace_contour(rendered({.noise = 150, .seed = 2}, wave)), "NOT_CONVERGED"));
+    EXPECT_FALSE(has(trace_contour(rendered({.noise = 50, .seed = 2}, wave)), "NOT_CONVERGED"));
+}
+
 }  // namespace
 }  // namespace setae::imaging::contour_trace_test
