@@ -19,7 +19,6 @@ using AreaRatio = double (*)(const SpectralParameters&);
 double by_slopes(const SpectralParameters& p) { return p.area_ratio(); }
 double by_small_slopes(const SpectralParameters& p) { return roughness::small_slope_area_ratio(p.rms_slope); }
 
-
 /// prediction = W r − γ1 (r − 1) − E* u; its variance is quadratic in W − γ1
 PairPoint point(const RoughSide& rough, const SoftSide& soft, AreaRatio area_ratio, const Estimate& surface_energy) {
     const double r = area_ratio(rough.parameters), u = rough.parameters.elastic_energy_per_modulus;
@@ -100,8 +99,8 @@ Prediction predict(const RoughSide& rough, const SoftSide& soft, const Estimate&
     prediction.persson_tosatti =
         predicted(persson_tosatti_balance(work.value, rough.parameters.rms_slope, state.stored_energy),
                   balance_terms(rough, soft, work, by_small_slopes, {}));
-    prediction.without_area_change = predicted(balance_without_area_change(work.value, state),
-                                               balance_terms(rough, soft, work, by_slopes, {}));
+    prediction.without_area_change =
+        predicted(balance_without_area_change(work.value, state), balance_terms(rough, soft, work, by_slopes, {}));
     prediction.budget = {std::sqrt(terms[0].variance), std::sqrt(terms[1].variance), std::sqrt(terms[2].variance),
                          std::sqrt(terms[3].variance)};
     return prediction;
@@ -109,9 +108,8 @@ Prediction predict(const RoughSide& rough, const SoftSide& soft, const Estimate&
 
 Estimate predicted_loss(const RoughSide& rough, const Estimate& work, double contact_area) {
     const double true_area = rough.parameters.area_ratio() * contact_area;
-    const auto spectrum = rough.spread.variance_term([&](const SpectralParameters& p) {
-        return work.value * p.area_ratio() * contact_area;
-    });
+    const auto spectrum = rough.spread.variance_term(
+        [&](const SpectralParameters& p) { return work.value * p.area_ratio() * contact_area; });
     return with_terms(rough, work.value * true_area, std::array{spectrum, term(work, true_area)});
 }
 

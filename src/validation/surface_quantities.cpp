@@ -26,8 +26,7 @@ std::vector<SurfaceQuantity> surface_quantities() {
         {"rms_slope", "1", [](const SpectralParameters& p) { return p.rms_slope; }},
         {"rms_curvature", "1/m", [](const SpectralParameters& p) { return p.rms_curvature; }},
         {"elastic_energy_per_modulus", "m", [](const SpectralParameters& p) { return p.elastic_energy_per_modulus; }},
-        {"true_area_ratio", "1",
-         [](const SpectralParameters& p) { return p.area_ratio(); }, 1.0},
+        {"true_area_ratio", "1", [](const SpectralParameters& p) { return p.area_ratio(); }, 1.0},
     };
     for (std::size_t d = 0; d < roughness::no_decades.size(); ++d)
         quantities.push_back({fmt::format("C1D 1e{}", roughness::first_decade + static_cast<int>(d)), "m3",

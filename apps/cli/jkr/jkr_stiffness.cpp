@@ -63,7 +63,8 @@ ExitCode run(const Arguments& arguments) {
         throw InvalidArgument("a loop on something rigid is wanted: setae jkr stiffness RIGID.csv");
     output::Json all = output::Json::array();
     const ExitCode code = for_each_item(arguments.files, [&](const std::string& file) {
-        const auto loop = study::open_loop({.file = file, .mapping = arguments.map.empty() ? std::nullopt : std::optional(arguments.map)});
+        const auto loop = study::open_loop(
+            {.file = file, .mapping = arguments.map.empty() ? std::nullopt : std::optional(arguments.map)});
         const auto found = loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(loop.table));
         if (arguments.common.json) all.push_back(as_json(file, found));
         else print(as_text(file, found));

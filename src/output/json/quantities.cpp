@@ -82,7 +82,8 @@ std::vector<Quantity> surface_quantities(const study::SurfaceResult& surface, co
             [](const SpectralParameters& p) { return roughness::gaussian_area_ratio(p.rms_slope); }, 1.0));
     else
         quantities.push_back(make(
-            "true_area_ratio_measured_slopes", "A_true/A_app", "1", "slopes distributed as the maps' of both directions",
+            "true_area_ratio_measured_slopes", "A_true/A_app", "1",
+            "slopes distributed as the maps' of both directions",
             [&](const SpectralParameters& p) { return surface.slope_shape->area_ratio(p.rms_slope); }, 1.0));
     return quantities;
 }

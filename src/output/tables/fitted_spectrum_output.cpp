@@ -55,15 +55,14 @@ Estimate in_degrees(const Estimate& angle) {
 
 Json stretch_json(const spectral_fit::SurfaceStretch& stretch) {
     const auto direction = in_degrees(stretch.direction);
-    return {{"wavevector", {{"value", number(stretch.wavevector)}, {"unit", "1/m"}}},
-            {"stretch",
-             {{"value", number(stretch.ratio.value)},
-              {"standard_error", number(stretch.ratio.standard_error)},
-              {"unit", "1"}}},
-            {"direction",
-             {{"value", number(direction.value)},
-              {"standard_error", number(direction.standard_error)},
-              {"unit", "deg"}}}};
+    return {
+        {"wavevector", {{"value", number(stretch.wavevector)}, {"unit", "1/m"}}},
+        {"stretch",
+         {{"value", number(stretch.ratio.value)},
+          {"standard_error", number(stretch.ratio.standard_error)},
+          {"unit", "1"}}},
+        {"direction",
+         {{"value", number(direction.value)}, {"standard_error", number(direction.standard_error)}, {"unit", "deg"}}}};
 }
 
 Json tip_json(const spectral_fit::TipFactor& tip) {

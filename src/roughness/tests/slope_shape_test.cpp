@@ -27,9 +27,9 @@ topography::HeightMap smooth_map(double stretch) {
                      phase = 2.0 * pi * uniform(engine);
         const Array1D x = q * std::cos(angle) / stretch * place + phase, y = q * std::sin(angle) * place;
         const double amplitude = 1.0 / (q * std::sqrt(static_cast<double>(waves)));
-        map.heights += amplitude * (x.cos().matrix() * y.cos().matrix().transpose() -
-                                    x.sin().matrix() * y.sin().matrix().transpose())
-                                       .array();
+        map.heights +=
+            amplitude *
+            (x.cos().matrix() * y.cos().matrix().transpose() - x.sin().matrix() * y.sin().matrix().transpose()).array();
     }
     return map;
 }

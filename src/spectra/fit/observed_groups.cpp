@@ -79,7 +79,8 @@ double band_end(const ObservedSurface& observed, double nyquist, const SpectrumR
 /// What heights were read with.
 std::optional<Probe> probe_of(const ObservedSurface& observed, const topography::Instrument& instrument) {
     if (observed.probe || !instrument.tip_radius) return observed.probe;
-    return sphere({.value = *instrument.tip_radius, .standard_error = instrument.tip_radius_standard_error.value_or(0.0)});
+    return sphere(
+        {.value = *instrument.tip_radius, .standard_error = instrument.tip_radius_standard_error.value_or(0.0)});
 }
 
 std::string name_of(const std::optional<Probe>& probe) { return probe ? probe->name : std::string(); }
@@ -128,8 +129,8 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
     auto place = std::find_if(groups.begin(), groups.end(), [&](const ObservedGroup& g) {
         return !g.contour && g.data.name == name && g.data.instrument == instrument.type &&
                g.lines == map.heights.cols() && g.trend_degree == shape.trend_degree &&
-               g.direction == observed.direction &&
-               name_of(g.probe) == name_of(probe) && same(g.optics, observed.optics) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
+               g.direction == observed.direction && name_of(g.probe) == name_of(probe) &&
+               same(g.optics, observed.optics) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
                g.data.periodogram.size() == periodogram.size();
     });
     if (place == groups.end()) {

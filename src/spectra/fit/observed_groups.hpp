@@ -15,12 +15,12 @@ namespace setae::spectral_fit {
 /// Measurements of one shape by one instrument: what the fit sees of them and what they were.
 struct ObservedGroup {
     PeriodogramClass data;
-    std::optional<Probe> probe;     ///< none: heights as they are
-    double pixel_size = 0.0;        ///< [m]; of curves the mean step
-    double pitch = 0.0;             ///< between lines [m]
-    Index lines = 1;                ///< of one measurement
-    int trend_degree = 1;           ///< of the polynomial that each line loses
-    double direction = 0.0;         ///< of its lines [rad]
+    std::optional<Probe> probe;  ///< none: heights as they are
+    double pixel_size = 0.0;     ///< [m]; of curves the mean step
+    double pitch = 0.0;          ///< between lines [m]
+    Index lines = 1;             ///< of one measurement
+    int trend_degree = 1;        ///< of the polynomial that each line loses
+    double direction = 0.0;      ///< of its lines [rad]
     int measurements = 0;
     std::vector<Array1D> periodograms;             ///< of each measurement [m³]
     std::vector<double> skewness;                  ///< of the heights of each measurement with a tip
@@ -30,8 +30,8 @@ struct ObservedGroup {
     Array1D independent_share;                     ///< ω of each group of modes
     const topography::Profile* contour = nullptr;  ///< where it is a curve
     std::optional<OpticalTransfer> optics;
-    std::vector<GappedLines> gaps;                 ///< of each measurement that has some
-    Array1D gap_factor;                            ///< that response and noise_response hold; empty: none yet
+    std::vector<GappedLines> gaps;  ///< of each measurement that has some
+    Array1D gap_factor;             ///< that response and noise_response hold; empty: none yet
     SampledResponse tip;
 };
 

@@ -56,8 +56,7 @@ std::vector<Annulus> annuli_of(const topography::HeightMap& map, const Band& ban
         if (std::abs(kx) <= of_lines) continue;
         for (Index m = 0; 2 * m <= ny; ++m) {
             if (m == 0 && kx < 0) continue;
-            const double qx = static_cast<double>(kx) * dqx, qy = static_cast<double>(m) * dqy,
-                         q = std::hypot(qx, qy);
+            const double qx = static_cast<double>(kx) * dqx, qy = static_cast<double>(m) * dqy, q = std::hypot(qx, qy);
             const double place = std::log10(q / band.lower) / annulus_width;
             if (place < 0.0 || place >= static_cast<double>(annuli.size())) continue;
             auto& annulus = annuli[static_cast<std::size_t>(place)];
@@ -76,8 +75,7 @@ std::vector<Annulus> usable(const std::vector<Annulus>& annuli) {
     constexpr double above_noise = 20.0;
     double least = 0.0;
     for (const auto& annulus : annuli)
-        if (annulus.members() > 0.0)
-            least = least > 0.0 ? std::min(least, annulus.mean_power()) : annulus.mean_power();
+        if (annulus.members() > 0.0) least = least > 0.0 ? std::min(least, annulus.mean_power()) : annulus.mean_power();
     std::vector<Annulus> found;
     for (std::size_t a = 1; a + 1 < annuli.size(); ++a) {
         auto annulus = annuli[a];
@@ -243,8 +241,7 @@ Stretch StretchLaw::at(double wavevector) const {
     const auto after = static_cast<std::size_t>(next);
     if (after == 0) return {vectors_.front()};
     if (after == vectors_.size()) return {vectors_.back()};
-    const double share =
-        (place - log_wavevector_[after - 1]) / (log_wavevector_[after] - log_wavevector_[after - 1]);
+    const double share = (place - log_wavevector_[after - 1]) / (log_wavevector_[after] - log_wavevector_[after - 1]);
     return {(1.0 - share) * vectors_[after - 1] + share * vectors_[after]};
 }
 

@@ -16,8 +16,8 @@ Array1D lengths_of(const ObservedGroup& group, const StretchLaw& law) {
 
 /// What a group's periodogram is expected to have of the surface, with the waves that its tip follows.
 Array1D surface_part(const PeriodogramClass& c, const LogSpline& spline, const Eigen::VectorXd& theta) {
-    Array1D C = (spline.design(surface_wavevectors(c).min(spline.shortest())) * theta).array().exp() *
-                surface_factors(c);
+    Array1D C =
+        (spline.design(surface_wavevectors(c).min(spline.shortest())) * theta).array().exp() * surface_factors(c);
     if (c.log_followed.size() > 0) C *= c.log_followed.exp();
     return (c.response.matrix() * C.matrix()).array();
 }
@@ -126,8 +126,8 @@ DirectionMean direction_mean(const LogSpline& spline, const Eigen::VectorXd& the
         const Array1D moved =
             wavevector.unaryExpr([&](double q) { return q * std::sqrt(law.at(q).wave_square(angle)); });
         const Eigen::MatrixXd design = spline.design(moved.min(spline.shortest()));
-        const Array1D C = moved.unaryExpr([end](double q) { return share_below(q, end); }) *
-                          (design * theta).array().exp();
+        const Array1D C =
+            moved.unaryExpr([end](double q) { return share_below(q, end); }) * (design * theta).array().exp();
         sum += C;
         mean.design += C.matrix().asDiagonal() * design;
     }

@@ -18,8 +18,8 @@ struct KnownStretch {
 /// Whether groups have lines along several directions.
 [[nodiscard]] bool several_directions(const std::vector<ObservedGroup>& groups);
 
-/// What lines along several directions begin with where maps show no stretch: none, a knot a decade of the band, s within
-/// a factor of e of 1 and within 1.35 of that a decade away (standard deviations).
+/// What lines along several directions begin with where maps show no stretch: none, a knot a decade of the band, s
+/// within a factor of e of 1 and within 1.35 of that a decade away (standard deviations).
 [[nodiscard]] KnownStretch unknown_stretch(const Band& band);
 
 /// The lengths of each group's lines at its nodes, and where C_iso ends: `shortest` is the surface's largest wavevector

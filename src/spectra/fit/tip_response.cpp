@@ -292,7 +292,7 @@ private:
     static constexpr double least_added = 1e-12;   ///< of C1D: a tip that fits everywhere adds rounding
     static constexpr double nothing_added = 1e-300;
     static constexpr double least_followed = 1e-8;  ///< a²: of waves that it cannot enter a tip follows nothing
-    static constexpr double bend = 0.05;          ///< what a and ln C_added may turn by, a bin, at short waves …
+    static constexpr double bend = 0.05;            ///< what a and ln C_added may turn by, a bin, at short waves …
     static constexpr double least_bend = 0.1;  ///< … and this much of it where they are flat: ever less at waves that
                                                ///< are longer than those that carry heights, three and ten times
 

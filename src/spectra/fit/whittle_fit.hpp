@@ -14,13 +14,14 @@ struct PeriodogramClass {
     std::string name;        ///< how messages call it
     Array1D wavevector;      ///< of each group of modes [1/m]
     Array1D periodogram;     ///< mean over measurements [m³]
-    Array1D freedom;   ///< independent values behind each mean: modes × lines × measurements × ω; 0 leaves it out
-    Array1D nodes;     ///< q_j the response refers to [1/m]
-    Array2D response;  ///< E[P] = response · C(nodes), C(q) = C_iso(q/μ)/μ², the flat part below the first node included
-    Array1D lengths;   ///< μ at the nodes: of a stretched surface along the lines; empty: 1
+    Array1D freedom;  ///< independent values behind each mean: modes × lines × measurements × ω; 0 leaves it out
+    Array1D nodes;    ///< q_j the response refers to [1/m]
+    Array2D
+        response;  ///< E[P] = response · C(nodes), C(q) = C_iso(q/μ)/μ², the flat part below the first node included
+    Array1D lengths;           ///< μ at the nodes: of a stretched surface along the lines; empty: 1
     double surface_end = 0.0;  ///< of C_iso of a stretched surface, beyond which it is 0 [1/m]
-    Array1D noise_response;       ///< E[P] of white noise of variance 1 m², of a contour that of its trace's noise as
-                                  ///< stated; empty where none is fitted
+    Array1D noise_response;    ///< E[P] of white noise of variance 1 m², of a contour that of its trace's noise as
+                               ///< stated; empty where none is fitted
     double noise_known_to = 0.0;  ///< standard deviation of ln σ² about 0 known beforehand, σ² then one for all classes
                                   ///< of an instrument; 0: found from the periodogram
     Array1D log_followed;       ///< ln a² of the tip at the nodes; empty without

@@ -127,9 +127,8 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
         point.measured = *pair.loss;
         point.slope = rough.parameters.area_ratio() * *pair.contact_area;
         point.slope_variance =
-            std::pow(*pair.contact_area * rough.spread.standard_error([](const SpectralParameters& p) {
-                return p.area_ratio();
-            }),
+            std::pow(*pair.contact_area *
+                         rough.spread.standard_error([](const SpectralParameters& p) { return p.area_ratio(); }),
                      2);
         if (!std::isfinite(point.slope_variance)) point.slope_variance = 0.0;
         point.floored = false;

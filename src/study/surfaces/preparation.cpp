@@ -75,8 +75,7 @@ std::optional<spectral_fit::Probe> probe_of(const MeasurementInput& input, const
 
 std::optional<spectral_fit::OpticalTransfer> optics_of(const MeasurementInput& input) {
     if (input.numerical_aperture.has_value() != input.light_wavelength.has_value())
-        throw InvalidArgument(
-            fmt::format("{}: expected numerical_aperture and light_wavelength together", input.file));
+        throw InvalidArgument(fmt::format("{}: expected numerical_aperture and light_wavelength together", input.file));
     if (!input.numerical_aperture) return std::nullopt;
     if (!(*input.numerical_aperture > 0.0) || !(*input.light_wavelength > 0.0))
         throw InvalidArgument(fmt::format("{}: numerical_aperture {}, light_wavelength {} m; expected both > 0",
@@ -97,7 +96,6 @@ topography::LineScan subtract_references(const topography::LineScan& scan, const
     }
     return topography::subtract_artefact(scan, topography::average_reference(references));
 }
-
 
 /// What levelling the traced curve left out.
 void add_reentrance_alert(PreparedMeasurement& prepared) {

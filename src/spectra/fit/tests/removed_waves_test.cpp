@@ -34,7 +34,8 @@ void remove_polynomial(topography::LineScan& scan, int degree) {
 /// Waves longer than 5 µm, sharply.
 void remove_long_waves(topography::LineScan& scan) {
     for (Index k = 0; k < 11; ++k) {
-        const Array1D phase = Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)) * (2.0 * pi * static_cast<double>(k) / static_cast<double>(points));
+        const Array1D phase = Array1D::LinSpaced(points, 0.0, static_cast<double>(points - 1)) *
+                              (2.0 * pi * static_cast<double>(k) / static_cast<double>(points));
         const double c = (scan.heights * phase.cos()).mean(), s = (scan.heights * phase.sin()).mean();
         scan.heights -= (k > 0 ? 2.0 : 1.0) * (c * phase.cos() + s * phase.sin());
     }

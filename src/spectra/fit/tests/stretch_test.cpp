@@ -28,7 +28,8 @@ topography::HeightMap stretched_map(std::uint64_t seed, double stretch, double a
     topography::HeightMap map{patch.heights.topLeftCorner(points, points), {0.5 * size, 0.5 * size}, false, {}};
     if (line_offsets) {
         const double rms = std::sqrt(map.heights.square().mean());
-        for (Index j = 0; j < points; ++j) map.heights.col(j) += 0.1 * rms * std::sin(12.9898 * static_cast<double>(j * j));
+        for (Index j = 0; j < points; ++j)
+            map.heights.col(j) += 0.1 * rms * std::sin(12.9898 * static_cast<double>(j * j));
     }
     return map;
 }

@@ -79,10 +79,9 @@ TEST(Prediction, BudgetsItsVarianceByInput) {
     const double sum = b.spectrum * b.spectrum + b.modulus * b.modulus + b.surface_energy * b.surface_energy +
                        b.work_of_adhesion * b.work_of_adhesion;
     EXPECT_NEAR(pair.modified->estimate.variance() / sum, 1.0, 1e-12);
-    EXPECT_NEAR(
-        b.modulus,
-        0.03e6 / 0.75 * pair.seen.energy * result.surfaces[0].average.parameters.elastic_energy_per_modulus,
-        1e-6 * b.modulus);
+    EXPECT_NEAR(b.modulus,
+                0.03e6 / 0.75 * pair.seen.energy * result.surfaces[0].average.parameters.elastic_energy_per_modulus,
+                1e-6 * b.modulus);
     EXPECT_LT(pair.seen.energy, 1.0);  // waves longer than its contact
     EXPECT_NEAR(b.surface_energy, (pair.area_ratio - 1.0) * 0.002, 1e-12);
     EXPECT_NEAR(b.work_of_adhesion, pair.area_ratio * 0.0015, 1e-12);

@@ -40,7 +40,6 @@ struct ScaleBalance {
 /// 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8; Johnson, Int. J. Solids Struct. 32
 /// (1995) 423.
 [[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
-                                         double work_of_adhesion, double surface_energy,
-                                         double area_shape = 1.0);
+                                         double work_of_adhesion, double surface_energy, double area_shape = 1.0);
 
 }  // namespace setae::adhesion

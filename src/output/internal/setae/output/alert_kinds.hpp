@@ -9,8 +9,8 @@ namespace setae::output {
 /// A kind of alert as a page shows it. What is to be done stands in each alert itself.
 struct AlertKind {
     std::string code;
-    std::string about;  ///< what it is about: "files", "spectra", …
-    std::string said;   ///< when it is said, with its threshold
+    std::string about;          ///< what it is about: "files", "spectra", …
+    std::string said;           ///< when it is said, with its threshold
     std::string rests_on = {};  ///< why the threshold is where it is; empty for alerts without one
 };
 

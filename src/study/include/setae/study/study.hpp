@@ -21,20 +21,20 @@ namespace setae::study {
 
 /// One file of a surface and what is done to it before analysis.
 struct MeasurementInput {
-    std::string file;                    ///< path, relative to the study file where not absolute
-    std::optional<std::size_t> channel;  ///< default: the first channel of heights; of a container: every one
-    std::string instrument;              ///< type: "stylus", "afm", "tem", "optical"
-    std::optional<Estimate> tip_radius;  ///< [m]
-    std::string tip_shape;               ///< "sphere", "cone", "paraboloid"; empty: sphere
-    std::optional<double> tip_half_angle;         ///< of a cone [rad]
-    std::optional<std::string> tip_file;          ///< picture of the tip, apex up
-    std::optional<Estimate> foil_thickness;       ///< of a side view, along the beam [m]
-    std::optional<double> numerical_aperture;     ///< of an optical profiler, with …
-    std::optional<double> light_wavelength;       ///< … the mean wavelength of its light [m]
-    std::optional<double> resolution;    ///< [m]
+    std::string file;                          ///< path, relative to the study file where not absolute
+    std::optional<std::size_t> channel;        ///< default: the first channel of heights; of a container: every one
+    std::string instrument;                    ///< type: "stylus", "afm", "tem", "optical"
+    std::optional<Estimate> tip_radius;        ///< [m]
+    std::string tip_shape;                     ///< "sphere", "cone", "paraboloid"; empty: sphere
+    std::optional<double> tip_half_angle;      ///< of a cone [rad]
+    std::optional<std::string> tip_file;       ///< picture of the tip, apex up
+    std::optional<Estimate> foil_thickness;    ///< of a side view, along the beam [m]
+    std::optional<double> numerical_aperture;  ///< of an optical profiler, with …
+    std::optional<double> light_wavelength;    ///< … the mean wavelength of its light [m]
+    std::optional<double> resolution;          ///< [m]
     std::optional<topography::Trend>
-        trend;  ///< default: none where `steps` level, else what the container says, else by instrument
-    double direction = 0.0;                   ///< of its lines (x of a map) on the surface [rad]
+        trend;               ///< default: none where `steps` level, else what the container says, else by instrument
+    double direction = 0.0;  ///< of its lines (x of a map) on the surface [rad]
     std::vector<std::string> references;      ///< scans of a smooth standard: the instrument's artefact
     std::optional<std::string> unit;          ///< where the file leaves it open
     std::optional<std::vector<double>> size;  ///< [m], where the file leaves it open

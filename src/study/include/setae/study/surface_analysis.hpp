@@ -78,10 +78,10 @@ struct FittedSpectrum {
     Array1D C1D;                       ///< its Abel integral [m³]
     Array1D log_C1D_standard_error;    ///< of ln C1D, the fit's covariance carried through the integral
     std::vector<spectral_fit::Agreement> agreement;
-    std::vector<spectral_fit::TipFactor> tips;  ///< one for each group of like measurements by a tip
+    std::vector<spectral_fit::TipFactor> tips;          ///< one for each group of like measurements by a tip
     std::vector<spectral_fit::SurfaceStretch> stretch;  ///< empty where none is seen
     Array1D C1D_along, C1D_across;  ///< of lines along and across the long direction; empty without [m³]
-    int rounds = 0;                             ///< of tip simulations
+    int rounds = 0;                 ///< of tip simulations
     bool converged = false;
 };
 
@@ -126,8 +126,8 @@ struct NamedSpectrum {
 struct PreparedMeasurement {
     topography::Measurement measurement;  ///< heights of maps and scans may be undefined
     topography::Trend trend = topography::Trend::none;
-    double direction = 0.0;                 ///< of its lines on the surface [rad]
-    std::optional<spectral_fit::Probe> probe = {};           ///< that it was read with, where it is no sphere
+    double direction = 0.0;                         ///< of its lines on the surface [rad]
+    std::optional<spectral_fit::Probe> probe = {};  ///< that it was read with, where it is no sphere
     std::optional<spectral_fit::OpticalTransfer> optics = {};
     processing::Untouched untouched = {};  ///< of its waves by the pipeline before
     std::vector<processing::StepRecord> processing = {};

@@ -24,7 +24,7 @@ struct ObservedSurface {
     topography::Trend trend = topography::Trend::mean;
     int trend_degree = 0;  ///< of the polynomial along x that maps and scans have lost besides
     Band untouched{0.0, std::numeric_limits<double>::infinity()};  ///< waves that are as they were [1/m]
-    double direction = 0.0;  ///< of its lines (x of a map) on the surface, against the same axis for all [rad]
+    double direction = 0.0;           ///< of its lines (x of a map) on the surface, against the same axis for all [rad]
     std::optional<Probe> probe = {};  ///< that it was read with; without it a sphere of its instrument's tip radius
     std::optional<OpticalTransfer> optics = {};
 };
@@ -62,10 +62,10 @@ struct Agreement {
 /// What a tip was found to do.
 struct TipFactor {
     std::string instrument;
-    std::string probe;  ///< what it is, such as "sphere, 10 nm"
-    double size = 0.0;  ///< radius of its apex, or a foil's thickness [m]
-    Array1D wavevector;       ///< [1/m]
-    Array1D transfer;         ///< T
+    std::string probe;   ///< what it is, such as "sphere, 10 nm"
+    double size = 0.0;   ///< radius of its apex, or a foil's thickness [m]
+    Array1D wavevector;  ///< [1/m]
+    Array1D transfer;    ///< T
 };
 
 /// A surface whose features are longer along one direction, where maps or lines along several directions show one.
@@ -85,13 +85,14 @@ struct LikelihoodSpectrum {
     /// it the prior continues.
     spectra::Spectrum C_iso;
     Array1D log_standard_error;  ///< of ln C_iso
-    Eigen::MatrixXd design;      ///< ∂ ln C_iso/∂theta; ln C_iso = design · theta of surfaces that are not stretched
+    Eigen::MatrixXd design;  ///< ∂ ln C_iso/∂theta; ln C_iso = design · theta of surfaces that are not stretched
     Eigen::VectorXd theta;
     Eigen::MatrixXd covariance;  ///< of theta: scatter of the data and between measurements, response of the tips,
                                  ///< uncertain radii and skewness, noise of the simulation
     std::vector<Agreement> agreement;
     std::vector<TipFactor> tips;
-    std::vector<SurfaceStretch> stretch;  ///< empty: isotropic as far as is seen; C_iso is the mean over directions else
+    std::vector<SurfaceStretch>
+        stretch;                ///< empty: isotropic as far as is seen; C_iso is the mean over directions else
     Array1D C_along, C_across;  ///< of a stretched surface: C_iso that lines along and across its long direction show
     int rounds = 0;
     bool converged = false;

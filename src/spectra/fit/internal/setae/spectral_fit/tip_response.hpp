@@ -54,11 +54,11 @@ struct TipResponse {
                                 ///< leaves. None for one repetition.
 };
 
-/// Simulates the probe on periodic random patches of the given spectrum, their heights transformed to the skewness asked
-/// for: 2-D dilation or silhouettes, read along x, the same surface with and without tip. a is the regression of what is read on the
-/// surface, bin by bin, C_added what is left; both are smoothed over ln q and constant beyond the patch's longest wave,
-/// where C1D is the spectrum's own: T is not constant there. Same random numbers for every spectrum, so that T changes
-/// smoothly with it.
+/// Simulates the probe on periodic random patches of the given spectrum, their heights transformed to the skewness
+/// asked for: 2-D dilation or silhouettes, read along x, the same surface with and without tip. a is the regression of
+/// what is read on the surface, bin by bin, C_added what is left; both are smoothed over ln q and constant beyond the
+/// patch's longest wave, where C1D is the spectrum's own: T is not constant there. Same random numbers for every
+/// spectrum, so that T changes smoothly with it.
 /// @throws InvalidArgument for a radius, step or correlation length that is not positive, or a spectrum without power.
 /// Source: dilation, Villarrubia 1997; its use as a transfer factor derived here.
 [[nodiscard]] TipResponse tip_response(const spectra::SpectralDensity& C_iso, const TipSimulation& simulation);
