@@ -221,19 +221,21 @@ TEST(OpticalTransfer, IsExpectedByTheFit) {
     EXPECT_LT(with.worst, 3.5);
 }
 
-// Silhouettes of 100 nm of a surface whose waves are as short as 40 nm.
+// Silhouettes of 100 nm of a surface whose waves are as short as 40 nm, on a grid on which peaks hardly lie between
+// points.
 TEST(Probe, OfAFoilIsExpectedByTheFit) {
-    constexpr Index points = 512;
+    constexpr Index points = 512, finer = 4, fine = finer * points;
     constexpr double pixel = 10e-9, thickness = 100e-9;
     std::vector<ObservedSurface> contours;
     for (std::uint64_t seed = 100; seed < 116; ++seed) {
-        const auto map = surface(seed, points, pixel);
-        for (Index line = 0; line < points; line += points / 4) {
+        const auto map = surface(seed, fine, pixel / finer);
+        for (Index line = 0; line < fine; line += fine / 4) {
             topography::Profile profile{Array1D(points / 2), Array1D(points / 2), {}};
             for (Index i = 0; i < points / 2; ++i) {
                 profile.positions[i] = static_cast<double>(i) * pixel;
-                double highest = map.heights(i, line);
-                for (Index l = 1; l <= 10; ++l) highest = std::max(highest, map.heights(i, (line + l) % points));
+                double highest = map.heights(finer * i, line);
+                for (Index l = 1; l <= 10 * finer; ++l)
+                    highest = std::max(highest, map.heights(finer * i, (line + l) % fine));
                 profile.heights[i] = highest;
             }
             profile.metadata.instrument.type = "tem";
