@@ -13,6 +13,7 @@
 #include "setae/spectra/self_affine.hpp"
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/spectral_fit/tip_response.hpp"
+#include "setae/synthesis/height_transform.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "setae/topography/dilation.hpp"
 
@@ -292,6 +293,66 @@ TEST(Probe, OfUncertainSizeWidensIntervalsByWhatItWouldMove) {
         added += more;
     }
     EXPECT_NEAR(std::sqrt(added / moved), 1.0, 0.25);
+}
+
+// Scans upside down have the same periodograms and the opposite skewness: turning some of them over moves the fit by
+// their mean skewness and widens its intervals by the scatter of it, and nothing else.
+TEST(Probe, OfSkewedHeightsWidensIntervalsByWhatSkewnessWouldMove) {
+    constexpr Index points = 1024;
+    constexpr double pixel = 10e-9;
+    const auto peaks = synthesis::lognormal_heights(1.0);
+    std::vector<ObservedSurface> scans;
+    for (std::uint64_t seed = 300; seed < 308; ++seed) {
+        auto map = surface(seed, points, pixel);
+        const double rms = std::sqrt(map.heights.square().mean());
+        map.heights = map.heights.unaryExpr([&](double h) { return rms * peaks(h / rms); });
+        map = topography::dilated(map, topography::SphereTip{200e-9}, {.threads = {1}});
+        for (Index line = 0; line < points; line += points / 8) {
+            topography::LineScan scan;
+            scan.heights = map.heights.col(line);
+            scan.size = points * pixel;
+            scan.metadata.instrument.type = "stylus";
+            scans.push_back({.measurement = scan,
+                             .trend = topography::Trend::mean,
+                             .untouched = {0.0, 4e7},
+                             .probe = sphere({.value = 200e-9})});
+        }
+    }
+    const auto fit = [&] {
+        return likelihood_spectrum(
+            scans,
+            {.shortest_wavelength = shortest_wavelength, .tip_points = 1024, .tip_length = 1024, .threads = {1}});
+    };
+    const auto skewness = [&] {
+        Array1D each(static_cast<Index>(scans.size()));
+        for (Index i = 0; i < each.size(); ++i) {
+            const auto& heights =
+                std::get<topography::LineScan>(scans[static_cast<std::size_t>(i)].measurement).heights;
+            const Array1D centred = heights - heights.mean();
+            each[i] = centred.cube().mean() / std::pow(centred.square().mean(), 1.5);
+        }
+        const auto n = static_cast<double>(each.size());
+        return Estimate{each.mean(), std::sqrt((each - each.mean()).square().sum() / (n * (n - 1.0)))};
+    };
+    const auto skewed = fit();
+    const auto of_skewed = skewness();
+    for (std::size_t i = 0; i < scans.size(); i += 6) {
+        auto& heights = std::get<topography::LineScan>(scans[i].measurement).heights;
+        heights = -heights;
+    }
+    const auto mixed = fit();
+    const auto of_mixed = skewness();
+    double moved = 0.0, added = 0.0;
+    for (Index i = 0; i < skewed.C_iso.wavevector.size(); ++i) {
+        const double q = skewed.C_iso.wavevector[i];
+        if (q < 2e6 || q > 2e7) continue;
+        moved += std::pow(std::log(mixed.C_iso.density[i] / skewed.C_iso.density[i]), 2);
+        added += std::pow(mixed.log_standard_error[i], 2) - std::pow(skewed.log_standard_error[i], 2);
+    }
+    const double response = std::sqrt(moved) / std::abs(of_mixed.value - of_skewed.value);
+    const double scatter = std::sqrt(of_mixed.variance() - of_skewed.variance());
+    EXPECT_GT(response, 0.0);
+    EXPECT_NEAR(std::sqrt(added) / scatter / response, 1.0, 0.25);
 }
 
 TEST(Probe, OfASizeWithoutErrorHasNone) {
