@@ -3,11 +3,13 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -16,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/protected_inputs.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
@@ -23,26 +26,57 @@
 namespace setae::bytes {
 namespace {
 
-/// An open file that closes itself.
+/// Why the system refuses a path, in words that say what to look at.
+std::string refusal(int error) {
+    switch (error) {
+        case ENOENT: return "no such file";
+        case ENOTDIR: return "no such file: a part of its path is no folder";
+        case EACCES:
+        case EPERM: return "no permission to read it, or to enter a folder of its path";
+        case ELOOP: return "its symbolic links lead in a circle";
+        case ENAMETOOLONG: return "its name is too long";
+        case EMFILE:
+        case ENFILE: return "too many files are open; see `ulimit -n`";
+        default: return std::string("cannot be opened: ") + std::strerror(error);
+    }
+}
+
+const char* kind_of(mode_t mode) {
+    if (S_ISDIR(mode)) return "a folder";
+    if (S_ISFIFO(mode)) return "a pipe";
+    if (S_ISSOCK(mode)) return "a socket";
+    return "a device";
+}
+
+/// An open regular file that closes itself.
 class Descriptor {
 public:
-    /// @throws FileError for a missing path, a folder or a file that cannot be opened.
-    explicit Descriptor(const std::string& path) {
-        std::error_code ignored;
-        if (!std::filesystem::exists(path, ignored)) throw FileError(fmt::format("{}: no such file", path));
-        if (std::filesystem::is_directory(path, ignored))
-            throw FileError(fmt::format("{}: is a folder, expected a file", path));
-        number_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        if (number_ < 0) throw FileError(fmt::format("{}: cannot be opened for reading; check its permissions", path));
+    /// @throws FileError for a missing path, what is no regular file and what cannot be opened; never waits.
+    explicit Descriptor(const std::string& path) : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        const int error = errno;
+        struct stat found {};
+        const bool known = (number_ < 0 ? ::stat(path.c_str(), &found) : ::fstat(number_, &found)) == 0;
+        if (known && !S_ISREG(found.st_mode)) {
+            close();
+            throw FileError(fmt::format("{}: is {}, expected a regular file", path, kind_of(found.st_mode)));
+        }
+        if (number_ < 0) throw FileError(fmt::format("{}: {}", path, refusal(error)));
+        size_ = static_cast<std::uint64_t>(found.st_size);
     }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { ::close(number_); }
+    ~Descriptor() { close(); }
 
     [[nodiscard]] int number() const { return number_; }
+    [[nodiscard]] std::uint64_t size() const { return size_; }
 
 private:
+    void close() const {
+        if (number_ >= 0) ::close(number_);
+    }
+
     int number_ = -1;
+    std::uint64_t size_ = 0;
 };
 
 void read_from_file(const std::string& path, std::uint64_t offset, std::uint64_t count, char* target) {
@@ -57,6 +91,12 @@ void read_from_file(const std::string& path, std::uint64_t offset, std::uint64_t
     }
 }
 
+std::uint64_t memory_of_machine() {
+    static const auto bytes =
+        static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+    return bytes;
+}
+
 /// Refuses what lies beyond the end of a source.
 void require_inside(const std::string& name, std::uint64_t size, std::uint64_t offset, std::uint64_t count) {
     if (offset > size || count > size - offset)
@@ -65,9 +105,25 @@ void require_inside(const std::string& name, std::uint64_t size, std::uint64_t o
             fmt::format("the file ends here, expected {} bytes from byte {}; it is truncated", count, offset));
 }
 
-[[noreturn]] void refuse_writing(const std::string& path, const char* what) {
-    throw FileError(
-        fmt::format("{}: cannot be {}; check that the folder exists, is writable and has space", path, what));
+[[noreturn]] void refuse_writing(const std::string& path, const char* what, int error) {
+    throw FileError(fmt::format("{}: cannot be {} ({}); check that the folder exists, is writable and has space", path,
+                                what, std::strerror(error)));
+}
+
+/// What a path leads to where it is a link to a file, so that links stay what they are.
+std::string target_of(const std::string& path) {
+    std::error_code failure;
+    if (!std::filesystem::is_symlink(path, failure)) return path;
+    const auto target = std::filesystem::weakly_canonical(path, failure);
+    return failure ? path : target.string();
+}
+
+/// @throws FileError for inputs, folders, pipes and devices.
+void require_replaceable(const std::string& path) {
+    struct stat found {};
+    if (::stat(path.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
+        throw FileError(fmt::format("{}: is {}, expected the name of a file to write", path, kind_of(found.st_mode)));
+    require_no_input(path);
 }
 
 /// A name beside `path` that no other writer of this or another process uses.
@@ -88,6 +144,9 @@ std::optional<pid_t> writer_of(const std::string& name) {
 
 std::string Source::bytes(std::uint64_t offset, std::uint64_t count) const {
     require_inside(name, size, offset, count);
+    if (count > memory_of_machine())
+        throw FormatError(name, {.offset = offset},
+                          fmt::format("{} bytes in one piece are more than the memory of this machine", count));
     std::string content(count, '\0');
     read_into(offset, count, content.data());
     return content;
@@ -97,15 +156,23 @@ std::string Source::up_to(std::uint64_t offset, std::uint64_t count) const {
     return offset < size ? bytes(offset, std::min(count, size - offset)) : std::string();
 }
 
-Source file_source(const std::string& path) {
+namespace {
+
+Source source_of(const std::string& path) {
     const Descriptor file(path);
-    const auto end = ::lseek(file.number(), 0, SEEK_END);
-    if (end < 0) throw FileError(fmt::format("{}: cannot be read; expected a regular file", path));
-    Source source{path, static_cast<std::uint64_t>(end), path, {}};
+    Source source{path, file.size(), path, {}};
     source.read_into = [path, size = source.size](std::uint64_t offset, std::uint64_t count, char* target) {
         require_inside(path, size, offset, count);
         read_from_file(path, offset, count, target);
     };
+    return source;
+}
+
+}  // namespace
+
+Source file_source(const std::string& path) {
+    auto source = source_of(path);
+    protect_input(path);
     return source;
 }
 
@@ -132,7 +199,11 @@ Source part_of(const Source& source, std::string name, std::uint64_t offset, std
 
 std::string read_file(const std::string& path) { return file_source(path).all(); }
 
-void write_whole_file(const std::string& path, const std::function<void(const std::string&)>& write) {
+std::string read_back(const std::string& path) { return source_of(path).all(); }
+
+void write_whole_file(const std::string& link, const std::function<void(const std::string&)>& write) {
+    const auto path = target_of(link);
+    require_replaceable(path);
     const auto temporary = temporary_name(path);
     const auto remove = [&] {
         std::error_code ignored;
@@ -148,7 +219,7 @@ void write_whole_file(const std::string& path, const std::function<void(const st
     std::filesystem::rename(temporary, path, error);
     if (!error) return;
     remove();
-    refuse_writing(path, "replaced");
+    refuse_writing(path, "replaced", error.value());
 }
 
 void write_whole_file(const std::string& path, std::string_view content) { write_whole_file(path, {content}); }
@@ -156,10 +227,10 @@ void write_whole_file(const std::string& path, std::string_view content) { write
 void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {
     write_whole_file(path, [&](const std::string& temporary) {
         std::ofstream file(temporary, std::ios::binary);
-        if (!file) refuse_writing(path, "created");
+        if (!file) refuse_writing(path, "created", errno);
         for (const auto part : parts) file.write(part.data(), static_cast<std::streamsize>(part.size()));
         file.close();
-        if (!file) refuse_writing(path, "written");
+        if (!file) refuse_writing(path, "written", errno);
     });
 }
 

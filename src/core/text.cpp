@@ -62,6 +62,55 @@ std::size_t utf8_length(std::string_view text) {
     return overlong || no_character ? 0 : length;
 }
 
+namespace {
+
+/// The number of a character that utf8_length() has taken for one.
+char32_t code_point(std::string_view character) {
+    constexpr unsigned char first_bits[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
+    char32_t code = static_cast<unsigned char>(character.front()) & first_bits[character.size()];
+    for (const char c : character.substr(1)) code = (code << 6) | (static_cast<unsigned char>(c) & 0x3f);
+    return code;
+}
+
+/// C0, C1, separators of lines and paragraphs, marks of direction.
+bool controls(char32_t code) {
+    return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x200e && code <= 0x200f) ||
+           (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+/// Every character of text through `change`, which takes it as bytes; what is no UTF-8 is U+FFFD.
+template <class Change>
+std::string changed(std::string_view text, const Change& change) {
+    std::string result;
+    result.reserve(text.size());
+    while (!text.empty()) {
+        const auto length = utf8_length(text);
+        const auto character = text.substr(0, std::max<std::size_t>(1, length));
+        result += length == 0 ? std::string_view("\uFFFD") : change(character);
+        text.remove_prefix(character.size());
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string valid_utf8(std::string_view text) {
+    return changed(text, [](std::string_view character) { return character; });
+}
+
+std::string printable(std::string_view text) {
+    return changed(text, [](std::string_view character) {
+        const bool layout = character == "\n" || character == "\t";
+        return !layout && controls(code_point(character)) ? std::string_view(" ") : character;
+    });
+}
+
+std::string one_line(std::string_view text) {
+    return changed(text, [](std::string_view character) {
+        return controls(code_point(character)) ? std::string_view(" ") : character;
+    });
+}
+
 std::string shell_word(std::string_view word) {
     constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+,:@%=";
     if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) return std::string(word);

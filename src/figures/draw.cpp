@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,15 +21,32 @@
 namespace setae::figures {
 namespace {
 
+/// Where temporary folders may be made: $TMPDIR, the system's, and where the program runs.
+std::vector<std::string> places_for_temporaries() {
+    std::vector<std::string> places;
+    if (const char* chosen = std::getenv("TMPDIR"); chosen && *chosen) places.emplace_back(chosen);
+    places.insert(places.end(), {"/tmp", "/var/tmp", "."});
+    return places;
+}
+
 /// A folder of its own, removed with all it holds.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        auto pattern = (std::filesystem::temp_directory_path() / "setae_figure_XXXXXX").string();
-        if (!mkdtemp(pattern.data()))
-            throw FileError(fmt::format("{}: cannot be created: {}; check that the folder is writable", pattern,
-                                        std::strerror(errno)));
-        path_ = pattern;
+        int first_error = 0;
+        const auto places = places_for_temporaries();
+        for (const auto& place : places) {
+            auto pattern = (std::filesystem::path(place) / "setae_figure_XXXXXX").string();
+            if (mkdtemp(pattern.data())) {
+                path_ = pattern;
+                return;
+            }
+            if (first_error == 0) first_error = errno;
+        }
+        throw FileError(
+            fmt::format("{}: no folder for temporary files can be made in it ({}), nor in /tmp, /var/tmp or here; "
+                        "set TMPDIR to a folder that is writable and has space",
+                        places.front(), std::strerror(first_error)));
     }
     ~TemporaryFolder() {
         std::error_code ignored;
@@ -48,6 +67,18 @@ struct Outcome {
     int status = 0;       ///< as waitpid gives it
 };
 
+/// The program's environment without time zone, language and gnuplot's own settings, which would change figures.
+std::vector<std::string> environment() {
+    std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C"};
+    for (char** variable = environ; *variable; ++variable) {
+        const std::string_view text(*variable);
+        const auto begins = [&](std::string_view name) { return text.starts_with(name); };
+        if (!begins("TZ=") && !begins("LC_") && !begins("LANG") && !begins("GNUPLOT") && !begins("SOURCE_DATE_EPOCH="))
+            variables.emplace_back(text);
+    }
+    return variables;
+}
+
 /// Runs gnuplot on a script, its words into a file. The script names its output relative to `folder`.
 Outcome run_gnuplot(const std::string& folder, const std::string& script, const std::string& words) {
     posix_spawn_file_actions_t actions;
@@ -59,9 +90,13 @@ Outcome run_gnuplot(const std::string& folder, const std::string& script, const 
     // --default-settings: no initialisation file of the user changes a figure
     std::string program = "gnuplot", defaults = "--default-settings", file = script;
     char* arguments[] = {program.data(), defaults.data(), file.data(), nullptr};
+    auto variables = environment();
+    std::vector<char*> pointers;
+    for (auto& variable : variables) pointers.push_back(variable.data());
+    pointers.push_back(nullptr);
     Outcome outcome;
     pid_t process = 0;
-    outcome.start_error = posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments, environ);
+    outcome.start_error = posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments, pointers.data());
     posix_spawn_file_actions_destroy(&actions);
     if (outcome.start_error != 0) return outcome;
     while (waitpid(process, &outcome.status, 0) < 0 && errno == EINTR) {
@@ -113,8 +148,8 @@ std::string drawn(const Figure& figure, const std::string& ending) {
         throw FileError(fmt::format("gnuplot cannot be started: {}", std::strerror(outcome.start_error)));
     std::error_code missing;
     if (outcome.status != 0 || std::filesystem::file_size(folder.file(output.c_str()), missing) == 0 || missing)
-        throw FileError(fmt::format("gnuplot failed: {}", trimmed(bytes::read_file(folder.file("words.txt")))));
-    auto content = bytes::read_file(folder.file(output.c_str()));
+        throw FileError(fmt::format("gnuplot failed: {}", trimmed(bytes::read_back(folder.file("words.txt")))));
+    auto content = bytes::read_back(folder.file(output.c_str()));
     if (ending == "pdf") erase_date(content);
     if (ending == "svg") complete_svg(content);
     return content;

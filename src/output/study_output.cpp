@@ -11,6 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/netcdf.hpp"
+#include "setae/output/file_names.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/spectra/abel.hpp"
@@ -281,12 +282,6 @@ Table spectrum_table(const study::SurfaceResult& surface, double shortest_wavele
 
 }  // namespace
 
-std::string as_file_name(std::string name) {
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') c = '_';
-    return name;
-}
-
 std::string summary(const study::StudyResult& result) {
     std::string text =
         result.study.title + "\n" + (result.study.description.empty() ? "" : result.study.description + "\n") + "\n";
@@ -311,18 +306,17 @@ std::string summary(const study::StudyResult& result) {
     return text;
 }
 
-std::vector<std::string> write_results(const study::StudyResult& result) {
-    namespace fs = std::filesystem;
-    const fs::path folder(result.study.output);
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure)
-        throw FileError(
-            fmt::format("{}: cannot make the folder of the results ({})", folder.string(), failure.message()));
+std::vector<std::string> spectrum_stems(const study::StudyResult& result) {
+    std::vector<std::string> names;
+    for (const auto& surface : result.surfaces) names.push_back(surface.name);
+    return file_names(names);
+}
+
+std::vector<std::string> write_results(const study::StudyResult& result, ResultFolder& folder) {
     std::vector<std::string> files;
     const auto path_of = [&](const std::string& name) {
         files.push_back(name);
-        return (folder / name).string();
+        return folder.claim(name);
     };
     const auto write_table = [&](const std::string& name, const tables::TidyTable& table) {
         if (!table.rows.empty()) bytes::write_whole_file(path_of(name), tables::as_csv(table));
@@ -345,21 +339,33 @@ std::vector<std::string> write_results(const study::StudyResult& result) {
     write_table("loop_fits.csv", loop_fit_table(result));
     write_table("loop_energies.csv", loop_energy_table(result));
     write_table("alerts.csv", alert_table(result));
-    for (const auto& surface : result.surfaces) {
+    const auto stems = spectrum_stems(result);
+    const auto write_spectrum = [&](const std::string& stem, const Table& table) {
+        formats::write_netcdf(path_of(stem + ".nc"), table);
+        tables::write_csv(path_of(stem + ".csv"), table);
+    };
+    for (std::size_t i = 0; i < stems.size(); ++i) {
+        const auto& surface = result.surfaces[i];
         if (surface.failed()) continue;
         const auto table = spectrum_table(surface, result.study.analysis.likelihood.shortest_wavelength);
-        formats::write_netcdf(path_of("psd_" + as_file_name(surface.name) + ".nc"), table);
-        tables::write_csv(path_of("psd_" + as_file_name(surface.name) + ".csv"), table);
+        write_spectrum("psd_" + stems[i], table);
         if (!surface.fitted) continue;
         auto fitted = fitted_spectrum_table(*surface.fitted);
         fitted.metadata = {{"surface", surface.name},
                            {"source", "C_iso fitted to all measurements"},
                            {"normalisation", table.metadata.at("normalisation")},
                            {"band", "_low and _high: 95 %"}};
-        formats::write_netcdf(path_of("likelihood_" + as_file_name(surface.name) + ".nc"), fitted);
-        tables::write_csv(path_of("likelihood_" + as_file_name(surface.name) + ".csv"), fitted);
+        write_spectrum("likelihood_" + stems[i], fitted);
     }
-    bytes::write_whole_file(path_of("study.json"), to_json(result).dump(2) + "\n");
+    bytes::write_whole_file(path_of("study.json"), as_text(to_json(result)));
+    return files;
+}
+
+std::vector<std::string> write_results(const study::StudyResult& result) {
+    ResultFolder folder(result.study);
+    folder.begin();
+    auto files = write_results(result, folder);
+    folder.finish();
     return files;
 }
 

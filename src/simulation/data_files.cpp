@@ -116,7 +116,7 @@ std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& su
         entry.update(to_json(loop.specimen, loop.truth));
         truth[loop.surface.empty() ? "references" : "pairs"].push_back(std::move(entry));
     }
-    return truth.dump(2) + "\n";
+    return truth.dump(2, ' ', false, decltype(truth)::error_handler_t::replace) + "\n";
 }
 
 std::string study_text(const Recipe& recipe, const std::vector<std::vector<MeasurementFile>>& measurements,

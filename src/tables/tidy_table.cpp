@@ -6,10 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::tables {
 namespace {
+
+/// Text on one line, behind an apostrophe where a spreadsheet would take it for a formula.
+std::string harmless(const std::string& text) {
+    const bool formula = !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
+    return (formula ? "'" : "") + one_line(text);
+}
 
 std::string quoted(const std::string& text) {
     if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -22,13 +29,13 @@ std::string quoted(const std::string& text) {
 }
 
 std::string csv_cell(const TidyTable::Cell& cell) {
-    if (const auto* text = std::get_if<std::string>(&cell)) return quoted(*text);
+    if (const auto* text = std::get_if<std::string>(&cell)) return quoted(harmless(*text));
     const double number = std::get<double>(cell);
     return std::isnan(number) ? "" : fmt::format("{}", number);
 }
 
 std::string text_cell(const TidyTable::Cell& cell, int digits) {
-    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    if (const auto* text = std::get_if<std::string>(&cell)) return one_line(*text);
     return format_value(std::get<double>(cell), "1", digits);
 }
 

@@ -31,8 +31,8 @@ std::vector<RunResult> for_each_data_set(
             const auto recipe = simulation::read_recipe(sets.recipe, sets.first_seed + r);
             simulation::make(recipe, folder, {1});
             results[r].comparisons = compare(static_cast<int>(r), recipe, folder);
-        } catch (const Error& failure) {
-            results[r].failure = failure.what();
+        } catch (const std::exception& failure) {
+            results[r].failure = reason_of(failure);
         }
         std::error_code ignored;
         if (!sets.keep) fs::remove_all(folder, ignored);

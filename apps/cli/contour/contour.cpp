@@ -143,7 +143,7 @@ void write_picture(const Arguments& a, const study::TracedPicture& picture, cons
                                              : fmt::format("{}_{}{}", to.stem.string(), i + 1, to.extension);
         bytes::write_whole_file(path, study::profile_text(picture, i, options.shape));
     }
-    bytes::write_whole_file(to.stem.string() + ".json", output::to_json(picture, options).dump(2) + "\n");
+    bytes::write_whole_file(to.stem.string() + ".json", output::as_text(output::to_json(picture, options)));
     if (!a.no_overlay) bytes::write_whole_file(to.stem.string() + ".png", study::overlay_of(picture, options));
 }
 
@@ -186,9 +186,9 @@ Outcome traced(const Arguments& a, const std::string& path, const study::Contour
                 path, a.anchors, digest->substr(0, 8), outcome.picture->digest.substr(0, 8)));
         if (!a.output.empty()) write_picture(a, *outcome.picture, options, outputs_of(a, path, batch));
         if (batch) outcome.picture->micrograph.pixels.resize(0, 0);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         outcome.picture.reset();
-        outcome.error = error.what();
+        outcome.error = reason_of(error);
     }
     return outcome;
 }
@@ -245,8 +245,10 @@ ExitCode run(const Arguments& a) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("pictures", arguments->pictures,
-                "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them");
+    options
+        .add("pictures", arguments->pictures,
+             "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them")
+        .of_inputs();
     options.add("-o,--output", arguments->output,
                 "OUT.csv, with OUT.json and OUT.png beside it; of several pictures a folder");
     options.add("--anchors", arguments->anchors,

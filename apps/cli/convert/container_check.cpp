@@ -106,7 +106,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("files", arguments->files, "containers");
+    options.add("files", arguments->files, "containers").of_inputs();
     return action(options, arguments, explanation, run);
 }
 

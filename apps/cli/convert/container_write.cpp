@@ -206,8 +206,9 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("files", arguments->files,
-                "measured files, which become one surface, and containers, which keep theirs");
+    options
+        .add("files", arguments->files, "measured files, which become one surface, and containers, which keep theirs")
+        .of_inputs();
     options.add("-o,--output", arguments->output, "container to write, OUT.zip");
     options.add("--name", arguments->name, "name of the surface that the files are of; default: the output's");
     options.add("--description", arguments->description, "its description");

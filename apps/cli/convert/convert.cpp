@@ -12,6 +12,7 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::cli::convert_command {
@@ -39,6 +40,7 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
                 fmt::format("expected an input file and OUT with an ending {}; several files need -o FOLDER --to x3p",
                             endings_of_heights()));
         require_heights_ending(arguments.paths[1]);
+        bytes::protect_input(arguments.paths[0]);
         return {{arguments.paths[0], arguments.paths[1]}};
     }
     if (arguments.folder.empty() || arguments.to.empty() || arguments.paths.empty())

@@ -12,8 +12,8 @@
 #include "files/file_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
+#include "program/pages.hpp"
 #include "program/print_json.hpp"
-#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/study/pipeline_file.hpp"
 
@@ -69,7 +69,7 @@ output::Json level_file(const Arguments& arguments, const processing::Pipeline& 
 
 ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) {
-        bytes::write_whole_file(arguments.documentation, step_page());
+        write_page(arguments.documentation, step_page());
         return ExitCode::done;
     }
     const auto pipeline = arguments.processing.pipeline();
@@ -95,7 +95,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("files", arguments->paths, "measurements");
+    options.add("files", arguments->paths, "measurements").of_inputs();
     arguments->processing.add_to(options);
     options.add("-o,--output", arguments->output, "what the one file is written to, by its ending");
     options.add("--output-folder", arguments->folder, "folder that gets each file under its name");

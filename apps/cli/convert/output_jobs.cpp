@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "convert/heights_output.hpp"
+#include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::cli {
@@ -17,8 +18,10 @@ std::vector<Job> jobs_into_folder(const std::vector<std::string>& inputs, const 
     const auto whole = ending.starts_with('.') ? ending : "." + ending;
     require_heights_ending("--to " + whole);
     std::vector<Job> jobs;
-    for (const auto& input : inputs)
+    for (const auto& input : inputs) {
+        bytes::protect_input(input);
         jobs.push_back({input, (fs::path(folder) / fs::path(input).stem()).string() + whole});
+    }
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)

@@ -84,8 +84,9 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("files", arguments->files,
-                "measurements: files or containers; several are also compared with each other");
+    options
+        .add("files", arguments->files, "measurements: files or containers; several are also compared with each other")
+        .of_inputs();
     arguments->file.add_to(options);
     options.add("--tip-radius", arguments->tip_radius, "such as \"10 nm\", where the file does not say it");
     options.flag("--strict", arguments->strict, "exit code 1 where anything is found");

@@ -77,8 +77,8 @@ HeightSummary summarise(const formats::Channel& channel) {
         return std::visit(
             [](const auto& m) { return summary_of(Eigen::Map<const Array1D>(m.heights.data(), m.heights.size())); },
             measurement);
-    } catch (const Error& error) {
-        return {.error = error.what()};
+    } catch (const std::exception& error) {
+        return {.error = reason_of(error)};
     }
 }
 
@@ -184,7 +184,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("files", arguments->files, "files or containers");
+    options.add("files", arguments->files, "files or containers").of_inputs();
     options.flag("--heights", arguments->heights, "read heights of files above 64 MB too");
     options.flag("--no-heights", arguments->no_heights, "read headers alone");
     arguments->file.add_to(options);

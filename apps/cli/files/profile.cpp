@@ -97,7 +97,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("file", arguments->path, "a map, or a file or container that holds one");
+    options.add("file", arguments->path, "a map, or a file or container that holds one").of_inputs();
     arguments->file.add_to(options);
     options.add("--from", arguments->from, "x,y of its first point");
     options.add("--to", arguments->to, "x,y of its last point");

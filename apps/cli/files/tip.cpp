@@ -100,7 +100,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("file", arguments->path, "a map, or a file or container that holds one");
+    options.add("file", arguments->path, "a map, or a file or container that holds one").of_inputs();
     arguments->file.add_to(options);
     arguments->processing.add_to(options);
     options.add("--points", arguments->points, "extent of the estimate in pixels, odd").default_shown();

@@ -160,8 +160,10 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("files", arguments->files,
-                "tables of two lengths with their units, a profilometer's trace, or pictures of the lens's side");
+    options
+        .add("files", arguments->files,
+             "tables of two lengths with their units, a profilometer's trace, or pictures of the lens's side")
+        .of_inputs();
     options.add("--x", arguments->x, "column along the lens; default: the first of lengths");
     options.add("--z", arguments->z, "column of heights; default: the second of lengths");
     options.add("--pixel", arguments->pixel, "of pictures that do not state it, such as \"2.05 um\"");

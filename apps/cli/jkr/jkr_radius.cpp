@@ -176,8 +176,10 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("frames", arguments->frames,
-                "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP)");
+    options
+        .add("frames", arguments->frames,
+             "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP)")
+        .of_inputs();
     options.add("--um-per-px", arguments->micrometres_a_pixel, "size of a pixel in micrometres, such as 1.82");
     options.add("--pixel", arguments->pixel, "the same with its unit, such as \"1.82 um\"");
     options.flag("--ignore-stated-pixel-size", arguments->ignore_stated_pixel_size,

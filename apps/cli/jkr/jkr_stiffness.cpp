@@ -77,8 +77,9 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("files", arguments->files,
-                "loops of the machine on something rigid: force against the stage's position");
+    options
+        .add("files", arguments->files, "loops of the machine on something rigid: force against the stage's position")
+        .of_inputs();
     options.add("--map", arguments->map, "mapping file (TOML) that names the columns of a foreign table");
     return action(options, arguments, explanation, run);
 }

@@ -65,7 +65,7 @@ void write_folder(const fs::path& folder, const study::ReplicateTables& tables, 
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) throw FileError(fmt::format("{}: cannot make the folder ({})", folder.string(), failure.message()));
-    bytes::write_whole_file((folder / "summary.json").string(), json.dump(2) + "\n");
+    bytes::write_whole_file((folder / "summary.json").string(), output::as_text(json));
     bytes::write_whole_file((folder / "replicates.csv").string(), tables::as_csv(output::replicate_table(tables.data)));
     bytes::write_whole_file((folder / "means.csv").string(),
                             tables::as_csv(output::replicate_mean_table(tables.data, model)));
@@ -102,8 +102,10 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     auto& columns = arguments->columns;
-    options.add("files", arguments->files,
-                "tables with a row for each fit: those of `setae jkr fit --tidy`, or any CSV with units in the header");
+    options
+        .add("files", arguments->files,
+             "tables with a row for each fit: those of `setae jkr fit --tidy`, or any CSV with units in the header")
+        .of_inputs();
     options.add("--quantity", columns.quantity, "what is summarised: W, E*, E_loss, F_po, or a column's name")
         .default_shown();
     options.add("--group-by", arguments->group_by,

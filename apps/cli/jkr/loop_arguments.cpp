@@ -41,9 +41,10 @@ AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& fil
 }  // namespace
 
 void LoopArguments::add_to(Options& options) {
-    options.add(
-        "files", files,
-        "loops: tables with units in the header, setae's loop files, workbooks, force curves, or folders of them");
+    options
+        .add("files", files,
+             "loops: tables with units in the header, setae's loop files, workbooks, force curves, or folders of them")
+        .of_inputs();
     options.add("--map", map, "mapping file (TOML) that names the columns of a foreign table");
     options.add(
         "--camera", camera,
@@ -188,10 +189,8 @@ ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads thr
         parallel::for_each_index(results.size(), threads, [&](std::size_t i) {
             try {
                 results[i].loop = analysed(request, files[first + i]);
-            } catch (const Error& error) {
-                const std::string& file = files[first + i];
-                results[i].error =
-                    std::string_view(error.what()).starts_with(file) ? error.what() : file + ": " + error.what();
+            } catch (const std::exception& error) {
+                results[i].error = reason_of(error, files[first + i]);
             }
         });
         for (const auto& result : results) {

@@ -48,7 +48,7 @@ ExitCode run_make(const MakeArguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<MakeArguments>();
-    options.add("recipe", arguments->file, "TOML file of the recipe");
+    options.add("recipe", arguments->file, "TOML file of the recipe").of_inputs();
     options.add("-o,--output", arguments->output, "folder of the data set; default: laboratory");
     options.add("--seed", arguments->seed, "in place of the recipe's");
     return action(options, arguments, explanation_of_make, run_make);

@@ -9,6 +9,7 @@
 #include "params/texture_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
+#include "program/pages.hpp"
 #include "program/print_json.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/bytes/whole_file.hpp"
@@ -69,8 +70,8 @@ ExitCode run_standard(const Arguments& arguments) {
                                 arguments.texture.parameters_of(prepared.measurement, arguments.common.workers())});
                 alerts.insert(alerts.end(), prepared.alerts.begin(), prepared.alerts.end());
             }
-        } catch (const Error& error) {
-            complain(error.what());
+        } catch (const std::exception& error) {
+            complain(reason_of(error));
             ++failed;
         }
     }
@@ -85,15 +86,15 @@ ExitCode run_standard(const Arguments& arguments) {
     return failed > 0 ? ExitCode::some_failed : ExitCode::done;
 }
 
-ExitCode write_page(const std::string& path) {
-    const auto existing = std::filesystem::exists(path) ? bytes::read_file(path) : std::string();
-    bytes::write_whole_file(path, parameter_page(existing));
+ExitCode write_documentation(const std::string& path) {
+    const auto existing = std::filesystem::exists(path) ? bytes::read_back(path) : std::string();
+    write_page(path, parameter_page(existing));
     print(path + "\n");
     return ExitCode::done;
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (!arguments.documentation.empty()) return write_page(arguments.documentation);
+    if (!arguments.documentation.empty()) return write_documentation(arguments.documentation);
     if (arguments.texture.asked()) return run_standard(arguments);
     const auto options = arguments.surface.analysis();
     const auto [surface, map] =

@@ -124,7 +124,7 @@ ExitCode run(const PlotArguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<PlotArguments>();
-    options.add("study", arguments->study, "TOML file of the study");
+    options.add("study", arguments->study, "TOML file of the study").of_inputs();
     options.add("--figure", arguments->figure,
                 "which: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8, spectra:NAME, scales, prediction, replicates, agreement");
     options.add("-o,--output", arguments->output,

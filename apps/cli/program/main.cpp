@@ -1,23 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 
 #include "program/command_line.hpp"
 #include "program/messages.hpp"
 #include "program/parser.hpp"
+#include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/parallel/memory.hpp"
+
+namespace setae::cli {
+namespace {
+
+int run(int argc, char** argv) {
+    try {
+        const bytes::ProtectedInputs inputs;
+        const auto [action, exit_code] = parsed(argc, argv);
+        return action ? static_cast<int>(action()) : exit_code;
+    } catch (const std::exception& error) {
+        complain(reason_of(error));
+    }
+    return static_cast<int>(ExitCode::nothing_done);
+}
+
+/// Whether all that went to standard output has arrived there; says why where it has not.
+bool output_arrived() {
+    errno = 0;
+    std::cout.flush();
+    const bool flushed = std::fflush(stdout) == 0;
+    if (flushed && std::ferror(stdout) == 0 && std::cout) return true;
+    complain(std::string("standard output cannot be written") +
+             (errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string()) +
+             "; what it holds is not complete");
+    return false;
+}
+
+}  // namespace
+}  // namespace setae::cli
 
 int main(int argc, char** argv) {
     using namespace setae::cli;
     setae::parallel::keep_freed_memory();
+    // a file beyond `ulimit -f` is refused with a reason and cleaned up, in place of the end of the program
+    std::signal(SIGXFSZ, SIG_IGN);
     remember_command_line(argc, argv);
-    try {
-        const auto [action, exit_code] = parsed(argc, argv);
-        return action ? static_cast<int>(action()) : exit_code;
-    } catch (const setae::Error& error) {
-        complain(error.what());
-    } catch (const std::exception& error) {
-        complain(std::string("internal error: ") + error.what());
-    }
-    return static_cast<int>(ExitCode::nothing_done);
+    const int exit_code = run(argc, argv);
+    return output_arrived() ? exit_code : static_cast<int>(ExitCode::nothing_done);
 }

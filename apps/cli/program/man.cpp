@@ -5,9 +5,9 @@
 
 #include "program/command.hpp"
 #include "program/messages.hpp"
+#include "program/pages.hpp"
 #include "program/program_tree.hpp"
 #include "program/verb_page.hpp"
-#include "setae/bytes/whole_file.hpp"
 
 namespace setae::cli::man_command {
 namespace {
@@ -50,7 +50,7 @@ struct Arguments {
 
 ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) {
-        bytes::write_whole_file(arguments.documentation, verb_page());
+        write_page(arguments.documentation, verb_page());
         return ExitCode::done;
     }
     std::string text =

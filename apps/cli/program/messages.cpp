@@ -6,15 +6,19 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::cli {
 
-void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
+void print(const std::string& text) {
+    const auto shown = printable(text);
+    std::fwrite(shown.data(), 1, shown.size(), stdout);
+}
 
 void complain(const std::string& message) {
     std::fflush(stdout);  // so that both streams read in order where they meet
-    std::fputs(fmt::format("setae: {}\n", message).c_str(), stderr);
+    std::fputs(fmt::format("setae: {}\n", printable(message)).c_str(), stderr);
 }
 
 void show(const std::vector<Alert>& alerts) {
@@ -30,6 +34,9 @@ ExitCode for_each_item(const std::vector<std::string>& items, const std::functio
             body(item);
         } catch (const Error& error) {
             complain(error.what());
+            ++failed;
+        } catch (const std::exception& error) {
+            complain(reason_of(error, item));
             ++failed;
         }
     }

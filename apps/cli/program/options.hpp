@@ -30,6 +30,8 @@ public:
     Option& separated_by(char separator);
     /// A value each time it is named, so that what follows that is a file.
     Option& one_at_a_time();
+    /// Its values name files that are read: no output of the run replaces one.
+    Option& of_inputs();
     /// What the help calls its value.
     Option& value_named(const std::string& name);
     /// The value it has now is shown in the help.

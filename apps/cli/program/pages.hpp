@@ -6,6 +6,9 @@
 
 namespace setae::cli {
 
+/// Writes a page of the documentation. @throws FileError where the path is a file that does not begin as the page does.
+void write_page(const std::string& path, const std::string& page);
+
 /// Writes pages, texts by file name, to a folder, and says how many.
 void write_pages(const std::string& folder, const std::map<std::string, std::string>& pages);
 

@@ -12,6 +12,7 @@
 
 #include "program/messages.hpp"
 #include "program/program_tree.hpp"
+#include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/text.hpp"
 #include "setae/study/provenance.hpp"
 
@@ -51,6 +52,10 @@ Option& Option::separated_by(char separator) {
 }
 Option& Option::one_at_a_time() {
     option_->allow_extra_args(false);
+    return *this;
+}
+Option& Option::of_inputs() {
+    option_->each([](const std::string& path) { bytes::protect_input(path); });
     return *this;
 }
 Option& Option::value_named(const std::string& name) {

@@ -7,6 +7,6 @@
 
 namespace setae::cli {
 
-void print_json(const output::Json& json) { print(json.dump(2) + "\n"); }
+void print_json(const output::Json& json) { print(output::as_text(json)); }
 
 }  // namespace setae::cli

@@ -11,7 +11,7 @@
 namespace setae::cli {
 
 void SurfaceOptions::add_measurements_to(Options& options) {
-    options.add("files", files, "measurements of one surface: files or containers");
+    options.add("files", files, "measurements of one surface: files or containers").of_inputs();
     file.add_to(options);
     processing.add_to(options);
     options.add("--instrument", instrument, "stylus, afm, tem or optical").one_of({"stylus", "afm", "tem", "optical"});

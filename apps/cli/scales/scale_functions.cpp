@@ -156,8 +156,8 @@ Found functions_of(const ScaleArguments& arguments, const Verb& verb) {
     const auto attempt = [&](const auto& body) {
         try {
             body();
-        } catch (const Error& error) {
-            complain(error.what());
+        } catch (const std::exception& error) {
+            complain(reason_of(error));
             found.some_failed = true;
         }
     };

@@ -15,6 +15,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/output/result_folder.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/report/report.hpp"
 #include "setae/study_figures/write_figures.hpp"
@@ -77,15 +78,6 @@ void show_alerts(const study::StudyResult& result) {
     }
 }
 
-/// Removes what says that results are complete, until they are again, and what writers that were killed left.
-void remove_marks(const std::string& folder) {
-    std::error_code ignored;
-    for (const char* name : {"report.html", "study.json"})
-        std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
-    bytes::remove_leftovers(folder);
-    bytes::remove_leftovers((std::filesystem::path(folder) / "figures").string());
-}
-
 study::Study study_of(const Arguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
     auto study = study::read_study(arguments.file);
@@ -129,7 +121,8 @@ ExitCode show_plan(const Arguments& arguments) {
 
 /// Draws every figure of a study; returns how many failed.
 int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const study::Study& study,
-                 const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
+                 output::ResultFolder& results, const Arguments& arguments, const cache::Store& store,
+                 ProgressDisplay& display) {
     constexpr double share_of_figures = 0.2;
     const auto before = display.last();
     const auto drawable =
@@ -139,6 +132,7 @@ int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const s
     step.stage = "figure";
     study_figures::WriteOptions options;
     options.folder = (std::filesystem::path(study.output) / "figures").string();
+    options.path_of = [&results](const std::string& file) { return results.claim("figures/" + file); };
     options.study = study.path;
     options.threads = arguments.common.workers();
     options.store = &store;
@@ -154,6 +148,10 @@ int draw_figures(const std::vector<study_figures::StudyFigure>& figures, const s
     int failed = 0;
     for (const auto& figure : study_figures::write_figures(figures, options)) {
         if (figure.error.empty()) continue;
+        for (const auto& ending : options.endings)
+            if (const auto file = figure.name + "." + ending;
+                std::find(figure.files.begin(), figure.files.end(), file) == figure.files.end())
+                results.drop("figures/" + file);
         display.finish();
         // one missing program fails them all alike
         if (failed++ == 0) complain(fmt::format("figure {}: {}", figure.name, figure.error));
@@ -173,17 +171,19 @@ std::string command_of(const Arguments& arguments) {
 
 ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
     const auto time = time_of_run();
-    const auto result = study::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
+    const auto study = study_of(arguments);
+    output::ResultFolder results(study);
+    const auto result = study::run_study(study, run_options(arguments.common.workers(), store, display));
     const auto figures = study_figures::study_figures(result, {.threads = arguments.common.workers(), .store = &store});
-    const auto report = (std::filesystem::path(result.study.output) / "report.html").string();
-    // a folder that holds them holds all the rest, too
-    remove_marks(result.study.output);
+    results.begin();
     const int failed_figures =
-        arguments.no_figures ? 0 : draw_figures(figures, result.study, arguments, store, display);
+        arguments.no_figures ? 0 : draw_figures(figures, result.study, results, arguments, store, display);
     display.finish();
     show_failures(result);
-    output::write_results(result);
+    output::write_results(result, results);
+    const auto report = results.claim("report.html");
     bytes::write_whole_file(report, report::as_html(result, figures, {command_of(arguments), time}));
+    results.finish();
     if (arguments.common.json) {
         print_json(output::to_json(result));
     } else {
@@ -212,7 +212,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("file", arguments->file, "TOML file of the study");
+    options.add("file", arguments->file, "TOML file of the study").of_inputs();
     options.add("--output", arguments->output, "folder of the results; default: beside the study");
     options.flag("--no-figures", arguments->no_figures, "write no files of figures; the report draws its own");
     arguments->run.add_to(options);

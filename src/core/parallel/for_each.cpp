@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -29,7 +30,11 @@ void for_each_index(std::size_t n, Threads threads, const std::function<void(std
     const auto workers = std::min<std::size_t>(n, static_cast<std::size_t>(threads.resolved()));
     {
         std::vector<std::jthread> crew;
-        for (std::size_t i = 1; i < workers; ++i) crew.emplace_back(work);
+        try {
+            for (std::size_t i = 1; i < workers; ++i) crew.emplace_back(work);
+        } catch (const std::system_error&) {
+            // no more threads to be had: those there are do it all
+        }
         work();
     }
     for (const auto& failure : failures)

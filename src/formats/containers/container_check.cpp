@@ -87,8 +87,8 @@ private:
                     {"COPY_DIFFERS", place,
                      fmt::format("the processed copy {} is not the original {}: {}", squeezed, original, *difference),
                      "the original is used; find out which of the two is right"});
-        } catch (const Error& error) {
-            report_.alerts.push_back({"UNREADABLE_MEMBER", place, error.what(),
+        } catch (const std::exception& error) {
+            report_.alerts.push_back({"UNREADABLE_MEMBER", place, reason_of(error),
                                       "the other measurements are not affected; repair or replace this one"});
         }
     }

@@ -9,6 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/replicate_report.hpp"
+#include "setae/output/study_tables.hpp"
 
 namespace setae::output {
 namespace {
@@ -479,7 +480,12 @@ Json to_json(const study::StudyResult& result) {
     add_work(json, result);
     json["fits"] = fits_json(result);
     json["surfaces"] = Json::object();
-    for (const auto& surface : result.surfaces) json["surfaces"][surface.name] = surface_json(surface, study.analysis);
+    const auto stems = spectrum_stems(result);
+    for (std::size_t i = 0; i < stems.size(); ++i) {
+        const auto& surface = result.surfaces[i];
+        auto& entry = json["surfaces"][surface.name] = surface_json(surface, study.analysis);
+        if (!surface.failed()) entry["spectrum_file"] = "psd_" + stems[i] + ".csv";
+    }
     json["elastomers"] = Json::object();
     for (const auto& elastomer : result.elastomers)
         json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);

@@ -61,7 +61,9 @@ std::string as_power(double value) {
 
 std::string span(const Json& study, const std::string& pointer, const std::string& part, const std::string& text) {
     const auto& json = entry(study, pointer);
-    const std::string full = json.is_string() ? json.get<std::string>() : json.is_null() ? "" : json.dump();
+    const std::string full = json.is_string() ? json.get<std::string>()
+                             : json.is_null() ? ""
+                                              : json.dump(-1, ' ', false, output::Json::error_handler_t::replace);
     return fmt::format("<span data-pointer=\"{}\" data-part=\"{}\" data-value=\"{}\">{}</span>", escaped(pointer), part,
                        escaped(full), text);
 }

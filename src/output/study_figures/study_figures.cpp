@@ -10,7 +10,7 @@
 #include "builders.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/output/study_tables.hpp"
+#include "setae/output/file_names.hpp"
 #include "setae/study_figures/figure_kinds.hpp"
 
 namespace setae::study_figures {
@@ -22,39 +22,45 @@ struct Entry {
     std::function<void(const FigureRequest&, StudyFigure&)> build;
 };
 
-/// A stem no other figure has.
-std::string free_stem(std::string stem, std::size_t place, const std::vector<Entry>& entries) {
-    // names that differ in other letters alone
-    for (const auto& other : entries)
-        if (other.name == stem) return stem + fmt::format("_{}", place + 1);
-    return stem;
-}
+/// What one figure of a kind is of.
+struct Named {
+    std::string name;
+    std::function<void(const FigureRequest&, StudyFigure&)> build;
+};
 
-/// Adds the figure of one thing called `name` to those of its kind, "spectra:NAME".
-void add_named(const FigureKind& kind, const std::string& name, std::size_t place, std::vector<Entry>& entries,
-               std::function<void(const FigureRequest&, StudyFigure&)> build) {
-    const auto named = [&](std::string text) { return text.replace(text.find("NAME"), 4, name); };
-    const auto stem = kind.identifier.substr(0, kind.identifier.find(':')) + "_" + output::as_file_name(name);
-    entries.push_back({named(kind.identifier), free_stem(stem, place, entries), named(kind.title), std::move(build)});
+/// Adds a figure "spectra:NAME" for each thing of a kind, its file named after the thing.
+void add_named(const FigureKind& kind, const std::vector<Named>& things, std::vector<Entry>& entries) {
+    std::vector<std::string> names;
+    for (const auto& thing : things) names.push_back(thing.name);
+    const auto stems = output::file_names(names);
+    const auto prefix = kind.identifier.substr(0, kind.identifier.find(':')) + "_";
+    for (std::size_t i = 0; i < things.size(); ++i) {
+        const auto named = [&](std::string text) { return text.replace(text.find("NAME"), 4, names[i]); };
+        entries.push_back({named(kind.identifier), prefix + stems[i], named(kind.title), things[i].build});
+    }
 }
 
 /// "spectra:NAME" of every surface with measurements.
 void add_surfaces(const FigureKind& kind, const study::StudyResult& result, std::vector<Entry>& entries) {
+    std::vector<Named> things;
     for (std::size_t i = 0; i < result.surfaces.size(); ++i)
         if (!result.surfaces[i].measurements.empty())
-            add_named(kind, result.surfaces[i].name, i, entries, [i](const FigureRequest& request, StudyFigure& drawn) {
-                measured_spectra(request, request.result.surfaces[i], drawn);
-            });
+            things.push_back({result.surfaces[i].name, [i](const FigureRequest& request, StudyFigure& drawn) {
+                                  measured_spectra(request, request.result.surfaces[i], drawn);
+                              }});
+    add_named(kind, things, entries);
 }
 
 /// "loop:NAME" of every loop that was analysed.
 void add_loops(const FigureKind& kind, const study::StudyResult& result, std::vector<Entry>& entries) {
+    std::vector<Named> things;
     for (std::size_t i = 0; i < result.experiments.size(); ++i)
         if (result.experiments[i].analysis)
-            add_named(kind, std::filesystem::path(result.experiments[i].input.file).stem().string(), i, entries,
-                      [i](const FigureRequest& request, StudyFigure& drawn) {
-                          loop_of(request.result.experiments[i], drawn);
-                      });
+            things.push_back({std::filesystem::path(result.experiments[i].input.file).stem().string(),
+                              [i](const FigureRequest& request, StudyFigure& drawn) {
+                                  loop_of(request.result.experiments[i], drawn);
+                              }});
+    add_named(kind, things, entries);
 }
 
 /// A kind of figure and how it is made: one a study, or several.
@@ -166,8 +172,8 @@ StudyFigure built(const Entry& entry, const FigureRequest& request) {
     StudyFigure drawn{.identifier = entry.identifier, .name = entry.name, .title = entry.title};
     try {
         entry.build(request, drawn);
-    } catch (const Error& error) {
-        drawn.reason = error.what();
+    } catch (const std::exception& error) {
+        drawn.reason = reason_of(error);
     }
     if (!drawn.drawable()) drawn.figure = {};
     return drawn;

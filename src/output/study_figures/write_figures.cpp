@@ -75,11 +75,13 @@ std::vector<WrittenFigure> write_figures(const std::vector<StudyFigure>& figures
         const auto& figure = *drawable[job / endings];
         const auto& ending = options.endings[job % endings];
         try {
-            const auto path = (std::filesystem::path(options.folder) / (figure.name + "." + ending)).string();
+            const auto file = figure.name + "." + ending;
+            const auto path =
+                options.path_of ? options.path_of(file) : (std::filesystem::path(options.folder) / file).string();
             bytes::write_whole_file(path, ending == "csv" ? data_of(figure, options.study, options.width)
                                                           : bytes_of(figure, ending, options.store));
-        } catch (const Error& failure) {
-            errors[job] = failure.what();
+        } catch (const std::exception& failure) {
+            errors[job] = reason_of(failure);
         }
         const std::scoped_lock lock(telling);
         if (--left[job / endings] == 0 && options.progress) options.progress(figure.name);

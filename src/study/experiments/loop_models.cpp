@@ -22,8 +22,8 @@ template <class Computation>
 void attempt(LoopModels& models, const std::string& what, const Computation& computation) {
     try {
         computation();
-    } catch (const Error& error) {
-        models.failures.push_back(what + ": " + error.what());
+    } catch (const std::exception& error) {
+        models.failures.push_back(what + ": " + reason_of(error));
     }
 }
 

@@ -364,8 +364,8 @@ void Concluding::test() {
         auto test = adhesion::test_predictions(tested, *to_.work_of_adhesion, !result_.study.work_of_adhesion);
         test.left_out = std::move(left_out);
         to_.prediction_test = std::move(test);
-    } catch (const Error& error) {
-        to_.prediction_test = Missing::missing(error.what());
+    } catch (const std::exception& error) {
+        to_.prediction_test = Missing::missing(reason_of(error));
     }
 }
 

@@ -25,8 +25,8 @@ std::optional<Outcome<loops::GlobalFit>> share(const StudyResult& result, const 
         }
         if (!options) return std::nullopt;
         return shared_fit(loops, *options);
-    } catch (const Error& error) {
-        return Outcome<loops::GlobalFit>::missing(error.what());
+    } catch (const std::exception& error) {
+        return Outcome<loops::GlobalFit>::missing(reason_of(error));
     }
 }
 

@@ -26,8 +26,8 @@ std::vector<MeasuredReference> measured_references(StudyResult& result) {
         if (!e.analysis || !e.input.reference || e.input.excluded()) continue;
         try {
             found.push_back({e.input.elastomer, e.input.stage, loops::evaluate_reference(*e.analysis)});
-        } catch (const Error& error) {
-            e.alerts.push_back({"REFERENCE_INCOMPLETE", e.input.file, error.what(),
+        } catch (const std::exception& error) {
+            e.alerts.push_back({"REFERENCE_INCOMPLETE", e.input.file, reason_of(error),
                                 "record the whole loop of a reference, retraction included"});
         }
     }

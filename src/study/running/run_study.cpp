@@ -83,8 +83,8 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
         }
         result.alerts = result.analysis->alerts;
         if (input.models.any()) result.models = loop_models(*result.analysis, bodies, input.options, input.models);
-    } catch (const Error& error) {
-        result.error = error.what();
+    } catch (const std::exception& error) {
+        result.error = reason_of(error, input.file);
     }
     run.step_done("experiment", input.file, cached, experiment_work);
     return result;
@@ -155,8 +155,8 @@ std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& opt
             const auto key = experiment_key(run, input, bodies_of(input, study));
             if (key.empty()) throw FileError(fmt::format("{}: cannot be read", input.file));
             step.cached = options.store && options.store->holds(key);
-        } catch (const Error& error) {
-            step.error = error.what();
+        } catch (const std::exception& error) {
+            step.error = reason_of(error, input.file);
         }
         steps.push_back(std::move(step));
     }

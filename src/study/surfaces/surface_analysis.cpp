@@ -35,11 +35,12 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const SurfaceAnalysisOptio
             for (auto& source : measurement_sources(measurement))
                 tasks.push_back(
                     {measurement.file, measurement_key(run, measurement, ordinal++, options), std::move(source)});
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             tasks.push_back(
                 {measurement.file,
                  {},
-                 {[message = std::string(error.what())]() -> PreparedMeasurement { throw FileError(message); }, {}}});
+                 {[message = reason_of(error, measurement.file)]() -> PreparedMeasurement { throw FileError(message); },
+                  {}}});
         }
     }
     return tasks;
@@ -72,8 +73,8 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
                                : analyse_measurement(prepared, options, inside, wanted);
             if (!found) run.keep(task.key, result);
             if (keep) kept[i] = std::move(prepared);
-        } catch (const Error& error) {
-            result.error = error.what();
+        } catch (const std::exception& error) {
+            result.error = reason_of(error, task.file);
         }
         result.file = task.file;
         run.step_done("measurement", task.file, found.has_value(), measurement_work);
@@ -96,9 +97,9 @@ void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> pre
     if (!wants_likelihood(options, analysed)) return;
     try {
         estimate_by_likelihood(surface, std::move(prepared), options, threads);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         surface.alerts.push_back(
-            {"LIKELIHOOD_FAILED", surface.name, error.what(), "its numbers rest on the average over measurements"});
+            {"LIKELIHOOD_FAILED", surface.name, reason_of(error), "its numbers rest on the average over measurements"});
     }
 }
 
@@ -191,8 +192,8 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             run.keep(key, surface);
     } catch (const Cancelled&) {
         throw;
-    } catch (const Error& error) {
-        surface.error = error.what();
+    } catch (const std::exception& error) {
+        surface.error = reason_of(error);
     }
     run.step_done("surface", input.name, false, work);
     return {std::move(surface), std::move(heights)};
@@ -221,8 +222,8 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceA
                                  measurement.file,
                                  {},
                                  whole || held(measurement_key(run, measurement, ordinal, options))});
-        } catch (const Error& error) {
-            steps.push_back({"measurement", measurement.file, error.what(), false});
+        } catch (const std::exception& error) {
+            steps.push_back({"measurement", measurement.file, reason_of(error, measurement.file), false});
         }
     }
     steps.push_back({"surface", input.name, {}, whole});

@@ -8,13 +8,16 @@
 
 namespace setae::bytes {
 
-/// The content of a file.
-/// @throws FileError for a missing path, a directory or a file that cannot be read.
+/// The content of a regular file, which is an input from now on: see ProtectedInputs.
+/// @throws FileError for a missing path, what is no regular file and what cannot be read; never waits for a pipe.
 [[nodiscard]] std::string read_file(const std::string& path);
+/// The same for what this library wrote and may write again.
+[[nodiscard]] std::string read_back(const std::string& path);
 
 /// Replaces a file as a whole: written under a temporary name in the same folder, then renamed, so that a reader finds
-/// the old content or the new one and never a part.
-/// @throws FileError where the folder is missing or cannot be written; the old content is then untouched.
+/// the old content or the new one and never a part. What a symbolic link leads to is replaced, the link stays.
+/// @throws FileError where the folder is missing or cannot be written, for protected inputs, and for what is no regular
+/// file; the old content is then untouched.
 void write_whole_file(const std::string& path, std::string_view content);
 /// The same for content in parts, one behind the other.
 void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts);

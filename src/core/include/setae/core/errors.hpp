@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -56,5 +57,11 @@ class InternalError : public Error {
 public:
     using Error::Error;
 };
+
+/// What to say of a failure, whatever threw it: the message of an Error; for others what ran out, or that it is ours to
+/// mend. What fails an item of many is caught as std::exception and said so; Cancelled is none of them and passes on.
+[[nodiscard]] std::string reason_of(const std::exception& failure);
+/// The same of one item, which it names.
+[[nodiscard]] std::string reason_of(const std::exception& failure, const std::string& item);
 
 }  // namespace setae

@@ -18,6 +18,15 @@ namespace setae {
 /// Bytes of the UTF-8 character that text, not empty, begins with; 0 where it begins with none. Source: RFC 3629.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
+/// Text whose bytes that are no UTF-8 have become U+FFFD.
+[[nodiscard]] std::string valid_utf8(std::string_view text);
+
+/// Text that a terminal shows as it stands: valid UTF-8, with a blank for each control character but line feed and tab,
+/// and for each mark that turns the direction of writing.
+[[nodiscard]] std::string printable(std::string_view text);
+/// The same on one line: line feeds and tabs are blanks, too.
+[[nodiscard]] std::string one_line(std::string_view text);
+
 /// A word as a POSIX shell takes it: in single quotes where it needs them.
 [[nodiscard]] std::string shell_word(std::string_view word);
 

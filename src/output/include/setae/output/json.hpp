@@ -40,6 +40,9 @@ using Json = nlohmann::ordered_json;
 /// {"step", "numbers", "alerts"} for each step of a pipeline that was done.
 [[nodiscard]] Json to_json(const std::vector<processing::StepRecord>& records);
 
+/// As a file holds it: indented by two, a line feed behind it; bytes that are no UTF-8 are U+FFFD.
+[[nodiscard]] std::string as_text(const Json& json);
+
 /// NaN to null, infinity to text.
 [[nodiscard]] Json number(double value);
 [[nodiscard]] Json numbers(const ArrayView1D& values);

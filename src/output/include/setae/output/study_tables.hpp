@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "setae/core/table.hpp"
+#include "setae/output/result_folder.hpp"
 #include "setae/study/study_result.hpp"
 #include "setae/tables/tidy_table.hpp"
 
@@ -52,16 +53,17 @@ namespace setae::output {
 /// A fitted spectrum with standard error and 95 % band.
 [[nodiscard]] Table fitted_spectrum_table(const study::FittedSpectrum& fitted);
 
-/// A surface's name as part of a file's: what is no letter, digit, dash, dot or underscore of ASCII becomes an
-/// underscore.
-[[nodiscard]] std::string as_file_name(std::string name);
-
 /// The summary a terminal shows, in the units of the field.
 [[nodiscard]] std::string summary(const study::StudyResult& result);
+
+/// What stands for each surface in the names of its files, in their order: psd_STEM.csv; see file_names().
+[[nodiscard]] std::vector<std::string> spectrum_stems(const study::StudyResult& result);
 
 /// Writes study.json, the tables as CSV and each surface's spectrum as NetCDF and CSV into study.output, which is made
 /// where missing. Returns the names of the files, each written as a whole.
 /// @throws FileError.
 std::vector<std::string> write_results(const study::StudyResult& result);
+/// The same as part of what a run writes into the folder.
+std::vector<std::string> write_results(const study::StudyResult& result, ResultFolder& folder);
 
 }  // namespace setae::output

@@ -12,7 +12,9 @@ namespace setae::study_figures {
 
 struct WriteOptions {
     std::string folder;  ///< made where missing
-    std::string study;   ///< path of the study, as the command that makes a figure again names it
+    /// where a file of the folder is to be written, or a refusal, from any thread; default: there under its name
+    std::function<std::string(const std::string& file)> path_of;
+    std::string study;  ///< path of the study, as the command that makes a figure again names it
     FigureWidth width = FigureWidth::double_column;  ///< likewise
     std::vector<std::string> endings{"svg", "pdf", "png", "csv"};
     parallel::Threads threads;

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files the attacks begin with: every format the tests can build, a small laboratory, and texts that users write."""
+import random
+import shutil
+import subprocess
+from pathlib import Path
+
+RECIPE_SEED = "7"
+
+
+class Samples:
+    """A folder of them; attacks copy what they change."""
+
+    def __init__(self, program, make_corpus, source, folder):
+        self.program, self.folder = Path(program), Path(folder)
+        corpus = self.folder / "corpus"
+        subprocess.run([str(make_corpus), str(corpus)], check=True, stdout=subprocess.DEVNULL)
+        self.formats = sorted(p for p in corpus.rglob("*") if p.is_file() and p.stat().st_size <= 1 << 20)
+        self.laboratory = self.folder / "laboratory"
+        subprocess.run([str(program), "lab", "make", str(Path(source) / "examples/laboratory/recipe.toml"), "-o",
+                        str(self.laboratory), "--seed", RECIPE_SEED], check=True, stdout=subprocess.DEVNULL)
+        self.examples = Path(source) / "examples"
+        self.loops = sorted(self.laboratory.rglob("*.csv"))
+        self.study = self.laboratory / "study.toml"
+
+    def profile(self, folder, name="a.csv", points=400, seed=1):
+        """A line scan of two columns with units."""
+        draw = random.Random(seed)
+        path, height = Path(folder) / name, 0.0
+        rows = ["x [um],z [nm]"]
+        for i in range(points):
+            height += draw.gauss(0.0, 1.0)
+            rows.append(f"{0.01 * i:.3f},{height:.4f}")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("\n".join(rows) + "\n")
+        return path
+
+    def loop(self, folder, name="l.csv"):
+        path = Path(folder) / name
+        shutil.copy(self.loop_file(), path)
+        return path
+
+    def loop_file(self):
+        return next(p for p in self.loops if "force" in p.read_text(errors="replace")[:2000])
+
+    def surface_study(self, folder, names=("A",), files=None, output=None, top=""):
+        """A study of surfaces alone, each of two scans of its own or of `files`, averaged: it takes half a second."""
+        folder = Path(folder)
+        text = f'title = "adversary"\n{top}' + (f'output = "{output}"\n' if output else "")
+        text += '[analysis]\nspectrum = "average"\nbootstrap_resamples = 0\n'
+        for i, name in enumerate(names):
+            listed = files or [self.profile(folder, f"scan_{i}_{k}.csv", seed=10 * i + k).name for k in range(2)]
+            entries = ", ".join(f'{{ file = {toml_text(f)}, instrument = "stylus" }}' for f in listed)
+            text += f"[surfaces.{toml_text(name)}]\nmeasurements = [{entries}]\n"
+        path = folder / "study.toml"
+        path.write_text(text)
+        return path
+
+
+def toml_text(text):
+    return '"' + "".join(f"\\u{ord(c):04x}" if ord(c) < 32 or c in '"\\\x7f' else c for c in text) + '"'
