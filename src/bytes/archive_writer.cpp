@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "setae/bytes/archive.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::bytes {
@@ -113,11 +114,12 @@ void check_names(const std::string& path, const std::vector<ArchiveMember>& memb
 
 }  // namespace
 
-void write_archive(const std::string& path, const std::vector<ArchiveMember>& members) {
-    check_names(path, members);
+namespace {
+
+void fill_archive(const std::string& temporary, const std::string& path, const std::vector<ArchiveMember>& members) {
     std::exception_ptr failure;
     std::vector<MemberReader> readers(members.size());
-    auto archive = created(path);
+    auto archive = created(temporary);
     for (std::size_t i = 0; i < members.size(); ++i) {
         readers[i].member = &members[i];
         readers[i].failure = &failure;
@@ -130,6 +132,13 @@ void write_archive(const std::string& path, const std::vector<ArchiveMember>& me
     if (failure) std::rethrow_exception(failure);
     throw FileError(fmt::format("{}: cannot be written: {}; check that the folder is writable and has space", path,
                                 zip_strerror(archive.get())));
+}
+
+}  // namespace
+
+void write_archive(const std::string& path, const std::vector<ArchiveMember>& members) {
+    check_names(path, members);
+    write_whole_file(path, [&](const std::string& temporary) { fill_archive(temporary, path, members); });
 }
 
 }  // namespace setae::bytes

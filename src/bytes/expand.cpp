@@ -5,6 +5,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -21,14 +22,14 @@ constexpr std::size_t piece = 1 << 17;
     throw FormatError(source.name, {.offset = offset}, fmt::format("{}: {}", format, what));
 }
 
-void require_bounded(std::size_t expanded, std::size_t compressed, const Source& source, std::uint64_t offset,
-                     const std::string& format) {
-    if (expanded > most_expanded(compressed))
+void require_bounded(std::size_t expanded, std::size_t compressed, std::uint64_t most, const Source& source,
+                     std::uint64_t offset, const std::string& format) {
+    if (expanded > most)
         broken(
             source, offset, format,
             fmt::format(
                 "{} compressed bytes become more than {}; if the file is honest, expand it with another program first",
-                compressed, most_expanded(compressed)));
+                compressed, most));
 }
 
 /// zlib's stream that frees itself.
@@ -45,8 +46,11 @@ struct Inflation {
 
 bool is_gzip(std::string_view head) { return head.starts_with("\x1f\x8b\x08"); }
 
-std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format,
-                     std::uint64_t enough) {
+namespace {
+
+/// The content of a stream that becomes `most` bytes or fewer, or of its beginning once `enough` are there.
+std::string inflated_within(std::uint64_t most, std::string_view stream, const Source& source, std::uint64_t offset,
+                            const std::string& format, std::uint64_t enough) {
     constexpr int zlib_or_gzip = 15 + 32;
     Inflation inflation(zlib_or_gzip);
     if (!inflation.good) throw InternalError("zlib does not start");
@@ -63,12 +67,19 @@ std::string inflated(std::string_view stream, const Source& source, std::uint64_
         const int state = inflate(&z, Z_NO_FLUSH);
         used += input - z.avail_in;
         content.resize(before + piece - z.avail_out);
-        require_bounded(content.size(), stream.size(), source, offset, format);
+        require_bounded(content.size(), stream.size(), most, source, offset, format);
         if (state == Z_STREAM_END || content.size() >= enough) return content;
         if (state != Z_OK && state != Z_BUF_ERROR) broken(source, offset + used, format, "compressed data are damaged");
         if (used == stream.size() && content.size() == before)
             broken(source, offset + used, format, "compressed data end early; the file is truncated");
     }
+}
+
+}  // namespace
+
+std::string inflated(std::string_view stream, const Source& source, std::uint64_t offset, const std::string& format,
+                     std::uint64_t enough) {
+    return inflated_within(most_expanded(stream.size()), stream, source, offset, format, enough);
 }
 
 namespace {
@@ -96,7 +107,7 @@ std::string expanded_zstd(std::string_view stream, const Source& source, std::ui
         if (ZSTD_isError(state))
             broken(source, offset + input.pos, format,
                    fmt::format("compressed data are damaged: {}", ZSTD_getErrorName(state)));
-        require_bounded(content.size(), stream.size(), source, offset, format);
+        require_bounded(content.size(), stream.size(), most_expanded(stream.size()), source, offset, format);
         if (state == 0) return content;
         if (input.pos == input.size && output.pos == 0)
             broken(source, offset + input.pos, format, "compressed data end early; the file is truncated");
@@ -105,7 +116,9 @@ std::string expanded_zstd(std::string_view stream, const Source& source, std::ui
 
 Source unpacked(const Source& source) {
     if (!is_gzip(source.head(3))) return source;
-    return memory_source(source.name, inflated(source.all(), source, 0, "gzip"));
+    const auto packed = source.all();
+    return memory_source(source.name, inflated_within(most_expanded_text(packed.size()), packed, source, 0, "gzip",
+                                                      std::numeric_limits<std::uint64_t>::max()));
 }
 
 std::string expanded_zstd_head(std::string_view stream, std::uint64_t count, const Source& source, std::uint64_t offset,

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/nesting.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -20,8 +21,13 @@ FilePosition position(const toml::node& node) { return position_at(node.source()
 }  // namespace
 
 toml::table parse_toml_file(const std::string& path) {
+    const auto text = read_file(path);
+    if (const auto at = toml_too_deep(text))
+        throw FormatError(path,
+                          {.line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n')},
+                          fmt::format("TOML: more than {} levels inside each other", most_levels));
     try {
-        return toml::parse(read_file(path), path);
+        return toml::parse(text, path);
     } catch (const toml::parse_error& error) {
         throw FormatError(path, position_at(error.source().begin), fmt::format("TOML: {}", error.description()));
     }
@@ -53,7 +59,9 @@ std::string TomlReader::required_text(const char* key) {
     fail(key, "missing; expected a text");
 }
 
-std::optional<double> TomlReader::number(const char* key) { return quantity(key, dimension::none); }
+std::optional<double> TomlReader::number(const char* key, const Domain& domain) {
+    return quantity(key, {dimension::none, domain});
+}
 
 std::optional<bool> TomlReader::boolean(const char* key) {
     const auto* node = find(key);
@@ -69,34 +77,41 @@ std::optional<std::int64_t> TomlReader::integer(const char* key) {
     fail(key, "expected a whole number");
 }
 
-Estimate TomlReader::parse(const char* key, const toml::node& node, const Dimension& dimension) const {
+Estimate TomlReader::parse(const char* key, const toml::node& node, const Expected& expected) const {
     if (node.is_number()) {
-        if (dimension == dimension::none) return {*node.value<double>(), 0.0};
-        fail(key, fmt::format("a number without unit; write it in quotes with its unit, such as \"{} {}\"",
-                              *node.value<double>(), si_unit(dimension)));
+        const double value = *node.value<double>();
+        if (expected.dimension != dimension::none)
+            fail(key, fmt::format("a number without unit; write it in quotes with its unit, such as \"{} {}\"", value,
+                                  si_unit(expected.dimension)));
+        try {
+            require_within(expected.domain, value, fmt::format("{}", value));
+        } catch (const InvalidArgument& error) {
+            fail(key, error.what());
+        }
+        return {value, 0.0};
     }
     const auto* text = node.as_string();
     if (!text) fail(key, "expected a number with its unit in quotes");
     try {
-        return parse_uncertain_quantity(text->get(), dimension);
+        return parse_uncertain_quantity(text->get(), expected);
     } catch (const InvalidArgument& error) {
         fail(key, error.what());
     }
 }
 
-std::optional<Estimate> TomlReader::uncertain(const char* key, const Dimension& dimension) {
+std::optional<Estimate> TomlReader::uncertain(const char* key, const Expected& expected) {
     const auto* node = find(key);
     if (!node) return std::nullopt;
-    return parse(key, *node, dimension);
+    return parse(key, *node, expected);
 }
 
-Estimate TomlReader::required_uncertain(const char* key, const Dimension& dimension) {
-    if (auto value = uncertain(key, dimension)) return *value;
-    fail(key, fmt::format("missing; expected a quantity in {}", si_unit(dimension)));
+Estimate TomlReader::required_uncertain(const char* key, const Expected& expected) {
+    if (auto value = uncertain(key, expected)) return *value;
+    fail(key, fmt::format("missing; expected a quantity in {}", si_unit(expected.dimension)));
 }
 
-std::optional<double> TomlReader::quantity(const char* key, const Dimension& dimension) {
-    const auto value = uncertain(key, dimension);
+std::optional<double> TomlReader::quantity(const char* key, const Expected& expected) {
+    const auto value = uncertain(key, expected);
     return value ? std::optional(value->value) : std::nullopt;
 }
 
@@ -118,12 +133,12 @@ std::vector<std::string> TomlReader::texts(const char* key) {
     });
 }
 
-std::vector<Estimate> TomlReader::uncertains(const char* key, const Dimension& dimension) {
-    return list<Estimate>(key, [&](const toml::node& node) { return parse(key, node, dimension); });
+std::vector<Estimate> TomlReader::uncertains(const char* key, const Expected& expected) {
+    return list<Estimate>(key, [&](const toml::node& node) { return parse(key, node, expected); });
 }
 
-std::vector<double> TomlReader::quantities(const char* key, const Dimension& dimension) {
-    return list<double>(key, [&](const toml::node& node) { return parse(key, node, dimension).value; });
+std::vector<double> TomlReader::quantities(const char* key, const Expected& expected) {
+    return list<double>(key, [&](const toml::node& node) { return parse(key, node, expected).value; });
 }
 
 bool TomlReader::contains(const char* key) const { return table_->contains(key); }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/nesting.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -17,6 +18,9 @@ pugi::xml_document parsed_xml(std::string_view text, const Source& source, const
             throw FormatError(
                 source.name, {.offset = at},
                 fmt::format("{}: XML that declares types or entities is not read; remove '{}'", format, declaration));
+    if (const auto at = xml_too_deep(text))
+        throw FormatError(source.name, {.offset = *at},
+                          fmt::format("{}: XML of more than {} levels is not read", format, most_levels));
     pugi::xml_document document;
     const auto result = document.load_buffer(text.data(), text.size());
     if (!result)

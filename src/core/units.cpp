@@ -220,22 +220,33 @@ double unit_factor(std::string_view text, const Dimension& expected) {
     return unit.factor;
 }
 
-double parse_quantity(std::string_view text, const Dimension& expected) {
-    const auto [number, unit] = leading_number(text, text);
-    return in_si(number, unit, expected, text);
+void require_within(const Domain& domain, double value, std::string_view given) {
+    const bool inside =
+        std::isfinite(value) && (domain.open ? value > domain.lower : value >= domain.lower) && value <= domain.upper;
+    if (!inside) throw InvalidArgument(fmt::format("'{}', expected {}", given, domain.words));
 }
 
-Estimate parse_uncertain_quantity(std::string_view text, const Dimension& expected) {
+double parse_quantity(std::string_view text, const Expected& expected) {
+    const auto [number, unit] = leading_number(text, text);
+    const double value = in_si(number, unit, expected.dimension, text);
+    require_within(expected.domain, value, text);
+    return value;
+}
+
+Estimate parse_uncertain_quantity(std::string_view text, const Expected& expected) {
     static constexpr std::array<std::string_view, 3> separators{"±", "+-", "+/-"};
     for (const auto separator : separators) {
         const auto at = text.find(separator);
         if (at == std::string_view::npos) continue;
         const auto value = leading_number(text.substr(0, at), text);
         const auto error = leading_number(text.substr(at + separator.size()), text);
-        if (error.number < 0.0) throw InvalidArgument(fmt::format("'{}' has a negative uncertainty", text));
+        if (!(error.number >= 0.0 && std::isfinite(error.number)))
+            throw InvalidArgument(fmt::format("'{}', expected an uncertainty of 0 or above", text));
         const auto value_unit = value.rest.empty() ? error.rest : value.rest;
-        return {in_si(value.number, value_unit, expected, text), in_si(error.number, error.rest, expected, text),
-                "given"};
+        const Estimate estimate{in_si(value.number, value_unit, expected.dimension, text),
+                                in_si(error.number, error.rest, expected.dimension, text), "given"};
+        require_within(expected.domain, estimate.value, text);
+        return estimate;
     }
     return {parse_quantity(text, expected), 0.0, "given"};
 }

@@ -16,7 +16,8 @@ std::string taken_character(std::string_view& text) {
     text.remove_prefix(character.size());
     const auto first = static_cast<unsigned char>(character.front());
     if (length == 0 || first < 0x20 || first == 0x7f) return " ";
-    if (character == "'") return "''";
+    // gnuplot ends a text at an apostrophe beside another or beside the text's own: an empty group parts them
+    if (character == "'") return "{}''{}";
     if (std::string_view(R"({}^_@&~\)").find(character) != std::string_view::npos) return "\\" + character;
     return character;
 }

@@ -136,6 +136,8 @@ std::vector<AlertKind> of_surfaces() {
         {"MEASUREMENTS_SCATTER", about,
          "an instrument's measurements differ from each other beyond what their waves explain, p < 0.01",
          "chance; intervals allow for the scatter with or without the alert"},
+        {"SAME_MEASUREMENT", about, "two measurements of a surface are the same bytes and the same channel",
+         "no two scans of a surface agree in every bit of their noise"},
         {"MEASURED_SLOPES", about,
          "A_true/A_app follows the slopes that maps show, since more than half of their area carries NON_GAUSSIAN or ANISOTROPIC, or the surface is stretched",
          "the majority of what was seen of the surface"},

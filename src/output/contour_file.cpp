@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "setae/bytes/json_text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -228,13 +229,8 @@ Json to_json(const study::TracedPicture& picture, const study::ContourOptions& o
 }
 
 StoredTrace read_trace(const std::string& path) {
-    const auto text = bytes::read_file(path);
-    Json json;
-    try {
-        json = Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        throw FormatError(path, {.offset = error.byte}, "no JSON; expected a trace or {\"anchors\": [[x, y], …]}");
-    }
+    const auto json = bytes::parsed_json<Json>(bytes::read_file(path), path,
+                                               "no JSON; expected a trace or {\"anchors\": [[x, y], …]}");
     const Object object(
         json, path, "",
         {"format", "version", "image", "calibration", "options", "anchors", "levels", "segments", "alerts", "setae"});

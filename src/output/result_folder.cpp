@@ -103,6 +103,12 @@ bool ResultFolder::holds(const std::string& name) const {
     return fs::exists(fs::symlink_status(fs::path(folder_) / name, ignored));
 }
 
+std::set<std::string> ResultFolder::names_on_disk() const {
+    const auto path = fs::path(folder_) / list_name;
+    std::error_code ignored;
+    return fs::exists(path, ignored) ? read_list(path.string()).names : std::set<std::string>();
+}
+
 void ResultFolder::remove(const std::string& name) const {
     const auto path = fs::path(folder_) / name;
     std::error_code ignored;
@@ -126,7 +132,8 @@ std::string ResultFolder::claim(const std::string& name) {
     const std::lock_guard lock(mutex_);
     bytes::require_no_input(path);
     if (!listed_.contains(name)) {
-        if (holds(name))
+        // another process may be running the same study
+        if (holds(name) && !names_on_disk().contains(name))
             throw FileError(fmt::format(
                 "{}: was not written by a run of this study ({} does not name it) and is kept; move it away, or give the "
                 "study another output",

@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "setae/bytes/archive.hpp"
+#include "setae/bytes/nesting.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 
@@ -30,6 +31,10 @@ pugi::xml_node child(const pugi::xml_node& parent, const char* name) {
 pugi::xml_document parsed(const bytes::Archive& archive, const std::string& member, const bytes::Source& source) {
     pugi::xml_document document;
     const auto text = archive.read(member);
+    if (const auto at = bytes::xml_too_deep(text))
+        throw FormatError(
+            source.name, {},
+            fmt::format("member '{}': XML of more than {} levels, at byte {}", member, bytes::most_levels, *at));
     const auto result =
         document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
     if (!result)

@@ -20,9 +20,9 @@ def overwriting(samples, work, draw):
         ("jkr", "import", "{l}", "-o", "{out}"), ("jkr", "import", "{l}", "--save-map", "{out}"),
         ("jkr", "fit", "{l}", "--tidy", "{out}"), ("synthesize", "--help"),
     ]
-    for words in verbs:
+    for number, words in enumerate(verbs):
         for link in ("itself", "symbolic", "hard"):
-            folder = work / f"{'_'.join(words[:2])}_{link}".replace("{", "").replace("}", "")
+            folder = work / f"{number}_{link}"
             folder.mkdir()
             inputs = {"a": samples.profile(folder, "a.csv"), "l": samples.loop(folder, "l.csv")}
             for key, path in list(inputs.items()):

@@ -7,7 +7,7 @@ import re
 import resource
 import signal
 import subprocess
-import tempfile
+import threading
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -68,15 +68,19 @@ def run(program, *words, cwd=None, env=None, stdout=None, stdin=None, seconds=MO
     variables = {"PATH": os.environ["PATH"], "HOME": str(cwd or "/nonexistent"), "SETAE_CACHE": str(Path(cwd or ".") / ".cache")}
     variables.update(env or {})
     variables = {k: v for k, v in variables.items() if v is not None}
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        begun = time.monotonic()
-        child = subprocess.Popen(command, cwd=cwd, env=variables, stdin=stdin or subprocess.DEVNULL, stdout=stdout or out,
-                                 stderr=err, preexec_fn=limited(**limits))
-        code, peak, timed_out = waited(child, begun + seconds)
-        taken = time.monotonic() - begun
-        out.seek(0)
-        err.seek(0)
-        return Outcome(command, code, out.read(), err.read(), taken, peak, timed_out)
+    begun = time.monotonic()
+    # pipes, as a limit on files holds for files that streams go into, too
+    child = subprocess.Popen(command, cwd=cwd, env=variables, stdin=stdin or subprocess.DEVNULL,
+                             stdout=stdout or subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limited(**limits))
+    texts = {}
+    readers = [threading.Thread(target=lambda s=stream, n=name: texts.update({n: s.read()}))
+               for name, stream in (("out", child.stdout), ("err", child.stderr)) if stream]
+    for reader in readers:
+        reader.start()
+    code, peak, timed_out = waited(child, begun + seconds)
+    for reader in readers:
+        reader.join()
+    return Outcome(command, code, texts.get("out", b""), texts.get("err", b""), time.monotonic() - begun, peak, timed_out)
 
 
 def waited(child, until):

@@ -42,14 +42,15 @@ study::Study study_of(const Arguments& arguments) {
     study.analysis = arguments.surface.analysis();
     study.counter_youngs_modulus = arguments.rough_modulus.empty()
                                        ? std::numeric_limits<double>::infinity()
-                                       : parse_quantity(arguments.rough_modulus, dimension::pressure);
+                                       : parse_quantity(arguments.rough_modulus, positive(dimension::pressure));
     study.counter_poisson_ratio = arguments.rough_poisson_ratio;
-    study.work_of_adhesion = parse_uncertain_quantity(arguments.work, dimension::surface_energy);
+    study.work_of_adhesion = parse_uncertain_quantity(arguments.work, positive(dimension::surface_energy));
     study::ElastomerInput elastomer;
     elastomer.name = "soft solid";
-    elastomer.youngs_modulus = parse_uncertain_quantity(arguments.youngs_modulus, dimension::pressure);
+    elastomer.youngs_modulus = parse_uncertain_quantity(arguments.youngs_modulus, positive(dimension::pressure));
     elastomer.poisson_ratio = arguments.poisson_ratio;
-    elastomer.surface_energy = parse_uncertain_quantity(arguments.surface_energy, dimension::surface_energy);
+    elastomer.surface_energy =
+        parse_uncertain_quantity(arguments.surface_energy, non_negative(dimension::surface_energy));
     study.elastomers = {elastomer};
     return study;
 }
@@ -143,13 +144,18 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
-    options.add("--E,--youngs-modulus", arguments->youngs_modulus,
-                "Young's modulus of the soft solid, such as \"0.7 ± 0.02 MPa\"");
-    options.add("--nu,--poisson-ratio", arguments->poisson_ratio, "its Poisson ratio");
-    options.add("--w,--work-of-adhesion", arguments->work, "intrinsic work of adhesion, such as \"37 ± 3.7 mJ/m2\"");
-    options.add("--gamma,--surface-energy", arguments->surface_energy, "surface energy of the soft solid");
-    options.add("--rough-E", arguments->rough_modulus, "Young's modulus of the rough solid; default rigid");
-    options.add("--rough-nu", arguments->rough_poisson_ratio, "its Poisson ratio");
+    options
+        .add("--E,--youngs-modulus", arguments->youngs_modulus,
+             "Young's modulus of the soft solid, such as \"0.7 ± 0.02 MPa\"")
+        .quantity(positive(dimension::pressure));
+    options.add("--nu,--poisson-ratio", arguments->poisson_ratio, "its Poisson ratio").within(domain::poisson_ratio);
+    options.add("--w,--work-of-adhesion", arguments->work, "intrinsic work of adhesion, such as \"37 ± 3.7 mJ/m2\"")
+        .quantity(positive(dimension::surface_energy));
+    options.add("--gamma,--surface-energy", arguments->surface_energy, "surface energy of the soft solid")
+        .quantity(non_negative(dimension::surface_energy));
+    options.add("--rough-E", arguments->rough_modulus, "Young's modulus of the rough solid; default rigid")
+        .quantity(positive(dimension::pressure));
+    options.add("--rough-nu", arguments->rough_poisson_ratio, "its Poisson ratio").within(domain::poisson_ratio);
     return action(options, arguments, explanation, run);
 }
 

@@ -259,13 +259,15 @@ Action declare(Options& options) {
         .add("--shape", arguments->shape, "re-entrant stretches: highest point over each x, cut, or the curve itself")
         .one_of({"envelope", "cut", "parametric"});
     options.add("--pixel", arguments->pixel, "size of a pixel, such as \"0.055 nm\" or \"1 nm x 0.2 nm\"");
-    options.add("--scale-bar", arguments->scale_bar, "what the scale bar in the picture stands for, such as \"5 nm\"");
+    options.add("--scale-bar", arguments->scale_bar, "what the scale bar in the picture stands for, such as \"5 nm\"")
+        .quantity(positive(dimension::length));
     options.add("--calibration", arguments->calibration, "a calibration kept by --save-calibration");
     options.add("--save-calibration", arguments->save_calibration,
                 "keep the pixel size for pictures of the same magnification");
     options.flag("--ignore-stated-pixel-size", arguments->ignore_stated,
                  "go by --pixel or --scale-bar even where the file contradicts it");
-    options.add("--foil-thickness", arguments->foil_thickness, "of the sample along the beam, such as \"20 nm\"");
+    options.add("--foil-thickness", arguments->foil_thickness, "of the sample along the beam, such as \"20 nm\"")
+        .quantity(positive(dimension::length));
     options.add("--hide", arguments->hidden,
                 "x,y,width,height: a part of the picture that shows no sample, in pixels; may be repeated");
     options.flag("--whole-picture", arguments->whole_picture, "do not hide scale bars and text that are found");

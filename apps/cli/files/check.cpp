@@ -88,7 +88,8 @@ Action declare(Options& options) {
         .add("files", arguments->files, "measurements: files or containers; several are also compared with each other")
         .of_inputs();
     arguments->file.add_to(options);
-    options.add("--tip-radius", arguments->tip_radius, "such as \"10 nm\", where the file does not say it");
+    options.add("--tip-radius", arguments->tip_radius, "such as \"10 nm\", where the file does not say it")
+        .quantity(positive(dimension::length));
     options.flag("--strict", arguments->strict, "exit code 1 where anything is found");
     return action(options, arguments, explanation, run);
 }

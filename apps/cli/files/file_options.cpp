@@ -21,7 +21,7 @@ void FileOptions::add_to(Options& options) {
     options.add("--unit", unit,
                 "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights");
     add_layout_option(options, as);
-    options.add("--channel", channel, "channel, counted from 0 as `setae info` lists them");
+    options.add("--channel", channel, "channel, counted from 0 as `setae info` lists them").between(0, 1000000);
 }
 
 formats::ReadOptions FileOptions::read_options() const {

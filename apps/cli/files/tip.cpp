@@ -104,8 +104,10 @@ Action declare(Options& options) {
     arguments->file.add_to(options);
     arguments->processing.add_to(options);
     options.add("--points", arguments->points, "extent of the estimate in pixels, odd").default_shown();
-    options.add("--threshold", arguments->threshold,
-                "height by which the map must demand a sharper tip, such as \"0.2 nm\"; default 0");
+    options
+        .add("--threshold", arguments->threshold,
+             "height by which the map must demand a sharper tip, such as \"0.2 nm\"; default 0")
+        .quantity(non_negative(dimension::length));
     options.add("--rounds", arguments->rounds, "at most so many sweeps over the map").default_shown();
     options.add("-o,--output", arguments->output, "write the tip, apex up: " + endings_of_heights());
     options.add("--reconstruction", arguments->reconstruction,

@@ -91,7 +91,8 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->files, "pictures of a ruling or a grid, all by one camera at one magnification")
         .of_inputs();
-    options.add("--pitch", arguments->pitch, "distance of neighbouring lines, such as \"10 um\" or \"10 ± 0.02 um\"");
+    options.add("--pitch", arguments->pitch, "distance of neighbouring lines, such as \"10 um\" or \"10 ± 0.02 um\"")
+        .quantity(positive(dimension::length));
     return action(options, arguments, explanation, run);
 }
 

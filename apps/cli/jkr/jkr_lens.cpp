@@ -166,7 +166,8 @@ Action declare(Options& options) {
         .of_inputs();
     options.add("--x", arguments->x, "column along the lens; default: the first of lengths");
     options.add("--z", arguments->z, "column of heights; default: the second of lengths");
-    options.add("--pixel", arguments->pixel, "of pictures that do not state it, such as \"2.05 um\"");
+    options.add("--pixel", arguments->pixel, "of pictures that do not state it, such as \"2.05 um\"")
+        .quantity(positive(dimension::length));
     options.add("--from", arguments->from, "points before are left out, such as \"-0.2 mm\"");
     options.add("--to", arguments->to, "points behind are left out");
     return action(options, arguments, explanation, run);

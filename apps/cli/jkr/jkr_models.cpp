@@ -38,7 +38,8 @@ void ModelArguments::add_to(Options& options) {
         .one_of({"effective_variance", "orthogonal_distance", "force_only"})
         .default_shown();
     options.add("--model-contact-point", contact_point, "held in --model, such as \"1.2 um\"; default: fitted");
-    options.add("--cohesive-stress", cohesive_stress, "held in maugis_dugdale, such as \"5 MPa\"; default: fitted");
+    options.add("--cohesive-stress", cohesive_stress, "held in maugis_dugdale, such as \"5 MPa\"; default: fitted")
+        .quantity(positive(dimension::pressure));
     options.flag("--profile", profile, "intervals of E* and W by profile likelihood");
     options.flag("--crack-speed", crack_speed, "fit G(v) = G0 (1 + (v/v0)^n) to the receding edge");
     options.add("--exponent", exponent, "n held in --crack-speed");

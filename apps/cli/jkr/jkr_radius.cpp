@@ -181,7 +181,8 @@ Action declare(Options& options) {
              "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP)")
         .of_inputs();
     options.add("--um-per-px", arguments->micrometres_a_pixel, "size of a pixel in micrometres, such as 1.82");
-    options.add("--pixel", arguments->pixel, "the same with its unit, such as \"1.82 um\"");
+    options.add("--pixel", arguments->pixel, "the same with its unit, such as \"1.82 um\"")
+        .quantity(positive(dimension::length));
     options.flag("--ignore-stated-pixel-size", arguments->ignore_stated_pixel_size,
                  "take --pixel even where a file contradicts it");
     options.add("--fps", arguments->frame_rate, "frames a second");

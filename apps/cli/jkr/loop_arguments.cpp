@@ -50,12 +50,16 @@ void LoopArguments::add_to(Options& options) {
         "--camera", camera,
         "of the camera on its own clock: a table of time and contact_radius, or its pictures (TIFF stack, AVI, folder)");
     options.add("--camera-map", camera_map, "mapping file of the camera's table");
-    options.add("--clock-offset", clock_offset,
-                "added to the camera's times, such as \"0.12 s\"; default: found from the records");
-    options.add("--pixel", pixel, "of the camera's pictures where they do not say it, such as \"1.82 um\"");
-    options.add("--fps", frame_rate, "of the camera's pictures, frames a second");
+    options
+        .add("--clock-offset", clock_offset,
+             "added to the camera's times, such as \"0.12 s\"; default: found from the records")
+        .quantity(dimension::time);
+    options.add("--pixel", pixel, "of the camera's pictures where they do not say it, such as \"1.82 um\"")
+        .quantity(positive(dimension::length));
+    options.add("--fps", frame_rate, "of the camera's pictures, frames a second").within(domain::positive);
     options.flag("--fringes", fringes, "the pictures show Newton's rings around the contact");
-    options.add("--spring-constant", spring_constant, "of the cantilever of a force curve, such as \"0.05 N/m\"");
+    options.add("--spring-constant", spring_constant, "of the cantilever of a force curve, such as \"0.05 N/m\"")
+        .quantity(positive(dimension::stiffness));
     options.add("--sensitivity", sensitivity, "of its deflection, such as \"55 nm/V\"");
 }
 
@@ -94,12 +98,16 @@ study::LoopSource LoopArguments::source(const std::string& file) const {
 }
 
 void BodyArguments::add_to(Options& options) {
-    options.add("--radius", radius, "radius of the sphere, such as \"7.5 um\"");
-    options.add("--nu,--poisson-ratio", poisson_ratio, "Poisson ratio of the soft body; default 0.5");
-    options.add("--counter-E", counter_modulus, "Young's modulus of the counter-body; default rigid");
-    options.add("--counter-nu", counter_poisson_ratio, "its Poisson ratio; default 0");
-    options.add("--lens-height", lens_height, "height of the soft lens above its mount: fits are corrected for it");
-    options.add("--layer-thickness", layer_thickness, "the same of a soft layer on a rigid base");
+    options.add("--radius", radius, "radius of the sphere, such as \"7.5 um\"").quantity(positive(dimension::length));
+    options.add("--nu,--poisson-ratio", poisson_ratio, "Poisson ratio of the soft body; default 0.5")
+        .within(domain::poisson_ratio);
+    options.add("--counter-E", counter_modulus, "Young's modulus of the counter-body; default rigid")
+        .quantity(positive(dimension::pressure));
+    options.add("--counter-nu", counter_poisson_ratio, "its Poisson ratio; default 0").within(domain::poisson_ratio);
+    options.add("--lens-height", lens_height, "height of the soft lens above its mount: fits are corrected for it")
+        .quantity(positive(dimension::length));
+    options.add("--layer-thickness", layer_thickness, "the same of a soft layer on a rigid base")
+        .quantity(positive(dimension::length));
 }
 
 loops::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {
@@ -122,7 +130,8 @@ loops::LensAndCounterBody BodyArguments::without_radius(const Table& loop) const
 }
 
 void LoopAnalysisArguments::add_to(Options& options) {
-    options.add("--machine-stiffness", machine_stiffness, "where displacement is the stage's, such as \"30 ± 1 N/m\"");
+    options.add("--machine-stiffness", machine_stiffness, "where displacement is the stage's, such as \"30 ± 1 N/m\"")
+        .quantity(positive(dimension::stiffness));
     options.add("--rigid-contact", rigid_contact, "a loop on something rigid, from which that stiffness is measured");
     options
         .add("--contact-point", contact_point,
@@ -132,9 +141,12 @@ void LoopAnalysisArguments::add_to(Options& options) {
         "--segment", segments,
         "replace what was found, such as loading=120:900, unloading@2=12.5s:20s, baseline=0s:10s, cut=400, \"ignore=30:35 (slip)\"");
     options.add("--baseline-share", baseline_share, "share of the record, from its start, taken as free flight")
+        .within(domain::share)
         .default_shown();
-    options.add("--displacement-drift", displacement_drift, "rate of it where known, such as \"0.1 nm/s\"");
+    options.add("--displacement-drift", displacement_drift, "rate of it where known, such as \"0.1 nm/s\"")
+        .quantity(dimension::length / dimension::time);
     options.add("--area-ratio", area_ratio, "true over apparent area of the hard surface, for losses per true area")
+        .within(domain::positive)
         .default_shown();
     options.add("--samples-dropped", samples_dropped, "samples left out after the jump into contact")
         .between(0, 1000000);

@@ -79,7 +79,8 @@ ExitCode run(const FoilArguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<FoilArguments>();
     arguments->surface.add_to(options);
-    options.add("--foil-thickness", arguments->thickness, "along the beam, such as \"20 nm\"");
+    options.add("--foil-thickness", arguments->thickness, "along the beam, such as \"20 nm\"")
+        .quantity(positive(dimension::length));
     options.add("--surfaces", arguments->surfaces, "simulated").between(2, 10000).default_shown();
     options.add("--bins-per-decade", arguments->bins_per_decade, "of wavevectors").between(1, 100).default_shown();
     return action(options, arguments, explanation, run);

@@ -14,12 +14,15 @@ void TextureOptions::add_to(Options& options) {
         .add("--standard", standard,
              "parameters of a standard: iso25178 (maps) or iso21920 (lines; maps: mean over scan lines)")
         .one_of({"iso25178", "iso21920"});
-    options.add("--s-filter", s_filter, "nesting index of the Gaussian S-filter (λs), such as 2.5um");
+    options.add("--s-filter", s_filter, "nesting index of the Gaussian S-filter (λs), such as 2.5um")
+        .quantity(positive(dimension::length));
     options.add(
         "--l-filter", l_filter,
         "nesting index of the Gaussian L-filter (λc), such as 0.8mm; iso21920: \"default\", both filters by Ra (ISO 4288)");
-    options.add("--section-length", section_length,
-                "iso21920: length of a section; default the L-filter's nesting index, else all");
+    options
+        .add("--section-length", section_length,
+             "iso21920: length of a section; default the L-filter's nesting index, else all")
+        .quantity(positive(dimension::length));
     options.add("--profile", kind, "iso21920: primary, waviness or roughness (default)")
         .one_of({"primary", "waviness", "roughness"});
     options

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "setae/core/units.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -30,6 +32,10 @@ public:
     Option& separated_by(char separator);
     /// A value each time it is named, so that what follows that is a file.
     Option& one_at_a_time();
+    /// A number within a domain.
+    Option& within(const Domain& domain);
+    /// A text that is a quantity, with its standard error or without.
+    Option& quantity(const Expected& expected);
     /// Its values name files that are read: no output of the run replaces one.
     Option& of_inputs();
     /// What the help calls its value.

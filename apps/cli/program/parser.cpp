@@ -3,16 +3,20 @@
 #include "program/parser.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include <CLI/CLI.hpp>
 
 #include "program/messages.hpp"
 #include "program/program_tree.hpp"
 #include "setae/bytes/protected_inputs.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/study/provenance.hpp"
 
@@ -54,6 +58,37 @@ Option& Option::one_at_a_time() {
     option_->allow_extra_args(false);
     return *this;
 }
+namespace {
+
+/// What a check has against a value, as CLI11 wants it; empty for nothing.
+std::string objection(const std::function<void()>& check) {
+    try {
+        check();
+    } catch (const InvalidArgument& error) {
+        return error.what();
+    }
+    return {};
+}
+
+}  // namespace
+
+Option& Option::within(const Domain& domain) {
+    option_->check(CLI::Validator(
+        [domain](std::string& text) {
+            double value = 0.0;
+            // what is no number is refused where it is converted
+            if (!CLI::detail::lexical_cast(text, value)) return std::string();
+            return objection([&] { require_within(domain, value, text); });
+        },
+        ""));
+    return *this;
+}
+Option& Option::quantity(const Expected& expected) {
+    option_->check(CLI::Validator(
+        [expected](std::string& text) { return objection([&] { (void)parse_uncertain_quantity(text, expected); }); },
+        ""));
+    return *this;
+}
 Option& Option::of_inputs() {
     option_->each([](const std::string& path) { bytes::protect_input(path); });
     return *this;
@@ -73,7 +108,10 @@ Option Options::flag(const std::string& names, bool& value, const std::string& d
 
 template <class Value>
 Option Options::add(const std::string& names, Value& value, const std::string& description) {
-    return Option(*verb_.add_option(names, value, description));
+    Option option(*verb_.add_option(names, value, description));
+    constexpr bool real = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>> ||
+                          std::is_same_v<Value, std::vector<double>>;
+    return real ? option.within(domain::finite) : option;
 }
 
 template Option Options::add(const std::string&, std::string&, const std::string&);
@@ -164,6 +202,23 @@ void add_verbs(const CLI::App& app, const std::string& path, std::vector<Program
         add_verbs(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), verbs);
 }
 
+/// The words of a command line as CLI11 takes them: backwards, without the program, and with a negative number joined
+/// to the option before it, for which "-1.25 mm" would else be an option itself.
+std::vector<std::string> reversed_words(int argc, char** argv) {
+    std::vector<std::string> words;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        const bool negative =
+            word.size() > 1 && word[0] == '-' && (std::isdigit(static_cast<unsigned char>(word[1])) || word[1] == '.');
+        const bool of_option = !words.empty() && words.back().starts_with("--") && words.back().size() > 2 &&
+                               words.back().find('=') == std::string::npos;
+        if (negative && of_option) words.back() += "=" + std::string(word);
+        else words.emplace_back(word);
+    }
+    std::reverse(words.begin(), words.end());
+    return words;
+}
+
 }  // namespace
 
 Parsed parsed(int argc, char** argv) {
@@ -176,7 +231,7 @@ Parsed parsed(int argc, char** argv) {
         return result;
     }
     try {
-        program->parse(argc, argv);
+        program->parse(reversed_words(argc, argv));
     } catch (const CLI::ParseError& error) {
         result.action = nullptr;
         result.exit_code = program->exit(error) == 0 ? 0 : nothing_done;

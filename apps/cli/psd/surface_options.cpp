@@ -15,8 +15,10 @@ void SurfaceOptions::add_measurements_to(Options& options) {
     file.add_to(options);
     processing.add_to(options);
     options.add("--instrument", instrument, "stylus, afm, tem or optical").one_of({"stylus", "afm", "tem", "optical"});
-    options.add("--tip-radius", tip_radius, "such as \"10 ± 2 nm\"; what the tip cannot show is cut");
-    options.add("--resolution", resolution, "shortest wavelength the instrument shows");
+    options.add("--tip-radius", tip_radius, "such as \"10 ± 2 nm\"; what the tip cannot show is cut")
+        .quantity(positive(dimension::length));
+    options.add("--resolution", resolution, "shortest wavelength the instrument shows")
+        .quantity(positive(dimension::length));
     options.add(
         "--trend", trend,
         "removed before analysis: none, mean, tilt, parabola; default: none behind a pipeline that levels, else by instrument");
@@ -27,8 +29,10 @@ void SurfaceOptions::add_measurements_to(Options& options) {
 
 void SurfaceOptions::add_to(Options& options) {
     add_measurements_to(options);
-    options.add("--longest-wavelength", longest, "upper limit of wavelengths in all integrals");
-    options.add("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals");
+    options.add("--longest-wavelength", longest, "upper limit of wavelengths in all integrals")
+        .quantity(positive(dimension::length));
+    options.add("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals")
+        .quantity(positive(dimension::length));
     options.add("--window", window, "automatic, none, hann, blackman_harris");
     options.add("--contours", contours, "sinc_corrected or segments").one_of({"sinc_corrected", "segments"});
     options.add("--conversion", conversion, "exact or eq11").one_of({"exact", "eq11"});
@@ -47,8 +51,8 @@ study::SurfaceInput SurfaceOptions::surface() const {
         input.file = path;
         input.channel = file.channel;
         input.instrument = instrument;
-        if (!tip_radius.empty()) input.tip_radius = parse_uncertain_quantity(tip_radius, dimension::length);
-        if (!resolution.empty()) input.resolution = parse_quantity(resolution, dimension::length);
+        if (!tip_radius.empty()) input.tip_radius = parse_uncertain_quantity(tip_radius, positive(dimension::length));
+        if (!resolution.empty()) input.resolution = parse_quantity(resolution, positive(dimension::length));
         if (!trend.empty()) input.trend = topography::trend_from_name(trend);
         input.unit = read.unit;
         input.size = read.size;
@@ -62,8 +66,8 @@ study::SurfaceInput SurfaceOptions::surface() const {
 study::SurfaceAnalysisOptions SurfaceOptions::analysis() const {
     study::SurfaceAnalysisOptions options;
     options.spectrum = study::SpectrumMethod::average;  // what these verbs show is the combined spectrum
-    if (!longest.empty()) options.limits.longest = parse_quantity(longest, dimension::length);
-    if (!shortest.empty()) options.limits.shortest = parse_quantity(shortest, dimension::length);
+    if (!longest.empty()) options.limits.longest = parse_quantity(longest, positive(dimension::length));
+    if (!shortest.empty()) options.limits.shortest = parse_quantity(shortest, positive(dimension::length));
     if (!window.empty()) options.window = spectra::window_from_name(window);
     if (contours == "segments") options.contours = spectra::ContourTreatment::segments;
     if (conversion == "eq11") options.conversion = roughness::Conversion::eq11;

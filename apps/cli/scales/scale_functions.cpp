@@ -256,7 +256,8 @@ Action acf_command(Options& options) {
     auto arguments = std::make_shared<ScaleArguments>();
     arguments->add_to(options);
     options.flag("--area", arguments->area, "maps over all directions, not along their lines");
-    options.add("--longest", arguments->longest, "longest distance of --area, which maps read by bands need");
+    options.add("--longest", arguments->longest, "longest distance of --area, which maps read by bands need")
+        .quantity(positive(dimension::length));
     options.flag("--slope", arguments->slope, "the rms slope between points, sqrt(2A)/d");
     return action(options, arguments, acf_explanation, run_acf);
 }

@@ -2,17 +2,35 @@
 #include "study/run_time.hpp"
 
 #include <array>
-#include <charconv>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 
 namespace setae::cli {
 
+namespace {
+
+constexpr std::time_t last_second = 253402300799;  // of the year 9999
+
+/// Seconds since 1970 that $SOURCE_DATE_EPOCH sets, or now. @throws InvalidArgument for a value that is no such number.
+std::time_t seconds_of_run() {
+    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+    if (!epoch || !*epoch) return std::time(nullptr);
+    const auto seconds = spelled<std::time_t>(epoch);
+    if (!seconds || *seconds < 0 || *seconds > last_second)
+        throw InvalidArgument(fmt::format("SOURCE_DATE_EPOCH is '{}', expected whole seconds since 1970, from 0 to {}",
+                                          epoch, last_second));
+    return *seconds;
+}
+
+}  // namespace
+
 std::string time_of_run() {
-    std::time_t now = std::time(nullptr);
-    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch && *epoch)
-        std::from_chars(epoch, epoch + std::strlen(epoch), now);
+    const auto now = seconds_of_run();
     std::tm parts{};
     gmtime_r(&now, &parts);
     std::array<char, 32> text{};

@@ -87,13 +87,16 @@ topography::Measurement SynthesisPlan::make() const {
 }
 
 void SynthesisOptions::add_to(Options& options) {
-    options.add("--hurst", hurst, "Hurst exponent H of a self-affine spectrum, 0 < H <= 1");
-    options.add("--rolloff", rolloff, "roll-off wavelength; longer ones have a flat spectrum");
-    options.add("--short-cutoff", short_cutoff, "shortest wavelength");
-    options.add("--long-cutoff", long_cutoff, "longest wavelength, none by default");
-    options.add("--rms-height", rms_height, "of the spectrum, such as 20 nm");
-    options.add("--rms-slope", rms_slope, "of the spectrum");
-    options.add("--plateau", plateau, "C_iso below the roll-off, such as \"5e-27 m4\"");
+    options.add("--hurst", hurst, "Hurst exponent H of a self-affine spectrum, 0 < H <= 1").within(domain::share);
+    options.add("--rolloff", rolloff, "roll-off wavelength; longer ones have a flat spectrum")
+        .quantity(positive(dimension::length));
+    options.add("--short-cutoff", short_cutoff, "shortest wavelength").quantity(positive(dimension::length));
+    options.add("--long-cutoff", long_cutoff, "longest wavelength, none by default")
+        .quantity(positive(dimension::length));
+    options.add("--rms-height", rms_height, "of the spectrum, such as 20 nm").quantity(positive(dimension::length));
+    options.add("--rms-slope", rms_slope, "of the spectrum").quantity(positive(dimension::none));
+    options.add("--plateau", plateau, "C_iso below the roll-off, such as \"5e-27 m4\"")
+        .quantity(positive(dimension::power_spectrum_2d));
     options.add("--spectrum", spectrum, "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
     options.add("--pixels", pixels, "points along x and y, such as 1024x512; one number for both").default_shown();
     options.add("--size", size, "extent, such as \"5 um\" or \"5 um x 2 um\"");

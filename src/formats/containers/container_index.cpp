@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "container_yaml.hpp"
+#include "setae/bytes/json_text.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::formats {
@@ -328,24 +329,6 @@ void modernise(json& index) {
     }
 }
 
-constexpr int index_deepest = 64;
-
-json parse_json(const std::string& text, const std::string& name) {
-    try {
-        return json::parse(text, [&](int depth, json::parse_event_t, json&) {
-            if (depth > index_deepest)
-                throw FormatError(
-                    name, {.offset = 0},
-                    fmt::format("JSON nested deeper than {} levels; no container's index is", index_deepest));
-            return true;
-        });
-    } catch (const json::exception& error) {
-        const auto* parse_error = dynamic_cast<const json::parse_error*>(&error);
-        throw FormatError(name, {.offset = parse_error ? parse_error->byte : 0},
-                          "JSON that does not parse; the index is damaged");
-    }
-}
-
 }  // namespace
 
 json parsed_index(const bytes::Archive& archive, const bytes::Source& source) {
@@ -353,7 +336,9 @@ json parsed_index(const bytes::Archive& archive, const bytes::Source& source) {
     const auto label = fmt::format("{}: {}", source.name, name);
     if (!archive.has(name))
         throw FormatError(source.name, {}, "an archive without index.json or meta.yml, which a container has");
-    auto index = name == json_index ? parse_json(archive.read(name), label) : json_from_yaml(archive.read(name), label);
+    auto index = name == json_index
+                     ? bytes::parsed_json(archive.read(name), label, "JSON that does not parse; the index is damaged")
+                     : json_from_yaml(archive.read(name), label);
     if (!index.is_object() || !index.contains("surfaces") || !index["surfaces"].is_array())
         throw FormatError(label, {}, "no list of surfaces");
     modernise(index);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/yaml_text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 
@@ -124,7 +125,7 @@ void emit(const ordered_json& value, std::size_t indent, std::string& out) {
 json json_from_yaml(const std::string& text, const std::string& name) {
     try {
         Budget budget{16 + 2 * text.size(), 1024 + 16 * text.size()};
-        return to_json(YAML::Load(text), budget);
+        return to_json(bytes::parsed_yaml(text, name), budget);
     } catch (const YAML::Exception& error) {
         const auto line = static_cast<std::uint64_t>(std::max(error.mark.line, 0)) + 1;
         throw FormatError(name, {.line = line}, fmt::format("YAML: {}", error.msg));

@@ -11,6 +11,7 @@
 
 #include "channel_building.hpp"
 #include "format_list.hpp"
+#include "setae/bytes/json_text.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
@@ -37,7 +38,7 @@ std::optional<json> description_of(const bytes::Source& source) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
     if (error || size > most) return std::nullopt;
-    auto description = json::parse(bytes::read_file(path.string()), nullptr, false);
+    auto description = bytes::json_or_null(bytes::read_file(path.string()));
     if (!description.is_object() || !description.contains("FILE_FORMAT") || !description.contains("X1_FACTOR"))
         return std::nullopt;
     return description;

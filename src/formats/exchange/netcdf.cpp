@@ -13,6 +13,7 @@
 #include "format_list.hpp"
 #include "netcdf_classic.hpp"
 #include "setae/bytes/hdf5_handle.hpp"
+#include "setae/bytes/json_text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/header.hpp"
@@ -125,7 +126,7 @@ std::string json_text(const nlohmann::json& value) {
 
 /// The attribute json: what the writer knew of the measurement.
 void add_info(topography::Metadata& metadata, const std::string& text) {
-    const auto info = nlohmann::json::parse(text, nullptr, false);
+    const auto info = bytes::json_or_null(text);
     if (!info.is_object()) return;
     for (const auto& [key, value] : info.items()) {
         if (key == "acquisition_time" && value.is_string()) metadata.acquisition_time = value.get<std::string>();

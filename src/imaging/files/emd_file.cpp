@@ -11,6 +11,7 @@
 
 #include "micrograph_building.hpp"
 #include "setae/bytes/hdf5_handle.hpp"
+#include "setae/bytes/json_text.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 
@@ -206,7 +207,7 @@ nlohmann::json velox_metadata(hid_t image) {
     if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
         H5Dread(data, H5T_NATIVE_UCHAR, memory, space, H5P_DEFAULT, text.data()) < 0)
         return nullptr;
-    return nlohmann::json::parse(text.substr(0, text.find('\0')), nullptr, false);
+    return bytes::json_or_null(text.substr(0, text.find('\0')));
 }
 
 /// The value at a path of JSON as text; empty where there is none.

@@ -10,6 +10,7 @@
 
 #include "micrograph_building.hpp"
 #include "raw_pixels.hpp"
+#include "setae/bytes/nesting.hpp"
 #include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 
@@ -90,7 +91,8 @@ void read_emi(std::string_view emi, Micrograph& micrograph) {
     const auto first = emi.find(begin), last = emi.find(end, first == std::string_view::npos ? 0 : first);
     if (first == std::string_view::npos || last == std::string_view::npos) return;
     pugi::xml_document document;
-    if (!document.load_buffer(emi.data() + first, last + end.size() - first)) return;
+    const auto described = std::string_view(emi).substr(first, last + end.size() - first);
+    if (bytes::xml_too_deep(described) || !document.load_buffer(described.data(), described.size())) return;
     const auto info = document.child("ObjectInfo");
     micrograph.acquisition_time = info.child_value("AcquireDate");
     for (const auto data : info.child("ExperimentalDescription").child("Root").children("Data")) {

@@ -10,6 +10,7 @@
 #include <pugixml.hpp>
 
 #include "micrograph_building.hpp"
+#include "setae/bytes/nesting.hpp"
 #include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -160,7 +161,7 @@ bool read_ome(const TiffStack& stack, Micrograph& micrograph) {
     const auto text = stack.text(stack.page(0), tag::description);
     if (text.find("<OME") == std::string::npos) return false;
     pugi::xml_document document;
-    if (!document.load_buffer(text.data(), text.size())) return false;
+    if (bytes::xml_too_deep(text) || !document.load_buffer(text.data(), text.size())) return false;
     const auto pixels = document.child("OME").child("Image").child("Pixels");
     const auto x = number_of(pixels.attribute("PhysicalSizeX").value()),
                y = number_of(pixels.attribute("PhysicalSizeY").value());
@@ -191,7 +192,8 @@ bool read_jeol(const TiffStack& stack, const bytes::TiffPage& page, Micrograph& 
     };
     if (const auto root = text.find("<TemReporter"); root != std::string::npos) {
         pugi::xml_document document;
-        if (!document.load_buffer(text.data() + root, text.size() - root)) return false;
+        const auto reported = std::string_view(text).substr(root);
+        if (bytes::xml_too_deep(reported) || !document.load_buffer(reported.data(), reported.size())) return false;
         const auto reporter = document.child("TemReporter");
         const auto imaging = reporter.child("ImageFormingSystem");
         const auto magnification = number_of(imaging.child_value("SelectorValue"));

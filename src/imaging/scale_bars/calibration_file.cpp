@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/bytes/digest.hpp"
+#include "setae/bytes/json_text.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
@@ -118,12 +119,7 @@ ScaleBar scale_bar(ObjectReader reader) {
 }
 
 Json parsed(const std::string& path) {
-    const auto text = bytes::read_file(path);
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        throw FormatError(path, {.offset = error.byte}, "no calibration: JSON that does not parse");
-    }
+    return bytes::parsed_json<Json>(bytes::read_file(path), path, "no calibration: JSON that does not parse");
 }
 
 }  // namespace

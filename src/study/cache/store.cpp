@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -18,18 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view magic = "setae cache 1\n";
-constexpr const char* ending = ".entry";
+constexpr std::string_view magic = "setae cache", format = "setae cache 2\n";
+constexpr std::string_view ending = ".entry";
+constexpr std::size_t key_length = 64;
 
-/// First lines of an entry: what it is, the version that wrote it, the digest of what follows.
-std::string header(const std::string& version, std::string_view content) {
-    return fmt::format("{}{}\n{}\n", magic, version, bytes::sha256(content));
+/// What the digest of an entry vouches for: that this content belongs to this key.
+std::string signed_part(const std::string& version, const std::string& key, std::string_view content) {
+    return fmt::format("{}\n{}\n", version, key) + std::string(content);
 }
 
-struct Entry {
-    std::string version, digest;
-    std::string content;
-};
+/// First lines of an entry: what it is, the version that wrote it, its key, the digest of these and of what follows.
+std::string header(const std::string& version, const std::string& key, std::string_view content) {
+    return fmt::format("{}{}\n{}\n{}\n", format, version, key, bytes::sha256(signed_part(version, key, content)));
+}
 
 /// The line that begins at `at`, which moves behind it; nothing where no line ends.
 std::optional<std::string> next_line(const std::string& text, std::size_t& at) {
@@ -40,31 +40,65 @@ std::optional<std::string> next_line(const std::string& text, std::size_t& at) {
     return line;
 }
 
-std::optional<Entry> parsed(const std::string& bytes) {
-    if (bytes.compare(0, magic.size(), magic) != 0) return std::nullopt;
-    std::size_t at = magic.size();
-    const auto version = next_line(bytes, at), digest = next_line(bytes, at);
-    if (!version || !digest) return std::nullopt;
-    return Entry{*version, *digest, bytes.substr(at)};
+enum class State { whole, damaged, of_other_version };
+
+struct Entry {
+    State state = State::damaged;
+    std::string content;
+};
+
+Entry parsed(const std::string& bytes, const std::string& wanted_version, const std::string& wanted_key) {
+    if (!bytes.starts_with(format)) return {bytes.starts_with(magic) ? State::of_other_version : State::damaged, {}};
+    std::size_t at = format.size();
+    const auto version = next_line(bytes, at), key = next_line(bytes, at), digest = next_line(bytes, at);
+    if (!version || !key || !digest) return {};
+    if (*version != wanted_version) return {State::of_other_version, {}};
+    auto content = bytes.substr(at);
+    if (*key != wanted_key || *digest != bytes::sha256(signed_part(*version, *key, content))) return {};
+    return {State::whole, std::move(content)};
 }
 
 /// Two letters of the key name a folder, so that none holds too many files.
 fs::path path_of(const std::string& folder, const std::string& key) {
-    return fs::path(folder) / key.substr(0, 2) / (key + ending);
+    return fs::path(folder) / key.substr(0, 2) / (key + std::string(ending));
 }
 
+/// Nothing for a missing file; no bytes for what cannot be read, such as a folder or a pipe in its place.
 std::optional<std::string> bytes_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return std::nullopt;
-    return std::string(std::istreambuf_iterator<char>(file), {});
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(path, ignored))) return std::nullopt;
+    try {
+        return bytes::read_back(path.string());
+    } catch (const std::exception&) {
+        return std::string();
+    }
 }
 
-/// The version an entry names, from its first lines alone; nothing where they are damaged.
-std::optional<std::string> version_of(const fs::path& path) {
+/// What stands in the place of an entry and is none: a link or a pipe can be removed, an empty folder, too.
+void clear_place(const fs::path& path) {
+    std::error_code ignored;
+    const auto status = fs::symlink_status(path, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) fs::remove(path, ignored);
+}
+
+/// Whether an entry, by its first lines, is of another version; damaged ones are not.
+bool is_of_other_version(const fs::path& path, const std::string& wanted) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return false;
     std::ifstream file(path, std::ios::binary);
-    std::string first, second;
-    if (!std::getline(file, first) || !std::getline(file, second) || first + "\n" != magic) return std::nullopt;
-    return second;
+    std::string first, version;
+    if (!std::getline(file, first) || !first.starts_with(magic)) return false;
+    return first + "\n" != format || (std::getline(file, version) && version != wanted);
+}
+
+/// A name that path_of() gives within `group`, and whether a writer left it behind it.
+bool is_own_name(const std::string& name, const std::string& group, bool& whole) {
+    const auto key = name.substr(0, key_length);
+    const bool hexadecimal = key.size() == key_length && key.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!hexadecimal || !key.starts_with(group) || name.compare(key_length, ending.size(), ending) != 0) return false;
+    const auto rest = std::string_view(name).substr(key_length + ending.size());
+    whole = rest.empty();
+    return whole || (rest.starts_with('.') && rest.ends_with(".part"));
 }
 
 /// Every file of a store: entries, and what interrupted writers left of them. Other files in the folder are not its
@@ -72,14 +106,19 @@ std::optional<std::string> version_of(const fs::path& path) {
 void for_each_file(const std::string& folder, const std::function<void(const fs::directory_entry&, bool whole)>& body) {
     std::error_code ignored;
     for (const auto& group : fs::directory_iterator(folder, ignored)) {
-        if (group.path().filename().string().size() != 2 || !group.is_directory(ignored)) continue;
+        const auto letters = group.path().filename().string();
+        if (letters.size() != 2 || !group.is_directory(ignored)) continue;
         for (const auto& file : fs::directory_iterator(group.path(), ignored)) {
-            const auto name = file.path().filename().string();
-            const bool whole = file.path().extension() == ending,
-                       part = name.find(std::string(ending) + ".") != std::string::npos;
-            if (whole || part) body(file, whole);
+            bool whole = false;
+            if (is_own_name(file.path().filename().string(), letters, whole)) body(file, whole);
         }
     }
+}
+
+std::uintmax_t size_of(const fs::directory_entry& file) {
+    std::error_code failure;
+    const auto size = file.is_regular_file(failure) ? file.file_size(failure) : 0;
+    return failure ? 0 : size;
 }
 
 std::optional<std::string> variable(const char* name) {
@@ -96,24 +135,20 @@ std::optional<std::string> Store::find(const std::string& key) const {
     if (!enabled()) return std::nullopt;
     const auto bytes = bytes_of(path_of(folder_, key));
     if (!bytes) return std::nullopt;
-    auto entry = parsed(*bytes);
-    if (entry && entry->version != version_) {
-        ++counters_.other_version;
-        return std::nullopt;
+    auto entry = parsed(*bytes, version_, key);
+    switch (entry.state) {
+        case State::whole: ++counters_.found; return std::move(entry.content);
+        case State::of_other_version: ++counters_.other_version; return std::nullopt;
+        case State::damaged: break;
     }
-    if (!entry || entry->digest != bytes::sha256(entry->content)) {
-        ++counters_.damaged;
-        return std::nullopt;
-    }
-    ++counters_.found;
-    return std::move(entry->content);
+    ++counters_.damaged;
+    return std::nullopt;
 }
 
 bool Store::holds(const std::string& key) const {
     if (!enabled()) return false;
     const auto bytes = bytes_of(path_of(folder_, key));
-    const auto entry = bytes ? parsed(*bytes) : std::nullopt;
-    return entry && entry->version == version_ && entry->digest == bytes::sha256(entry->content);
+    return bytes && parsed(*bytes, version_, key).state == State::whole;
 }
 
 void Store::keep(const std::string& key, std::string_view content) const {
@@ -121,8 +156,9 @@ void Store::keep(const std::string& key, std::string_view content) const {
     const auto path = path_of(folder_, key);
     std::error_code failure;
     fs::create_directories(path.parent_path(), failure);
+    clear_place(path);
     try {
-        bytes::write_whole_file(path.string(), header(version_, content) + std::string(content));
+        bytes::write_whole_file(path.string(), {header(version_, key, content), content});
         ++counters_.kept;
     } catch (const FileError&) {
         ++counters_.not_kept;  // the result itself is fine
@@ -137,11 +173,10 @@ Content Store::content() const {
     Content content;
     if (!enabled()) return content;
     for_each_file(folder_, [&](const fs::directory_entry& file, bool whole) {
-        std::error_code ignored;
-        content.bytes += file.file_size(ignored);
+        content.bytes += size_of(file);
         if (!whole) return;
         ++content.entries;
-        if (version_of(file.path()) != version_) ++content.of_other_versions;
+        if (is_of_other_version(file.path(), version_)) ++content.of_other_versions;
     });
     return content;
 }
@@ -150,10 +185,10 @@ Content Store::remove(bool of_other_versions_alone) const {
     Content removed;
     if (!enabled()) return removed;
     for_each_file(folder_, [&](const fs::directory_entry& file, bool whole) {
-        const bool other = whole && version_of(file.path()) != version_;
+        const bool other = whole && is_of_other_version(file.path(), version_);
         if (whole && of_other_versions_alone && !other) return;
         std::error_code failure;
-        const auto size = file.file_size(failure);
+        const auto size = size_of(file);
         if (!fs::remove(file.path(), failure) || failure) return;
         removed.bytes += size;
         removed.entries += whole ? 1 : 0;

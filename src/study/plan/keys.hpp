@@ -61,26 +61,29 @@ public:
 
     /// A number, or a quantity with its unit; with its standard error, or a list of them, as the field is.
     template <class Field>
-    Keys& add(const char* key, Field field, const Dimension& dimension, std::string meaning) {
+    Keys& add(const char* key, Field field, const Expected& expected, std::string meaning) {
         using Value = Plain<Field>;
-        const bool plain = dimension == dimension::none;
+        const bool plain = expected.dimension == dimension::none;
+        const auto within =
+            std::isinf(expected.domain.lower) ? std::string() : " " + std::string(expected.domain.words);
         const std::string one = plain ? "number" : "quantity";
-        KeyDescription described{key, one, plain ? "" : si_unit(dimension), "", std::move(meaning)};
+        KeyDescription described{key, one, plain ? "" : si_unit(expected.dimension), "", std::move(meaning)};
         if constexpr (std::same_as<Value, std::vector<double>>) {
-            described.type = plain ? "list of numbers" : "list of quantities";
+            described.type = (plain ? "list of numbers" : "list of quantities") + within;
             return add(std::move(described), [=](Reader& reader, T& of) {
-                if (auto given = reader.quantities(key, dimension); !given.empty())
+                if (auto given = reader.quantities(key, expected); !given.empty())
                     std::invoke(field, of) = std::move(given);
             });
         } else if constexpr (std::same_as<Value, Estimate>) {
-            described.type += " ± error";
+            described.type += " ± error" + within;
             return add(std::move(described), [=](Reader& reader, T& of) {
-                if (auto given = reader.uncertain(key, dimension)) std::invoke(field, of) = std::move(*given);
+                if (auto given = reader.uncertain(key, expected)) std::invoke(field, of) = std::move(*given);
             });
         } else {
+            described.type += within;
             described.standard = untouched(field);
             return add(std::move(described), [=](Reader& reader, T& of) {
-                if (const auto given = reader.quantity(key, dimension)) std::invoke(field, of) = *given;
+                if (const auto given = reader.quantity(key, expected)) std::invoke(field, of) = *given;
             });
         }
     }

@@ -23,7 +23,7 @@ auto fitted(Field field) {
 }
 
 void read_machine_stiffness(TomlReader& reader, ExperimentInput& e) {
-    const auto stiffness = reader.uncertain("machine_stiffness", dimension::stiffness);
+    const auto stiffness = reader.uncertain("machine_stiffness", positive(dimension::stiffness));
     if (!stiffness) return;
     e.options.machine_stiffness = stiffness->value;
     e.options.machine_stiffness_standard_error = stiffness->standard_error > 0.0 ? stiffness->standard_error : 0.0;
@@ -37,10 +37,7 @@ void read_models(TomlReader& reader, ExperimentInput& e) {
 }
 
 void read_exponent(TomlReader& reader, ExperimentInput& e) {
-    const auto exponent = reader.number("exponent");
-    if (!exponent) return;
-    if (!(*exponent > 0.0)) reader.fail("exponent", "expected a number above 0");
-    e.models.exponent = exponent;
+    if (const auto exponent = reader.number("exponent", domain::positive)) e.models.exponent = exponent;
 }
 
 void read_share(TomlReader& reader, ExperimentInput& e) {
@@ -72,12 +69,12 @@ Keys<ExperimentInput> keys_of_loops() {
              "E* of (S2) is fitted, not taken from loading")
         .add("displacement_drift", analysis(&Analysis::displacement_drift_rate), dimension::length / dimension::time,
              "rate of the displacement's drift, where a reference tells it")
-        .add("interaction_range", analysis(&Analysis::interaction_range), dimension::length,
+        .add("interaction_range", analysis(&Analysis::interaction_range), positive(dimension::length),
              "z0 of the Tabor parameter")
         .add(
-            "baseline_share", [](auto& e) -> auto& { return e.options.segments.baseline_share; }, dimension::none,
-            "share of the record taken as free flight")
-        .add("contact_radius_noise", analysis(&Analysis::contact_radius_noise), dimension::length,
+            "baseline_share", [](auto& e) -> auto& { return e.options.segments.baseline_share; },
+            {dimension::none, domain::share}, "share of the record taken as free flight")
+        .add("contact_radius_noise", analysis(&Analysis::contact_radius_noise), positive(dimension::length),
              "of a radius; where it is missing, from the radii's second differences")
         .add({"machine_stiffness", "quantity ± error", si_unit(dimension::stiffness), "",
               "of a stage whose position stands for the displacement"},

@@ -10,9 +10,11 @@
 #include <toml++/toml.h>
 #include <yaml-cpp/yaml.h>
 
+#include "setae/bytes/source.hpp"
 #include "setae/bytes/toml_reader.hpp"
 #include "setae/bytes/toml_text.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/bytes/yaml_text.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/processing/step_text.hpp"
@@ -128,12 +130,7 @@ std::string value_of(const YAML::Node& node, const std::string& key, const Build
 
 Pipeline from_yaml(const std::string& text, const std::string& path) {
     Builder builder(path);
-    YAML::Node root;
-    try {
-        root = YAML::Load(text);
-    } catch (const YAML::Exception& error) {
-        builder.fail(static_cast<std::uint64_t>(error.mark.line) + 1, fmt::format("YAML: {}", error.msg));
-    }
+    const auto root = bytes::parsed_yaml(text, path);
     if (!root.IsMap()) builder.fail(1, fmt::format("expected a key '{}' with a list of steps", list_key));
     for (const auto& entry : root) {
         if (!entry.first.IsScalar()) builder.fail(line_of(entry.first), "a key that is no text");
@@ -226,12 +223,11 @@ Ending ending_of(const std::string& path) {
 }  // namespace
 
 Pipeline read_pipeline(const std::string& path) {
-    const auto ending = ending_of(path);
-    const auto text = bytes::read_file(path);
-    if (text.size() > longest_file)
+    const auto source = bytes::file_source(path);
+    if (source.size > longest_file)
         throw FormatError(path, {},
-                          fmt::format("{} bytes are no pipeline; expected at most {}", text.size(), longest_file));
-    return ending == Ending::yaml ? from_yaml(text, path) : from_toml(path);
+                          fmt::format("{} bytes are no pipeline; expected at most {}", source.size, longest_file));
+    return ending_of(path) == Ending::yaml ? from_yaml(source.all(), path) : from_toml(path);
 }
 
 std::string pipeline_yaml(const Pipeline& pipeline) {

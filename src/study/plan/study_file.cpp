@@ -47,25 +47,28 @@ const Keys<MeasurementInput>& measurement_keys() {
             .choice<std::string>("instrument", &Input::instrument,
                                  {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}},
                                  "its kind")
-            .add("tip_radius", &Input::tip_radius, dimension::length, "what the tip hides is cut from the spectrum")
+            .add("tip_radius", &Input::tip_radius, positive(dimension::length),
+                 "what the tip hides is cut from the spectrum")
             .choice<std::string>("tip_shape", &Input::tip_shape,
                                  {{"sphere", "sphere"}, {"cone", "cone"}, {"paraboloid", "paraboloid"}},
                                  "of the tip, with `tip_radius` at its apex; without it a sphere")
             .parsed(
                 "tip_half_angle", "an angle such as `20 deg`",
                 [](Input& input, const std::string& text) {
-                    input.tip_half_angle = parse_quantity(text, dimension::none);
+                    input.tip_half_angle = parse_quantity(text, {dimension::none, domain::acute_angle});
                 },
                 "between axis and flank of a cone")
             .file("tip_file", &Input::tip_file,
                   "a map of the tip, apex up, as `setae tip` writes it, in place of a shape; the fitted spectrum reads "
                   "with it")
-            .add("foil_thickness", &Input::foil_thickness, dimension::length,
+            .add("foil_thickness", &Input::foil_thickness, positive(dimension::length),
                  "of a side view's lamella along the beam; without it what the contour's file says, else a line")
-            .add("numerical_aperture", &Input::numerical_aperture, dimension::none,
+            .add("numerical_aperture", &Input::numerical_aperture, positive(dimension::none),
                  "of an optical profiler; with `light_wavelength` the fitted spectrum allows for what it blurs")
-            .add("light_wavelength", &Input::light_wavelength, dimension::length, "mean wavelength of its light")
-            .add("resolution", &Input::resolution, dimension::length, "what it hides is cut from the spectrum")
+            .add("light_wavelength", &Input::light_wavelength, positive(dimension::length),
+                 "mean wavelength of its light")
+            .add("resolution", &Input::resolution, positive(dimension::length),
+                 "what it hides is cut from the spectrum")
             .parsed(
                 "trend", "`none`, `mean`, `tilt`, `parabola`",
                 [](Input& input, const std::string& name) { input.trend = topography::trend_from_name(name); },
@@ -78,7 +81,14 @@ const Keys<MeasurementInput>& measurement_keys() {
                 "direction need it where not all files were measured along the same")
             .file("references", &Input::references, "scans of a smooth standard; their average is subtracted")
             .add("unit", &Input::unit, "of lengths and heights, where the file leaves it open")
-            .add("size", &Input::size, dimension::length, "where the file leaves it open")
+            .add({"size", "one or two quantities above 0", "m", "", "where the file leaves it open"},
+                 [](TomlReader& reader, Input& input) {
+                     auto lengths = reader.quantities("size", positive(dimension::length));
+                     if (lengths.size() > 2)
+                         reader.fail("size",
+                                     fmt::format("{} lengths, expected one for a line, two for a map", lengths.size()));
+                     if (!lengths.empty()) input.size = std::move(lengths);
+                 })
             .add({"pipeline", "file", "", "", "[processing steps](../guides/processing.md) done before"},
                  read_pipeline_of);
     return keys;
@@ -88,13 +98,14 @@ const Keys<PublishedMoments>& moment_keys() {
     using Moments = PublishedMoments;
     static const auto keys =
         Keys<Moments>()
-            .add("rms_height", &Moments::rms_height, dimension::length, "h_rms")
+            .add("rms_height", &Moments::rms_height, positive(dimension::length), "h_rms")
             .required()
-            .add("rms_slope", &Moments::rms_slope, dimension::none, "h'_rms")
+            .add("rms_slope", &Moments::rms_slope, positive(dimension::none), "h'_rms")
             .required()
-            .add("rms_curvature", &Moments::rms_curvature, dimension::wavevector, "h''_rms")
+            .add("rms_curvature", &Moments::rms_curvature, positive(dimension::wavevector), "h''_rms")
             .required()
-            .add("short_wavevector", &Moments::short_wavevector, dimension::wavevector, "where the spectrum ends")
+            .add("short_wavevector", &Moments::short_wavevector, positive(dimension::wavevector),
+                 "where the spectrum ends")
             .required();
     return keys;
 }
@@ -161,10 +172,10 @@ const Keys<ElastomerInput>& elastomer_keys() {
     using Input = ElastomerInput;
     static const auto keys =
         Keys<Input>()
-            .add("youngs_modulus", &Input::youngs_modulus, dimension::pressure,
+            .add("youngs_modulus", &Input::youngs_modulus, positive(dimension::pressure),
                  "without it the mean of the loops on this elastomer")
-            .add("poisson_ratio", &Input::poisson_ratio, dimension::none, "")
-            .add("surface_energy", &Input::surface_energy, dimension::surface_energy, "γ1")
+            .add("poisson_ratio", &Input::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
+            .add("surface_energy", &Input::surface_energy, non_negative(dimension::surface_energy), "γ1")
             .required()
             .add({"surface_energy_law", "table", "", "",
                   "`{ area_ratio = [1.0, …], surface_energy = [\"25 mJ/m2\", …], form = \"end_states\" }`: γ1 against "
@@ -178,12 +189,12 @@ const Keys<ElastomerInput>& elastomer_keys() {
                 "interface_change", &Input::interface_change, dimension::surface_energy,
                 "χ of an interface whose energy changes with the stretch of the soft side, γ1s2 − γ12 = χ (r − 1), for "
                 "the general balance")
-            .add("sphere_radius", &Input::sphere_radius, dimension::length, "of the lens")
-            .add("sphere_height", &Input::sphere_height, dimension::length, "of the lens")
-            .add("crosslink_molar_mass", &Input::crosslink_molar_mass, dimension::molar_mass,
+            .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "of the lens")
+            .add("sphere_height", &Input::sphere_height, positive(dimension::length), "of the lens")
+            .add("crosslink_molar_mass", &Input::crosslink_molar_mass, positive(dimension::molar_mass),
                  "M_c, for the plausibility of E against ρRT/M_c")
-            .add("density", &Input::density, {{-3, 1, 0, 0, 0, 0}}, "ρ of it")
-            .add("temperature", &Input::temperature, dimension::temperature, "T of it");
+            .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "ρ of it")
+            .add("temperature", &Input::temperature, positive(dimension::temperature), "T of it");
     return keys;
 }
 
@@ -197,8 +208,9 @@ const Keys<CameraInput>& camera_keys() {
             .file("mapping", &Input::mapping, "names the columns of a foreign table")
             .add("clock_offset", &Input::clock_offset, dimension::time,
                  "added to the camera's times; without it, it is found")
-            .add("pixel_size", &Input::pixel_size, dimension::length, "of pictures that do not say it")
-            .add("frame_rate", &Input::frame_rate, dimension::none / dimension::time, "of pictures that do not say it")
+            .add("pixel_size", &Input::pixel_size, positive(dimension::length), "of pictures that do not say it")
+            .add("frame_rate", &Input::frame_rate, positive(dimension::none / dimension::time),
+                 "of pictures that do not say it")
             .add("fringes", &Input::fringes, "pictures show Newton's rings around the contact");
     return keys;
 }
@@ -214,8 +226,8 @@ const Keys<ExperimentInput>& experiment_keys() {
                 "camera", camera_keys(), [](Input& e, CameraInput camera) { e.camera = std::move(camera); },
                 "contact radii from elsewhere, keys below")
             .add(
-                "spring_constant", [](auto& e) -> auto& { return e.force_curve.spring_constant; }, dimension::stiffness,
-                "of force curves whose file does not say it")
+                "spring_constant", [](auto& e) -> auto& { return e.force_curve.spring_constant; },
+                positive(dimension::stiffness), "of force curves whose file does not say it")
             .parsed(
                 "sensitivity", "quantity",
                 [](Input& e, const std::string& text) { e.force_curve.sensitivity = tables::parse_sensitivity(text); },
@@ -232,7 +244,7 @@ const Keys<ExperimentInput>& experiment_keys() {
             .add("surface", &Input::surface, "one of [surfaces]")
             .add("elastomer", &Input::elastomer, "one of [elastomers]")
             .required()
-            .add("sphere_radius", &Input::sphere_radius, dimension::length, "overrides the elastomer's")
+            .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "overrides the elastomer's")
             .choice<std::string>("stage", &Input::stage, {{"before", "before"}, {"after", "after"}},
                                  "of a reference: before or after the rough loops")
             .add(
@@ -384,14 +396,14 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
                 "the mean of C1D over measurements, or C_iso fitted to all of them at once; without it "
                 "the likelihood of surfaces with several measurements")
             .add(
-                "longest_wavelength", [](auto& o) -> auto& { return o.limits.longest; }, dimension::length,
+                "longest_wavelength", [](auto& o) -> auto& { return o.limits.longest; }, positive(dimension::length),
                 "limit of all integrals")
             .add(
-                "shortest_wavelength", [](auto& o) -> auto& { return o.limits.shortest; }, dimension::length,
+                "shortest_wavelength", [](auto& o) -> auto& { return o.limits.shortest; }, positive(dimension::length),
                 "likewise")
             .add(
                 "surface_shortest_wavelength", [](auto& o) -> auto& { return o.likelihood.shortest_wavelength; },
-                dimension::length,
+                positive(dimension::length),
                 "shorter waves the surface does not have, and data that speak of them are left out; of likelihoods")
             .choice<Conversion>(
                 "conversion", &Options::conversion, {{"exact", Conversion::exact}, {"eq11", Conversion::eq11}},
@@ -410,7 +422,7 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
                 [](Options& options, const std::string& name) { options.window = spectra::window_from_name(name); },
                 "`automatic`: Hann for data that are not periodic; of averages")
             .by_default("`automatic`")
-            .add("tip_percentile", &Options::tip_percentile, dimension::none,
+            .add("tip_percentile", &Options::tip_percentile, {dimension::none, domain::share},
                  "share of positions that may be sharper than the tip; 0 is the strict criterion; of averages")
             .whole(
                 "bootstrap_resamples", &Options::bootstrap_resamples, 0, 1'000'000,
@@ -418,7 +430,7 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
                 "intervals of averages")
             .whole("seed", &Options::seed, std::numeric_limits<std::int64_t>::min(), Keys<Options>::unbounded,
                    "of the replicas")
-            .add("cutoff_scan", &Options::cutoff_scan, dimension::length,
+            .add("cutoff_scan", &Options::cutoff_scan, positive(dimension::length),
                  "shortest wavelengths at which W_int is fitted again");
     return keys;
 }
@@ -429,11 +441,12 @@ struct RoughSolid {
 };
 
 const Keys<RoughSolid>& rough_solid_keys() {
-    static const auto keys = Keys<RoughSolid>()
-                                 .add("youngs_modulus", &RoughSolid::youngs_modulus, dimension::pressure, "")
-                                 .required()
-                                 .add("poisson_ratio", &RoughSolid::poisson_ratio, dimension::none, "")
-                                 .required();
+    static const auto keys =
+        Keys<RoughSolid>()
+            .add("youngs_modulus", &RoughSolid::youngs_modulus, positive(dimension::pressure), "")
+            .required()
+            .add("poisson_ratio", &RoughSolid::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
+            .required();
     return keys;
 }
 
@@ -445,7 +458,7 @@ const Keys<ComparisonOptions>& comparison_keys() {
                 "crossed", &Options::crossed,
                 "`[\"lens\"]` where a lens's label names the same lens on every surface: it was pressed on all of them "
                 "([replicates](../guides/replicates.md)); without it a lens belongs to its surface")
-            .add("margin", &Options::margin, dimension::surface_energy,
+            .add("margin", &Options::margin, positive(dimension::surface_energy),
                  "hysteresis and loss per area of a smooth reference are tested to be smaller");
     return keys;
 }
@@ -470,7 +483,7 @@ struct Reported {
 const Keys<Reported>& reported_keys() {
     static const auto keys =
         Keys<Reported>()
-            .add("work_of_adhesion", &Reported::work_of_adhesion, dimension::surface_energy, "W_int")
+            .add("work_of_adhesion", &Reported::work_of_adhesion, positive(dimension::surface_energy), "W_int")
             .add("r_squared", &Reported::r_squared, dimension::none, "R²")
             .add("source", &Reported::source, "where it stands");
     return keys;
@@ -483,7 +496,7 @@ const Keys<Study>& top_keys() {
                                  .add("description", &Study::description, "free text")
                                  .file("output", &Study::output, "folder of the results")
                                  .by_default("`NAME_results` beside `NAME.toml`")
-                                 .add("work_of_adhesion", &Study::work_of_adhesion, dimension::surface_energy,
+                                 .add("work_of_adhesion", &Study::work_of_adhesion, positive(dimension::surface_energy),
                                       "W_int for predictions; without it the fitted one");
     return keys;
 }

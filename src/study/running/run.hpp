@@ -36,7 +36,7 @@ public:
     [[nodiscard]] std::optional<T> find(const std::string& key) const {
         if (key.empty() || !options_.store) return std::nullopt;
         auto bytes = options_.store->find(key);
-        return bytes ? value_of<T>(std::move(*bytes)) : std::nullopt;
+        return bytes ? value_of<T>(*bytes) : std::nullopt;
     }
     template <class T>
     void keep(const std::string& key, const T& value) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cereal/archives/binary.hpp>
 #include <cereal/types/array.hpp>
 #include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
@@ -13,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "kept_reader.hpp"
 #include "setae/study/study_result.hpp"
 
 // Results as bytes, exactly, for the cache. Every function takes its type apart by a structured binding: a field added
@@ -28,7 +28,7 @@ void save(Archive& archive, const Array<Scalar, rows, columns, options>& a) {
 template <class Archive, class Scalar, int rows, int columns, int options>
 void load(Archive& archive, Array<Scalar, rows, columns, options>& a) {
     Index n_rows = 0, n_columns = 0;
-    archive(n_rows, n_columns);
+    setae::study::load_shape(archive, n_rows, n_columns, sizeof(Scalar));
     a.resize(n_rows, n_columns);
     archive(cereal::binary_data(a.data(), static_cast<std::size_t>(a.size()) * sizeof(Scalar)));
 }
@@ -40,7 +40,7 @@ void save(Archive& archive, const MatrixXd& m) {
 template <class Archive>
 void load(Archive& archive, MatrixXd& m) {
     Index n_rows = 0, n_columns = 0;
-    archive(n_rows, n_columns);
+    setae::study::load_shape(archive, n_rows, n_columns, sizeof(double));
     m.resize(n_rows, n_columns);
     archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
 }
@@ -241,16 +241,16 @@ template <class T>
     return std::move(stream).str();
 }
 
-/// The value of bytes_of() a value of the same type, which a store's digest vouches for; nothing where they are cut
-/// short.
+/// The value of bytes_of() a value of the same type, which a store's digest vouches for; nothing where the bytes are
+/// not exactly that.
 template <class T>
-[[nodiscard]] std::optional<T> value_of(std::string bytes) {
-    std::istringstream stream(std::move(bytes), std::ios::binary);
+[[nodiscard]] std::optional<T> value_of(const std::string& bytes) {
     T value{};
     try {
-        cereal::BinaryInputArchive archive(stream);
+        KeptReader archive(bytes);
         archive(value);
-    } catch (const cereal::Exception&) {
+        if (!archive.at_end()) return std::nullopt;
+    } catch (const std::exception&) {
         return std::nullopt;
     }
     return value;

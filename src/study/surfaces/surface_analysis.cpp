@@ -2,7 +2,11 @@
 #include "setae/study/surface_analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <iterator>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -154,6 +158,31 @@ void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& opti
          "measure finer, or say where the surface's waves end (surface_shortest_wavelength)"});
 }
 
+/// What tells a measurement from others: the content of its file, or its place where that is unknown, and the channel.
+std::pair<std::string, std::optional<std::size_t>> identity_of(const MeasurementInput& input, const Run& run) {
+    const auto digest = run.digest(input.file);
+    return {digest.empty() ? std::filesystem::path(input.file).lexically_normal().string() : digest, input.channel};
+}
+
+/// The same data listed more than once say no more than once.
+void look_for_copies(SurfaceResult& surface, const SurfaceInput& input, const Run& run) {
+    std::map<std::pair<std::string, std::optional<std::size_t>>, std::vector<std::string>> files;
+    for (const auto& measurement : input.measurements) files[identity_of(measurement, run)].push_back(measurement.file);
+    const auto copies =
+        std::find_if(files.begin(), files.end(), [](const auto& same) { return same.second.size() > 1; });
+    if (copies == files.end()) return;
+    const auto listed = static_cast<double>(input.measurements.size()), different = static_cast<double>(files.size());
+    const auto& [first, second] = std::pair(copies->second[0], copies->second[1]);
+    surface.alerts.push_back(
+        {"SAME_MEASUREMENT", surface.name,
+         fmt::format(
+             "its {} measurements hold {} different ones, {} is listed {}; each is counted, so that intervals are too "
+             "narrow by a factor of up to {:.2g}",
+             listed, different, first, first == second ? "more than once" : "again as " + second,
+             std::sqrt(listed / different)),
+         "list each measurement once"});
+}
+
 }  // namespace
 
 SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options, Run& run,
@@ -181,6 +210,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             run.step_begins("surface", input.name);
             estimate_by_average(surface, options, threads);
             add_failure_alert(surface, options);
+            look_for_copies(surface, input, run);
             if (wanted.map) heights = only_map(std::move(prepared));
             else add_likelihood(surface, std::move(prepared), options, threads);
             use_measured_slopes(surface);

@@ -71,7 +71,7 @@ TEST(StudyFigures, NameFilesOfSurfacesApart) {
     std::set<std::string> names;
     for (const auto& figure : study_figures(result, {.area_map_points = 128}))
         if (figure.identifier.starts_with("spectra:")) names.insert(figure.name);
-    EXPECT_EQ(names, (std::set<std::string>{"spectra_a_b", "spectra_a_b_2", "spectra___"}));
+    EXPECT_EQ(names, (std::set<std::string>{"spectra_a_b", "spectra_a_b_2", "spectra_ü"}));
 }
 
 TEST(Figure4, ShowsMeasuredAgainstPredictedAndTheirDifference) {

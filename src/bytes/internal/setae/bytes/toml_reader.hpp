@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] std::optional<std::string> text(const char* key);
     [[nodiscard]] std::string required_text(const char* key);
-    [[nodiscard]] std::optional<double> number(const char* key);
+    [[nodiscard]] std::optional<double> number(const char* key, const Domain& domain = domain::finite);
     [[nodiscard]] std::optional<std::int64_t> integer(const char* key);
     [[nodiscard]] std::optional<bool> boolean(const char* key);
     /// What one of a closed set of words stands for. @throws FormatError that lists the words.
@@ -43,13 +43,13 @@ public:
         fail(key, "'" + *word + "', expected one of " + words);
     }
     /// "37 mJ/m2"; a plain number only where the dimension is none.
-    [[nodiscard]] std::optional<double> quantity(const char* key, const Dimension& dimension);
+    [[nodiscard]] std::optional<double> quantity(const char* key, const Expected& expected);
     /// "37 ± 3.7 mJ/m2".
-    [[nodiscard]] std::optional<Estimate> uncertain(const char* key, const Dimension& dimension);
-    [[nodiscard]] Estimate required_uncertain(const char* key, const Dimension& dimension);
+    [[nodiscard]] std::optional<Estimate> uncertain(const char* key, const Expected& expected);
+    [[nodiscard]] Estimate required_uncertain(const char* key, const Expected& expected);
     [[nodiscard]] std::vector<std::string> texts(const char* key);
-    [[nodiscard]] std::vector<double> quantities(const char* key, const Dimension& dimension);
-    [[nodiscard]] std::vector<Estimate> uncertains(const char* key, const Dimension& dimension);
+    [[nodiscard]] std::vector<double> quantities(const char* key, const Expected& expected);
+    [[nodiscard]] std::vector<Estimate> uncertains(const char* key, const Expected& expected);
     [[nodiscard]] bool contains(const char* key) const;
     [[nodiscard]] bool is_number(const char* key) const;
     [[nodiscard]] bool is_list(const char* key) const;
@@ -77,7 +77,7 @@ private:
     const toml::node* find(const char* key);
     template <class Value>
     std::vector<Value> list(const char* key, const std::function<Value(const toml::node&)>& convert);
-    Estimate parse(const char* key, const toml::node& node, const Dimension& dimension) const;
+    Estimate parse(const char* key, const toml::node& node, const Expected& expected) const;
 
     const toml::table* table_;
     std::string path_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -35,6 +36,34 @@ inline constexpr Dimension power_spectrum_1d{{3, 0, 0, 0, 0, 0}};
 inline constexpr Dimension power_spectrum_2d{{4, 0, 0, 0, 0, 0}};
 }  // namespace dimension
 
+/// Values that a quantity may have, SI.
+struct Domain {
+    double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+    bool open = false;                     ///< `lower` itself is none
+    const char* words = "a finite value";  ///< as an error and the pages on keys say it
+};
+
+namespace domain {
+inline constexpr Domain finite{};
+inline constexpr Domain positive{0.0, std::numeric_limits<double>::infinity(), true, "above 0"};
+inline constexpr Domain non_negative{0.0, std::numeric_limits<double>::infinity(), false, "0 or above"};
+inline constexpr Domain share{0.0, 1.0, false, "from 0 to 1"};
+inline constexpr Domain poisson_ratio{0.0, 0.5, false, "from 0 to 0.5"};
+inline constexpr Domain acute_angle{0.0, 1.5707963267948966, true, "above 0 and up to 90 deg"};
+}  // namespace domain
+
+/// @throws InvalidArgument for a value that is not finite or outside a domain, quoted as it was `given`.
+void require_within(const Domain& domain, double value, std::string_view given);
+
+/// What a text must be: a dimension, and the values of it that make sense.
+struct Expected {
+    Dimension dimension;
+    Domain domain;
+    Expected(const Dimension& of, const Domain& within = domain::finite) : dimension(of), domain(within) {}
+};
+[[nodiscard]] inline Expected positive(const Dimension& of) { return {of, domain::positive}; }
+[[nodiscard]] inline Expected non_negative(const Dimension& of) { return {of, domain::non_negative}; }
+
 /// A unit as its factor to SI and its dimension: "mJ/m2" is {1e-3, surface energy}.
 struct Unit {
     double factor = 1.0;
@@ -56,13 +85,13 @@ struct Unit {
 
 /// SI value of a number with its unit, such as "37 mJ/m2", "1.1MPa", "8nm". A dimensionless number needs no unit; a
 /// missing unit is otherwise an error, never 1.
-/// @throws InvalidArgument for a missing or wrong unit or a malformed number.
-[[nodiscard]] double parse_quantity(std::string_view text, const Dimension& expected);
+/// @throws InvalidArgument for a missing or wrong unit, a malformed number, and one outside the domain.
+[[nodiscard]] double parse_quantity(std::string_view text, const Expected& expected);
 
 /// A value and its standard error in SI, from "37.0 ± 3.7 mJ/m2", "37.0 +- 3.7 mJ/m2" or, taken for exact, without the
 /// second part; method "given".
-/// @throws InvalidArgument as parse_quantity does, and for a negative standard error.
-[[nodiscard]] Estimate parse_uncertain_quantity(std::string_view text, const Dimension& expected);
+/// @throws InvalidArgument as parse_quantity does, and for a standard error that is negative or not finite.
+[[nodiscard]] Estimate parse_uncertain_quantity(std::string_view text, const Expected& expected);
 
 /// SI unit of a dimension as machine files spell it: "J/m2", "1/m", "Pa", "1".
 [[nodiscard]] std::string si_unit(const Dimension& dimension);

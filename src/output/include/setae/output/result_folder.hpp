@@ -37,6 +37,7 @@ public:
 
 private:
     [[nodiscard]] bool holds(const std::string& name) const;
+    [[nodiscard]] std::set<std::string> names_on_disk() const;
     void remove(const std::string& name) const;
 
     std::string folder_, study_;

@@ -20,7 +20,7 @@ struct InputFile {
 /// Every file a study names, each once and in its order, the study itself first.
 [[nodiscard]] std::vector<InputFile> input_files(const Study& study, parallel::Threads threads = {});
 
-/// Release and digest of the sources this program was built from, such as "0.1.0+4f1c09ab".
+/// Release and digest of the build: sources, compiler, flags and libraries, such as "0.1.0+4f1c09ab".
 [[nodiscard]] std::string version();
 
 }  // namespace setae::study

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <yaml-cpp/yaml.h>
+
+namespace setae::bytes {
+
+/// The first document of YAML, at most most_levels deep with what its aliases stand for.
+///
+/// An alias stands for no node that it is part of, and all of them together for no more nodes than the text has bytes,
+/// and a thousand: what reads the document may follow every one.
+/// @throws FormatError with the line.
+[[nodiscard]] YAML::Node parsed_yaml(const std::string& text, const std::string& name);
+
+}  // namespace setae::bytes
