@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 
 #include <fmt/format.h>
 
@@ -17,9 +18,12 @@ constexpr std::string_view signature = "\x89HDF\r\n\x1A\n";
 constexpr std::size_t image_increment = 1 << 16;
 constexpr int most_dimensions = H5S_MAX_RANK;
 
-std::recursive_mutex& guard() {
-    static std::recursive_mutex one_at_a_time;
-    return one_at_a_time;
+/// Sessions of this thread inside each other. A recursive mutex would not do: in a child process its owner is another.
+thread_local int sessions = 0;
+
+std::mutex& guard() {
+    static std::mutex mutex;
+    return mutex;
 }
 
 /// An address of `bytes` bytes.
@@ -52,12 +56,19 @@ void require_whole(const Source& source, std::uint64_t start) {
 
 }  // namespace
 
-Hdf5Session::Hdf5Session() : lock_(guard()) {
+Hdf5Session::Hdf5Session() {
+    if (sessions++ == 0) guard().lock();
+    // what damaged files leave open it would complain of at the end of the program
+    static const herr_t quiet = H5dont_atexit();
+    static_cast<void>(quiet);
     H5Eget_auto2(H5E_DEFAULT, &reporter_, &reporter_data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-Hdf5Session::~Hdf5Session() { H5Eset_auto2(H5E_DEFAULT, reporter_, reporter_data_); }
+Hdf5Session::~Hdf5Session() {
+    H5Eset_auto2(H5E_DEFAULT, reporter_, reporter_data_);
+    if (--sessions == 0) guard().unlock();
+}
 
 Hdf5Handle::~Hdf5Handle() {
     if (id < 0) return;

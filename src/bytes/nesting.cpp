@@ -65,6 +65,7 @@ std::optional<std::uint64_t> xml_too_deep(std::string_view text) {
 
 std::optional<std::uint64_t> toml_too_deep(std::string_view text) {
     std::size_t depth = 0, dots = 0;
+    char last = ' ';  // before blanks
     for (std::size_t at = 0; at < text.size();) {
         const char c = text[at];
         if (c == '#') {
@@ -73,12 +74,14 @@ std::optional<std::uint64_t> toml_too_deep(std::string_view text) {
             at = behind(text, at + 3, text.substr(at, 3));
         } else if (c == '"' || c == '\'') {
             at = behind_quotes(text, at, c == '"');
+            last = c;
         } else {
-            const bool within_name = c == '.' && at > 0 && in_name(text[at - 1]);
-            if (within_name && ++dots > most_levels) return at;
-            if (!within_name && !in_name(c) && c != ' ') dots = 0;
+            const bool parts_name = c == '.' && in_name(last);
+            if (parts_name && ++dots > most_levels) return at;
+            if (!parts_name && !in_name(c) && c != ' ' && c != '\t') dots = 0;
             if (opens(c) && ++depth > most_levels) return at;
             if (closes(c) && depth > 0) --depth;
+            if (c != ' ' && c != '\t') last = c;
             ++at;
         }
     }

@@ -19,13 +19,18 @@ namespace {
 /// Follows a parser and stops it where a document goes too deep or its aliases stand for too much.
 class Bounds : public YAML::EventHandler {
 public:
-    Bounds(std::size_t most_nodes, const std::string& name) : most_nodes_(most_nodes), name_(name) {}
+    /// What a node stands for with all its aliases.
+    struct Extent {
+        std::size_t nodes = 1, bytes = 0, levels = 1;
+    };
+
+    Bounds(const Extent& most, const std::string& name) : most_(most), name_(name) {}
 
     void OnDocumentStart(const YAML::Mark&) override {}
     void OnDocumentEnd() override {}
-    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { leaf(mark, anchor); }
-    void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, const std::string&) override {
-        leaf(mark, anchor);
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { leaf(mark, anchor, 0); }
+    void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, const std::string& text) override {
+        leaf(mark, anchor, text.size());
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         const auto known = extents_.find(anchor);
@@ -44,10 +49,6 @@ public:
     void OnMapEnd() override { end(); }
 
 private:
-    /// What a node stands for with all its aliases.
-    struct Extent {
-        std::size_t nodes = 1, levels = 1;
-    };
     struct Open {
         YAML::anchor_t anchor;
         Extent extent;
@@ -62,13 +63,13 @@ private:
         if (open_.empty()) return;
         auto& around = open_.back().extent;
         around.nodes += extent.nodes;
+        around.bytes += extent.bytes;
         around.levels = std::max(around.levels, extent.levels + 1);
-        if (around.nodes > most_nodes_)
-            fail(mark, fmt::format("aliases that stand for more than {} nodes", most_nodes_));
+        if (around.nodes > most_.nodes || around.bytes > most_.bytes) fail(mark, "its aliases repeat too much");
     }
-    void leaf(const YAML::Mark& mark, YAML::anchor_t anchor) {
-        add(mark, {});
-        if (anchor != YAML::NullAnchor) extents_[anchor] = {};
+    void leaf(const YAML::Mark& mark, YAML::anchor_t anchor, std::size_t bytes) {
+        add(mark, {.bytes = bytes});
+        if (anchor != YAML::NullAnchor) extents_[anchor] = {.bytes = bytes};
     }
     void begin(const YAML::Mark& mark, YAML::anchor_t anchor) {
         if (open_.size() >= most_levels) fail(mark, fmt::format("more than {} levels inside each other", most_levels));
@@ -82,7 +83,7 @@ private:
         add(mark_, closed.extent);
     }
 
-    std::size_t most_nodes_;
+    Extent most_;
     const std::string& name_;
     std::vector<Open> open_;
     std::map<YAML::anchor_t, Extent> extents_;
@@ -95,7 +96,7 @@ YAML::Node parsed_yaml(const std::string& text, const std::string& name) {
     try {
         std::istringstream stream(text);
         YAML::Parser parser(stream);
-        Bounds bounds(1024 + text.size(), name);
+        Bounds bounds({.nodes = 16 + 2 * text.size(), .bytes = 1024 + 16 * text.size()}, name);
         parser.HandleNextDocument(bounds);
         return YAML::Load(text);
     } catch (const YAML::Exception& error) {

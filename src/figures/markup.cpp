@@ -16,8 +16,7 @@ std::string taken_character(std::string_view& text) {
     text.remove_prefix(character.size());
     const auto first = static_cast<unsigned char>(character.front());
     if (length == 0 || first < 0x20 || first == 0x7f) return " ";
-    // gnuplot ends a text at an apostrophe beside another or beside the text's own: an empty group parts them
-    if (character == "'") return "{}''{}";
+    if (character == "'") return "''";
     if (std::string_view(R"({}^_@&~\)").find(character) != std::string_view::npos) return "\\" + character;
     return character;
 }
@@ -56,11 +55,20 @@ std::string typeset_unit(std::string_view unit) {
     return result;
 }
 
+/// Markup in gnuplot's quotes. Release 5.4 ends a text at two apostrophes in a row, and at one beside the text's own:
+/// an empty group parts them.
+std::string in_quotes(std::string markup) {
+    constexpr std::string_view apostrophe = "''", two = "''''";
+    for (auto at = markup.find(two); at != std::string::npos; at = markup.find(two, at)) markup.insert(at + 2, "{}");
+    return "'" + std::string(markup.starts_with(apostrophe) ? "{}" : "") + markup +
+           (markup.ends_with(apostrophe) ? "{}" : "") + "'";
+}
+
 }  // namespace
 
-std::string quoted_verbatim(std::string_view text) { return "'" + escaped(text) + "'"; }
+std::string quoted_verbatim(std::string_view text) { return in_quotes(escaped(text)); }
 
-std::string quoted_bold(std::string_view text) { return "'{/:Bold " + escaped(text) + "}'"; }
+std::string quoted_bold(std::string_view text) { return in_quotes("{/:Bold " + escaped(text) + "}"); }
 
 std::string quoted_tick(std::string_view text) {
     std::string doubled;
@@ -70,7 +78,7 @@ std::string quoted_tick(std::string_view text) {
 
 std::string quoted_axis_title(std::string_view quantity, std::string_view unit) {
     const auto set = typeset_unit(unit);
-    return "'" + typeset(quantity) + (set.empty() ? "" : " (" + set + ")") + "'";
+    return in_quotes(typeset(quantity) + (set.empty() ? "" : " (" + set + ")"));
 }
 
 }  // namespace setae::figures

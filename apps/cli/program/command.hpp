@@ -37,8 +37,10 @@ template <class Arguments>
 [[nodiscard]] Action action(Options& options, std::shared_ptr<Arguments> arguments, Explanation explanation,
                             ExitCode (*run)(const Arguments&)) {
     arguments->common.add_to(options);
-    return
-        [arguments, explanation, run] { return arguments->common.explain ? explained(explanation) : run(*arguments); };
+    return [arguments, explanation, run] {
+        parallel::limit_threads(arguments->common.workers());
+        return arguments->common.explain ? explained(explanation) : run(*arguments);
+    };
 }
 
 /// A verb of the program, or of one of its groups of verbs.

@@ -10,8 +10,17 @@
 
 namespace setae::parallel {
 
+namespace {
+
+std::atomic<int> most_threads{0};
+
+}  // namespace
+
+void limit_threads(Threads threads) { most_threads = std::max(0, threads.count); }
+
 int Threads::resolved() const {
     if (count > 0) return count;
+    if (const int most = most_threads; most > 0) return most;
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "setae/core/errors.hpp"
@@ -55,6 +58,29 @@ TEST(ParseUncertainQuantity, ReadsValueAndStandardError) {
         EXPECT_DOUBLE_EQ(w.standard_error, 0.0037) << text;
     }
     EXPECT_EQ(parse_uncertain_quantity("1 MPa", dimension::pressure).standard_error, 0.0);
+}
+
+TEST(ParseQuantity, RefusesWhatIsOutsideItsDomain) {
+    const auto refusal = [](std::string_view text, const Expected& expected) {
+        try {
+            (void)parse_uncertain_quantity(text, expected);
+        } catch (const InvalidArgument& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refusal("nan MPa", dimension::pressure), "'nan MPa', expected a finite value");
+    EXPECT_EQ(refusal("inf MPa", dimension::pressure), "'inf MPa', expected a finite value");
+    EXPECT_EQ(refusal("1e308 km", dimension::length), "'1e308 km', expected a finite value");
+    EXPECT_EQ(refusal("-1 nm", dimension::length), "");
+    EXPECT_EQ(refusal("-1 nm", positive(dimension::length)), "'-1 nm', expected above 0");
+    EXPECT_EQ(refusal("0 nm", positive(dimension::length)), "'0 nm', expected above 0");
+    EXPECT_EQ(refusal("0 nm", non_negative(dimension::length)), "");
+    EXPECT_EQ(refusal("-1 ± 1 nm", non_negative(dimension::length)), "'-1 ± 1 nm', expected 0 or above");
+    EXPECT_EQ(refusal("0.5", {dimension::none, domain::poisson_ratio}), "");
+    EXPECT_EQ(refusal("0.51", {dimension::none, domain::poisson_ratio}), "'0.51', expected from 0 to 0.5");
+    for (const auto* error : {"1 ± -1 nm", "1 ± nan nm", "1 ± inf nm"})
+        EXPECT_NE(refusal(error, dimension::length).find("an uncertainty of 0 or above"), std::string::npos) << error;
 }
 
 TEST(SiUnit, SpellsDerivedUnits) {
@@ -110,6 +136,26 @@ TEST(Utf8Length, KnowsCharactersFromOtherBytes) {
     for (const char* broken :
          {"\x80", "\xc0\x80", "\xc3", "\xe2\x88", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe0\x80\x80"})
         EXPECT_EQ(utf8_length(broken), 0);
+}
+
+TEST(Text, IsShownWithoutWhatMovesATerminal) {
+    EXPECT_EQ(valid_utf8("a\xff\xc3\xa4\xe2\x82"), "a\uFFFDä\uFFFD\uFFFD");
+    EXPECT_EQ(printable("red \x1b[31m\n\tb\r\x07\xff"), "red  [31m\n\tb  \uFFFD");
+    EXPECT_EQ(one_line("a\nb\tc"), "a b c");
+    EXPECT_EQ(one_line("\u202egnp.exe \u0085\u2028 µ 名"), " gnp.exe    µ 名");
+    EXPECT_EQ(one_line(std::string_view("a\0b", 3)), "a b");
+    EXPECT_EQ(one_line(""), "");
+}
+
+TEST(Reason, IsWhatAUserCanActOn) {
+    EXPECT_EQ(reason_of(FileError("a.csv: no such file")), "a.csv: no such file");
+    EXPECT_EQ(reason_of(FileError("a.csv: no such file"), "a.csv"), "a.csv: no such file");
+    EXPECT_EQ(reason_of(UndefinedDataError("no heights"), "a.csv"), "a.csv: no heights");
+    EXPECT_NE(reason_of(std::bad_alloc(), "a.csv").find("a.csv: memory does not suffice"), std::string::npos);
+    EXPECT_NE(reason_of(std::out_of_range("vector")).find("internal error: vector"), std::string::npos);
+    EXPECT_NE(reason_of(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)))
+                  .find("the system refuses"),
+              std::string::npos);
 }
 
 TEST(ShellWord, QuotesWhatAShellWouldTakeApart) {

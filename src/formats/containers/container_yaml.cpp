@@ -27,31 +27,18 @@ json scalar(const YAML::Node& node) {
     return text;
 }
 
-/// What aliases may still repeat.
-struct Budget {
-    std::size_t nodes, bytes;
-
-    void spend(const YAML::Node& node, std::size_t length) {
-        if (nodes == 0 || bytes < length) throw YAML::Exception(node.Mark(), "its aliases repeat too much");
-        --nodes;
-        bytes -= length;
-    }
-};
-
-json to_json(const YAML::Node& node, Budget& budget) {
-    budget.spend(node, node.IsScalar() ? node.Scalar().size() : 0);
+json to_json(const YAML::Node& node) {
     if (node.IsMap()) {
         auto object = json::object();
         for (const auto& entry : node) {
             if (!entry.first.IsScalar()) throw YAML::Exception(entry.first.Mark(), "a key that is no text");
-            budget.spend(entry.first, entry.first.Scalar().size());
-            object[entry.first.Scalar()] = to_json(entry.second, budget);
+            object[entry.first.Scalar()] = to_json(entry.second);
         }
         return object;
     }
     if (node.IsSequence()) {
         auto array = json::array();
-        for (const auto& entry : node) array.push_back(to_json(entry, budget));
+        for (const auto& entry : node) array.push_back(to_json(entry));
         return array;
     }
     return node.IsScalar() ? scalar(node) : json(nullptr);
@@ -124,8 +111,7 @@ void emit(const ordered_json& value, std::size_t indent, std::string& out) {
 
 json json_from_yaml(const std::string& text, const std::string& name) {
     try {
-        Budget budget{16 + 2 * text.size(), 1024 + 16 * text.size()};
-        return to_json(bytes::parsed_yaml(text, name), budget);
+        return to_json(bytes::parsed_yaml(text, name));
     } catch (const YAML::Exception& error) {
         const auto line = static_cast<std::uint64_t>(std::max(error.mark.line, 0)) + 1;
         throw FormatError(name, {.line = line}, fmt::format("YAML: {}", error.msg));

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "setae/core/errors.hpp"
+#include "setae/imaging/opencv_session.hpp"
 #include "setae/core/statistics.hpp"
 
 namespace setae::imaging {
@@ -90,6 +91,7 @@ long remove_spikes(FramePixels& pixels) {
 }  // namespace
 
 PreparedPicture prepared_picture(const FramePixels& pixels, const TraceOptions& options) {
+    keep_opencv_in_hand();
     PreparedPicture picture{pixels, PixelMask::Zero(pixels.rows(), pixels.cols())};
     hide(picture.hidden, options.hidden);
     if (const long count = fill_undefined(picture); count > 0)

@@ -12,6 +12,7 @@
 #include "micrograph_building.hpp"
 #include "setae/bytes/hdf5_handle.hpp"
 #include "setae/bytes/json_text.hpp"
+#include "setae/bytes/rehearsal.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/errors.hpp"
 
@@ -243,12 +244,7 @@ void read_velox(const bytes::Source& file, hid_t image, Micrograph& micrograph, 
         if (const auto text = json_text(metadata, path); !text.empty()) micrograph.attributes[name] = text + unit;
 }
 
-}  // namespace
-
-bool is_hdf5(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1A\n"); }
-
-Micrograph read_emd(const bytes::Source& file, const MicrographOptions& options) {
-    const bytes::Hdf5Session session;
+Micrograph read_image(const bytes::Source& file, const MicrographOptions& options) {
     auto micrograph = unread_micrograph(file, "emd");
     const auto root = bytes::opened_hdf5(file);
     std::vector<std::string> images;
@@ -278,6 +274,16 @@ Micrograph read_emd(const bytes::Source& file, const MicrographOptions& options)
     add_alert(micrograph, "UNTESTED_FORMAT", "EMD is read from its description, no real file was at hand",
               "compare picture and pixel size with another program's");
     return micrograph;
+}
+
+}  // namespace
+
+bool is_hdf5(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1A\n"); }
+
+Micrograph read_emd(const bytes::Source& file, const MicrographOptions& options) {
+    const bytes::Hdf5Session session;
+    bytes::rehearse(file.name, "HDF5", [&] { (void)read_image(file, options); });
+    return read_image(file, options);
 }
 
 }  // namespace setae::imaging

@@ -12,6 +12,7 @@
 
 #include "picture_decoders.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/imaging/opencv_session.hpp"
 #include "setae/imaging/png_writer.hpp"
 
 // libpng leaves by longjmp where it fails: the functions that call it below hold nothing that must be destroyed.
@@ -121,6 +122,7 @@ FrameRead decoded_png(std::string_view bytes, PictureSize size) {
 }
 
 std::string png_of(const cv::Mat& picture) {
+    keep_opencv_in_hand();
     Writer writer;
     std::vector<png_bytep> rows;
     for (int row = 0; row < picture.rows; ++row) rows.push_back(const_cast<png_bytep>(picture.ptr(row)));

@@ -10,6 +10,7 @@
 #include "found_bars.hpp"
 #include "letter_lines.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/imaging/opencv_session.hpp"
 #include "setae/imaging/scale_bar.hpp"
 
 namespace setae::imaging {
@@ -111,6 +112,7 @@ std::vector<cv::Rect> text(const cv::Mat1f& levels) {
 }  // namespace
 
 std::vector<PictureRegion> annotations(const FramePixels& pixels) {
+    keep_opencv_in_hand();
     const auto levels = scaled_levels(pixels);
     std::vector<PictureRegion> regions;
     for (const auto& found : found_bars(levels)) regions.push_back(found.bar.annotation);

@@ -187,6 +187,19 @@ TEST_F(KeptResults, CutShortAreNoResult) {
         EXPECT_FALSE(value_of<SurfaceResult>(bytes.substr(0, length)));
 }
 
+// A size that the bytes left could not fill takes no memory.
+TEST_F(KeptResults, OfImpossibleSizesAreNoResult) {
+    const auto bytes = bytes_of(run_study(study()).surfaces[0]);
+    std::size_t refused = 0;
+    for (std::size_t at = 0; at + 8 <= bytes.size(); at += 1 + bytes.size() / 400) {
+        auto crafted = bytes;
+        crafted.replace(at, 8, "\xff\xff\xff\xff\xff\xff\xff\x0f", 8);
+        if (!value_of<SurfaceResult>(crafted)) ++refused;
+    }
+    EXPECT_GT(refused, 0u);
+    EXPECT_FALSE(value_of<SurfaceResult>(bytes + "x"));
+}
+
 TEST_F(KeptResults, NameEveryInputWithItsDigest) {
     const auto result = run_study(study());
     ASSERT_EQ(result.inputs.size(), 4);

@@ -118,6 +118,7 @@ TEST_F(PipelineFile, SaysOnWhichLineWhatIsWrong) {
     EXPECT_EQ(complaint("p.toml", "[[step]]\nstep = \"despike\"\n"),
               "p.toml:1: unknown key 'step'; did you mean 'steps'?");
     EXPECT_NE(complaint("p.toml", "[[steps]\n").find("p.toml:1: TOML: "), std::string::npos);
+    std::ofstream(folder / "p.json") << "{}";
     EXPECT_THROW((void)read_pipeline((folder / "p.json").string()), InvalidArgument);
     EXPECT_THROW((void)read_pipeline((folder / "none.yml").string()), FileError);
 }

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <thread>
 #include <vector>
 
@@ -84,6 +88,51 @@ TEST_F(StoreTest, RefusesADamagedEntryAndSaysSo) {
     EXPECT_EQ(traffic.damaged + traffic.other_version, 2 * whole.size());
     store.keep(key, "content");
     EXPECT_EQ(store.find(key), "content");
+}
+
+TEST_F(StoreTest, RefusesTheEntryOfAnotherKey) {
+    const auto other = KeyBuilder("test").add("file", "def").key();
+    const Store store(folder, "1");
+    store.keep(key, "mine");
+    store.keep(other, "of another");
+    overwrite(key, bytes(other));
+    EXPECT_FALSE(store.find(key));
+    EXPECT_EQ(store.traffic().damaged, 1);
+    EXPECT_EQ(store.find(other), "of another");
+}
+
+TEST_F(StoreTest, ComputesAgainWhatIsNoFile) {
+    const Store store(folder, "1");
+    store.keep(key, "content");
+    const auto replaced_by = [&](const std::function<void(const fs::path&)>& make) {
+        fs::remove_all(entry(key));
+        make(entry(key));
+        EXPECT_FALSE(store.find(key));
+        EXPECT_FALSE(store.holds(key));
+        EXPECT_EQ(store.content().bytes, 0);
+        store.keep(key, "content");
+        EXPECT_EQ(store.find(key), "content");
+    };
+    replaced_by([](const fs::path& path) { fs::create_directory(path); });
+    replaced_by([](const fs::path& path) { ASSERT_EQ(mkfifo(path.c_str(), 0600), 0); });
+    replaced_by([](const fs::path& path) { fs::create_symlink("/dev/zero", path); });
+    fs::remove_all(entry(key));
+    fs::create_directories(entry(key) / "not empty");
+    EXPECT_FALSE(store.find(key));
+    store.keep(key, "content");
+    EXPECT_EQ(store.traffic().not_kept, 1);
+}
+
+TEST_F(StoreTest, LeavesFilesOfLikeNamesAlone) {
+    const Store store(folder, "1");
+    store.keep(key, "content");
+    const auto group = entry(key).parent_path();
+    for (const auto& name :
+         {std::string("notes.entry"), std::string(64, '0') + ".entry", key + ".entry.txt", key + ".txt"})
+        std::ofstream(group / name) << "mine";
+    EXPECT_EQ(store.content().entries, 1);
+    EXPECT_EQ(store.remove().entries, 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(group), fs::directory_iterator()), key.starts_with("00") ? 3 : 4);
 }
 
 TEST_F(StoreTest, RefusesAnEntryOfAnotherVersion) {

@@ -4,7 +4,6 @@
 #include <hdf5.h>
 
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +15,7 @@
 namespace setae::bytes {
 
 /// While one lives no other thread uses HDF5, which may be built without care for threads, and the library does not
-/// print.
+/// print. Sessions may stand inside each other, also in a child process that was begun in one.
 class Hdf5Session {
 public:
     Hdf5Session();
@@ -25,7 +24,6 @@ public:
     ~Hdf5Session();
 
 private:
-    std::unique_lock<std::recursive_mutex> lock_;
     H5E_auto2_t reporter_ = nullptr;
     void* reporter_data_ = nullptr;
 };

@@ -9,8 +9,8 @@ namespace setae::bytes {
 
 /// The first document of YAML, at most most_levels deep with what its aliases stand for.
 ///
-/// An alias stands for no node that it is part of, and all of them together for no more nodes than the text has bytes,
-/// and a thousand: what reads the document may follow every one.
+/// An alias stands for no node that it is part of, and all of them together for no more than two nodes and sixteen
+/// bytes for each byte of the text: what reads the document may follow every one.
 /// @throws FormatError with the line.
 [[nodiscard]] YAML::Node parsed_yaml(const std::string& text, const std::string& name);
 

@@ -6,12 +6,16 @@
 
 namespace setae::parallel {
 
-/// Number of worker threads; 0 means as many as the machine has cores.
+/// Number of worker threads; 0 means as many as the machine has cores, or as limit_threads() allows.
 struct Threads {
     int count = 0;
 
     [[nodiscard]] int resolved() const;
 };
+
+/// What Threads{} stands for from now on in the whole process, for readers and libraries that nobody tells a number; 0
+/// again for all cores.
+void limit_threads(Threads threads);
 
 /// Calls body(i) for i = 0 … n − 1, each exactly once, on up to `threads` threads.
 ///

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace setae::bytes {
+
+/// Does once in a child process what the caller is about to do with a library that damaged bytes may crash, so that
+/// they cost one file and not the program.
+///
+/// What `use` throws, gives back or prints is lost: the caller does it again. Locks that `use` takes must be the
+/// caller's own. In builds of a fuzzer, which looks for the crash itself, nothing is done.
+/// @throws FormatError "name: `library`: …" where the child is killed by a signal or takes longer than a minute;
+/// FileError where no child can be had.
+void rehearse(const std::string& name, const std::string& library, const std::function<void()>& use);
+
+}  // namespace setae::bytes

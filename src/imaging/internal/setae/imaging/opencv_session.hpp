@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+
+#include "setae/parallel/for_each.hpp"
+
+namespace setae::imaging {
+
+/// From here on OpenCV writes nothing on the program's streams and takes as many threads as Threads{} stands for; what
+/// it throws is said by whoever catches it.
+inline void keep_opencv_in_hand() {
+    static const bool quiet = [] {
+        cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+        cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });
+        return true;
+    }();
+    static_cast<void>(quiet);
+    const int threads = parallel::Threads{}.resolved();
+    if (cv::getNumThreads() != threads) cv::setNumThreads(threads);
+}
+
+}  // namespace setae::imaging

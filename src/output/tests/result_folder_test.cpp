@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/result_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "setae/bytes/protected_inputs.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/output/file_names.hpp"
+
+namespace setae::output::result_folder_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(FileNames, AreReadableAndNoTwoAlike) {
+    const std::vector<std::string> names{"A 1", "A_1",  "A/B",       "a_b", "Ä",    "Ö",
+                                         "α",   "名前", "5'' wafer", "",    "\xff", "a\nb"};
+    const auto files = file_names(names);
+    EXPECT_EQ(files, (std::vector<std::string>{"A_1_2", "A_1", "A_B_2", "a_b", "Ä", "Ö", "α", "名前", "5___wafer", "_",
+                                               "__2", "a_b_3"}));
+}
+
+TEST(FileNames, AreCutBetweenCharacters) {
+    std::string name;
+    for (int i = 0; i < 100; ++i) name += "ä";
+    const auto files = file_names(std::vector<std::string>{name, name + "b"});
+    EXPECT_EQ(files[0], name.substr(0, 120));
+    EXPECT_EQ(files[1], files[0] + "_2");
+}
+
+class FolderTest : public testing::Test {
+protected:
+    void SetUp() override {
+        root = fs::temp_directory_path() / ("setae_results_" + std::to_string(getpid()));
+        fs::remove_all(root);
+        fs::create_directories(root);
+        study.path = (root / "study.toml").string();
+        study.output = (root / "results").string();
+        std::ofstream(study.path) << "title = \"a\"";
+    }
+    void TearDown() override { fs::remove_all(root); }
+    /// A run that writes these files.
+    void run(const std::set<std::string>& names) const {
+        ResultFolder folder(study);
+        folder.begin();
+        for (const auto& name : names) {
+            fs::create_directories((fs::path(study.output) / name).parent_path());
+            bytes::write_whole_file(folder.claim(name), name);
+        }
+        folder.finish();
+    }
+    [[nodiscard]] std::set<std::string> files() const {
+        std::set<std::string> names;
+        for (const auto& entry : fs::recursive_directory_iterator(study.output))
+            if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(study.output).string());
+        return names;
+    }
+
+    fs::path root;
+    study::Study study;
+};
+
+TEST_F(FolderTest, HoldsWhatTheLastRunWroteAndWhatOthersPutThere) {
+    run({"a.csv", "b.csv", "figures/1.svg"});
+    std::ofstream(fs::path(study.output) / "notes.txt") << "mine";
+    EXPECT_EQ(files(), (std::set<std::string>{"a.csv", "b.csv", "figures/1.svg", "files.txt", "notes.txt"}));
+    run({"b.csv", "c.csv"});
+    EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "c.csv", "files.txt", "notes.txt"}));
+    EXPECT_FALSE(fs::exists(fs::path(study.output) / "figures"));
+}
+
+TEST_F(FolderTest, KeepsWhatNoRunWrote) {
+    fs::create_directories(study.output);
+    std::ofstream(fs::path(study.output) / "a.csv") << "mine";
+    EXPECT_THROW(run({"a.csv"}), FileError);
+    EXPECT_EQ(bytes::read_back(study.output + "/a.csv"), "mine");
+}
+
+TEST_F(FolderTest, KnowsFilesOfARunThatWasKilled) {
+    {
+        ResultFolder folder(study);
+        bytes::write_whole_file(folder.claim("a.csv"), "of the killed");
+    }  // without finish()
+    run({"b.csv"});
+    EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
+}
+
+TEST_F(FolderTest, RemovesTheMarksOfAWholeRunFirst) {
+    run({"study.json", "report.html", "a.csv"});
+    ResultFolder(study).begin();
+    EXPECT_EQ(files(), (std::set<std::string>{"a.csv", "files.txt"}));
+    fs::remove_all(study.output);
+    fs::create_directories(study.output);
+    std::ofstream(fs::path(study.output) / "study.json") << "mine";
+    ResultFolder(study).begin();
+    EXPECT_TRUE(fs::exists(fs::path(study.output) / "study.json"));
+}
+
+TEST_F(FolderTest, OfAnotherStudyIsRefusedWhileThatOneIsThere) {
+    run({"a.csv"});
+    const auto first = study.path;
+    study.path = (root / "other.toml").string();
+    std::ofstream(study.path) << "title = \"b\"";
+    EXPECT_THROW(run({"b.csv"}), FileError);
+    fs::remove(first);  // it was renamed
+    run({"b.csv"});
+    EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
+}
+
+TEST_F(FolderTest, MovesWithItsStudy) {
+    run({"a.csv", "b.csv"});
+    const auto moved = root.string() + "_moved";
+    fs::remove_all(moved);
+    fs::rename(root, moved);
+    root = moved;
+    study.path = (root / "study.toml").string();
+    study.output = (root / "results").string();
+    run({"b.csv"});
+    EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
+}
+
+TEST_F(FolderTest, NeverReachesOutside) {
+    std::ofstream(root / "precious") << "mine";
+    fs::create_directories(study.output);
+    fs::create_directory_symlink(root, fs::path(study.output) / "link");
+    std::ofstream(fs::path(study.output) / "files.txt")
+        << "# study: ../study.toml\n../precious\n"
+        << (root / "precious").string() << "\nlink/precious\n./../precious\n";
+    run({"a.csv"});
+    EXPECT_TRUE(fs::exists(root / "precious"));
+}
+
+TEST_F(FolderTest, DoesNotReplaceWhatTheStudyReads) {
+    const bytes::ProtectedInputs inputs;
+    run({"a.csv"});
+    study.surfaces.push_back({.name = "A"});
+    study.surfaces.back().measurements.push_back({.file = study.output + "/a.csv"});
+    EXPECT_THROW(run({"a.csv"}), FileError);
+    EXPECT_THROW(run({"b.csv"}), FileError);  // nor is it removed
+    EXPECT_TRUE(fs::exists(study.output + "/a.csv"));
+}
+
+}  // namespace
+}  // namespace setae::output::result_folder_test
