@@ -224,13 +224,22 @@ void write_whole_file(const std::string& link, const std::function<void(const st
 
 void write_whole_file(const std::string& path, std::string_view content) { write_whole_file(path, {content}); }
 
-void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {
+void write_whole_file(const std::string& path, const std::function<void(const Write&)>& content) {
     write_whole_file(path, [&](const std::string& temporary) {
         std::ofstream file(temporary, std::ios::binary);
         if (!file) refuse_writing(path, "created", errno);
-        for (const auto part : parts) file.write(part.data(), static_cast<std::streamsize>(part.size()));
+        content([&](std::string_view piece) {
+            file.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+            if (!file) refuse_writing(path, "written", errno);
+        });
         file.close();
         if (!file) refuse_writing(path, "written", errno);
+    });
+}
+
+void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {
+    write_whole_file(path, [&](const Write& write) {
+        for (const auto part : parts) write(part);
     });
 }
 

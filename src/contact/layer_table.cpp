@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -112,9 +114,7 @@ struct Layer::Table {
     std::vector<ChebyshevSeries> logarithms;  // in the order of members
 };
 
-Layer::Layer(double thickness, double poisson_ratio) : thickness_(thickness), poisson_ratio_(poisson_ratio) {
-    require_positive(thickness, "layer thickness");
-    require_poisson_ratio(poisson_ratio);
+Layer::Table Layer::table_of(double poisson_ratio) {
     constexpr std::size_t points = 48;
     const ChebyshevSeries kappa = transformed_softening(poisson_ratio);
     const Rule rule = gauss_rule();
@@ -123,9 +123,26 @@ Layer::Layer(double thickness, double poisson_ratio) : thickness_(thickness), po
         const Factors factors = solved(ChebyshevSeries::point(i, points, largest_ratio), kappa, rule);
         for (std::size_t k = 0; k < members.size(); ++k) values[k].push_back(std::log(factors.*members[k]));
     }
-    auto table = std::make_shared<Table>();
-    for (const std::vector<double>& series : values) table->logarithms.emplace_back(series, largest_ratio);
-    table_ = std::move(table);
+    Table table;
+    for (const std::vector<double>& series : values) table.logarithms.emplace_back(series, largest_ratio);
+    return table;
+}
+
+std::shared_ptr<const Layer::Table> Layer::kept_table(double poisson_ratio) {
+    constexpr std::size_t most_kept = 64;
+    static std::mutex mutex;
+    static std::map<double, std::shared_ptr<const Table>> kept;
+    const std::lock_guard lock(mutex);
+    if (kept.size() >= most_kept && !kept.contains(poisson_ratio)) kept.clear();
+    auto& table = kept[poisson_ratio];
+    if (!table) table = std::make_shared<const Table>(table_of(poisson_ratio));
+    return table;
+}
+
+Layer::Layer(double thickness, double poisson_ratio) : thickness_(thickness), poisson_ratio_(poisson_ratio) {
+    require_positive(thickness, "layer thickness");
+    require_poisson_ratio(poisson_ratio);
+    table_ = kept_table(poisson_ratio);
 }
 
 Factors Layer::factors(double contact_radius) const {

@@ -357,7 +357,7 @@ std::vector<std::string> write_results(const study::StudyResult& result, ResultF
                            {"band", "_low and _high: 95 %"}};
         write_spectrum("likelihood_" + stems[i], fitted);
     }
-    bytes::write_whole_file(path_of("study.json"), as_text(to_json(result)));
+    bytes::write_whole_file(path_of("study.json"), [&](const bytes::Write& write) { write_json(result, write); });
     return files;
 }
 

@@ -16,6 +16,10 @@ def readers(path):
     """Verbs that a file of this kind may be given to."""
     common = [("info", path, "--json"), ("check", path, "--json"), ("psd", path, "--json"), ("params", path, "--json")]
     name = str(path)
+    if "/text_" in name:
+        return [("study", path, "--dry-run", "--json"), ("lab", "make", path, "-o", path.parent / "made"), ("jkr", "fit", path, "--json"),
+                ("jkr", "import", path, "--json"), ("info", path, "--json"), ("jkr", "fit", path, "--map", path),
+                ("psd", path, "--pipeline", path), ("contour", path, "--anchors", path)]
     if any(kind in name for kind in ("/dm/", "/ser/", "/emd/", "/mrc/", "/picture/", "/tiff/", "/avi/")):
         return [("contour", path, "--json"), ("info", path, "--json"), ("jkr", "radius", path, "--um-per-px", "1", "--json")]
     if name.endswith(".zip"):
@@ -53,7 +57,10 @@ def mutation(samples, work, draw, count=40):
     inputs = samples.formats + samples.loops[:20]
     for i in range(count):
         source = draw.choice(inputs)
-        path = work / source.parent.name / f"{i}{source.suffix}"
+        endings = {"text_pipeline_yaml": ".yml", "text_loop": ".csv", "text_calibration": ".json", "text_trace": ".json"}
+        kind = source.parent.name
+        ending = endings.get(kind, ".toml") if kind.startswith("text_") else source.suffix
+        path = work / kind / f"{i}{ending}"
         path.parent.mkdir(exist_ok=True)
         path.write_bytes(damaged(source.read_bytes(), draw))
         before = digest(path)

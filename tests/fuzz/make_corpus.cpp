@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "setae/bytes/hdf5_handle.hpp"
@@ -63,6 +64,42 @@ std::vector<Sample> hdf5_descriptions() {
             {"hdf5 mat", told({4, 0, 9, 2, 6, 4, 14, 2, 17, 0}, "double\n")}};
 }
 
+std::string content_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Texts that users write, as fuzz_text.cpp names them.
+std::vector<Sample> texts() {
+    const std::filesystem::path examples = std::filesystem::path(SETAE_SOURCE_DIR) / "examples";
+    std::vector<Sample> list{
+        {"study", content_of(examples / "nanodiamond/published.toml")},
+        {"study",
+         "title = \"a\"\n[analysis]\nshortest_wavelength = \"4 A\"\nspectrum = \"average\"\n[rough_solid]\nyoungs_modulus = "
+         "\"1.1 TPa\"\npoisson_ratio = 0.06\n[surfaces.A]\nmeasurements = [{ file = \"a.csv\", tip_radius = \"5 ± 1 um\", "
+         "size = [\"1 um\"], direction = \"30 deg\" }]\n[elastomers.E]\nsurface_energy = \"25 mJ/m2\"\n[[experiments]]\nfile = "
+         "\"l.csv\"\nsurface = \"A\"\nelastomer = \"E\"\nsegments = [\"loading=120:900\"]\nmodels = [\"jkr\"]\n"},
+        {"recipe", content_of(examples / "laboratory/recipe.toml")},
+        {"mapping", content_of(examples / "mappings/eoh.toml")},
+        {"pipeline_toml", "[[steps]]\nstep = \"level_plane\"\n[[steps]]\nstep = \"crop\"\nregion = \"0 um x 1 um\"\n"},
+        {"pipeline_yaml", "steps:\n  - level_plane\n  - step: despike\n    threshold: 5\n    on: false\n"},
+        {"calibration", "{\"format\": \"setae calibration\", \"version\": 1, \"pixel_size\": [1e-10, 1e-10]}"},
+        {"trace", "{\"anchors\": [[1, 2], [3.5, 4]], \"format\": \"setae contour\", \"version\": 1}"},
+        {"loop",
+         "# format: setae loop\n# sphere_radius: 1.25 mm\ntime [s],force [uN],displacement [nm]\n0,1,2\n1,2,3\n2,\"3\",4\n"},
+        {"loop", "Zeit;Kraft\n0,5;1,25\n1,5;2,25\n2,5;3,5\n"},
+        {"contact_point", "force_departure"},
+        {"contact_point", "12 nm"},
+        {"json", "{\"a\": [1, 2.5e-3, null, \"\\u00e4\"], \"b\": {}}"},
+        {"yaml", "base: &b {x: 1}\nlist: [*b, \"t\", 1.5]\n"},
+        {"entry", std::string(64, '\0')},
+        {"shown", "a\x1b[31m\xc3\xa4\xff\n"}};
+    for (const auto* unit : {"mJ/m2", "m^-1", "N m^-1 um2/kg", "µm³", "1/(s m)", "°C"}) list.emplace_back("unit", unit);
+    for (const auto* quantity : {"37.0 ± 3.7 nm", "1e-9 m", "8 A", "5 um +- 1 nm", "-1 mm", "nan m"})
+        list.emplace_back("quantity", quantity);
+    return list;
+}
+
 void write(const std::filesystem::path& folder, std::string name, const std::string& content) {
     std::filesystem::create_directories(folder);
     for (auto& c : name)
@@ -90,5 +127,7 @@ int main(int argc, char** argv) {
         write(corpus / ("topography_" + sample.format), sample.name, sample.content);
         write(corpus / "topography_any", sample.format + " " + sample.name, sample.content);
     }
+    int number = 0;
+    for (const auto& [kind, text] : texts()) write(corpus / ("text_" + kind), std::to_string(++number), text);
     return 0;
 }

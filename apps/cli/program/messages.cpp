@@ -18,7 +18,7 @@ void print(const std::string& text) {
 
 void complain(const std::string& message) {
     std::fflush(stdout);  // so that both streams read in order where they meet
-    std::fputs(fmt::format("setae: {}\n", printable(message)).c_str(), stderr);
+    std::fputs(fmt::format("setae: {}\n", one_line(message)).c_str(), stderr);
 }
 
 void show(const std::vector<Alert>& alerts) {

@@ -185,7 +185,7 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     bytes::write_whole_file(report, report::as_html(result, figures, {command_of(arguments), time}));
     results.finish();
     if (arguments.common.json) {
-        print_json(output::to_json(result));
+        output::write_json(result, [](std::string_view piece) { print(std::string(piece)); });
     } else {
         print(output::summary(result));
         show_alerts(result);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_support.hpp"
+#include "json_writer.hpp"
 #include "setae/processing/processed.hpp"
 
 #include <cmath>
@@ -7,7 +8,12 @@
 
 namespace setae::output {
 
-std::string as_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string as_text(const Json& json) {
+    std::string text;
+    JsonWriter writer([&](std::string_view piece) { text += piece; });
+    writer.value(json);
+    return text;
+}
 
 Json number(double value) {
     if (std::isnan(value)) return nullptr;

@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "json_support.hpp"
+#include "json_writer.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/replicate_report.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/parallel/for_each.hpp"
 
 namespace setae::output {
 namespace {
@@ -472,9 +474,24 @@ Json reported_json(const study::ReportedValue& reported, const study::StudyResul
                          : Json(nullptr)}};
 }
 
-}  // namespace
+constexpr const char* experiments_key = "experiments";
 
-Json to_json(const study::StudyResult& result) {
+Json experiment_json(const study::ExperimentResult& e) {
+    Json entry{{"file", e.input.file},
+               {"surface", e.input.surface},
+               {"elastomer", e.input.elastomer},
+               {"role", e.input.reference ? "reference" : "rough"}};
+    if (!e.input.lens.empty()) entry["lens"] = e.input.lens;
+    if (!e.input.spot.empty()) entry["spot"] = e.input.spot;
+    if (e.input.excluded()) entry["excluded"] = e.input.exclusion;
+    if (e.failed()) entry["error"] = e.error;
+    entry["analysis"] = e.analysis ? to_json(*e.analysis) : Json(nullptr);
+    if (e.models) entry["models"] = to_json(*e.models);
+    return entry;
+}
+
+/// All but the experiments, of which there may be thousands; they stand behind "replicates" and "by_average".
+Json json_without_experiments(const study::StudyResult& result) {
     const auto& study = result.study;
     Json json{{"title", study.title}, {"description", study.description}};
     add_work(json, result);
@@ -494,20 +511,7 @@ Json to_json(const study::StudyResult& result) {
     json["replicates"] = Json::array();
     for (const auto& replicates : result.replicates) json["replicates"].push_back(replicates_json(replicates));
     if (result.by_average) json["by_average"] = by_average_json(result);
-    json["experiments"] = Json::array();
-    for (const auto& e : result.experiments) {
-        Json entry{{"file", e.input.file},
-                   {"surface", e.input.surface},
-                   {"elastomer", e.input.elastomer},
-                   {"role", e.input.reference ? "reference" : "rough"}};
-        if (!e.input.lens.empty()) entry["lens"] = e.input.lens;
-        if (!e.input.spot.empty()) entry["spot"] = e.input.spot;
-        if (e.input.excluded()) entry["excluded"] = e.input.exclusion;
-        if (e.failed()) entry["error"] = e.error;
-        entry["analysis"] = e.analysis ? to_json(*e.analysis) : Json(nullptr);
-        if (e.models) entry["models"] = to_json(*e.models);
-        json["experiments"].push_back(entry);
-    }
+    json[experiments_key] = Json::array();
     json["references"] = Json::array();
     for (const auto& reference : result.references) json["references"].push_back(reference_json(reference));
     json["reference_changes"] = Json::array();
@@ -519,6 +523,68 @@ Json to_json(const study::StudyResult& result) {
     json["alerts"] = to_json(result.alerts);
     json["provenance"] = provenance_json(result);
     return json;
+}
+
+/// Without long columns of numbers.
+Json without_curves(const Json& json) {
+    constexpr std::size_t longest = 16;
+    if (json.is_array()) {
+        if (json.size() > longest &&
+            std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number() || item.is_null(); }))
+            return nullptr;
+        Json copy = Json::array();
+        for (const auto& item : json) copy.push_back(without_curves(item));
+        return copy;
+    }
+    if (!json.is_object()) return json;
+    Json copy = Json::object();
+    for (const auto& [key, item] : json.items()) copy[key] = without_curves(item);
+    return copy;
+}
+
+/// Some at a time, each on a thread of its own: texts of thousands would not fit into memory.
+void write_experiments(const std::vector<study::ExperimentResult>& experiments, JsonWriter& writer) {
+    constexpr std::size_t at_once = 32, depth = 2;
+    for (std::size_t first = 0; first < experiments.size(); first += at_once) {
+        std::vector<std::string> texts(std::min(at_once, experiments.size() - first));
+        parallel::for_each_index(texts.size(), {}, [&](std::size_t i) {
+            texts[i] = JsonWriter::text_within(depth, experiment_json(experiments[first + i]));
+        });
+        for (const auto& text : texts) writer.element_as(text);
+    }
+}
+
+}  // namespace
+
+Json to_json(const study::StudyResult& result) {
+    auto json = json_without_experiments(result);
+    for (const auto& e : result.experiments) json[experiments_key].push_back(experiment_json(e));
+    return json;
+}
+
+Json json_without_curves(const study::StudyResult& result, std::size_t most_experiments) {
+    auto json = without_curves(json_without_experiments(result));
+    const auto shown = std::min(most_experiments, result.experiments.size());
+    for (std::size_t i = 0; i < shown; ++i)
+        json[experiments_key].push_back(without_curves(experiment_json(result.experiments[i])));
+    return json;
+}
+
+void write_json(const study::StudyResult& result, const std::function<void(std::string_view)>& write) {
+    JsonWriter writer(write);
+    const auto json = json_without_experiments(result);
+    writer.begin_object();
+    for (const auto& [key, value] : json.items()) {
+        writer.key(key);
+        if (key != experiments_key || result.experiments.empty()) {
+            writer.value(value);
+            continue;
+        }
+        writer.begin_array();
+        write_experiments(result.experiments, writer);
+        writer.end_array();
+    }
+    writer.end_object();
 }
 
 }  // namespace setae::output

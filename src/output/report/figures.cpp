@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures.hpp"
 
+#include <algorithm>
 #include <array>
+#include <set>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,7 +44,59 @@ const char* name_of(figures::Mark mark) {
     return "both";
 }
 
-Json series_json(const figures::Series& series, std::size_t place) {
+/// Points of a series that a page holds, the fewer the more series a figure has.
+Index most_points(const figures::Figure& figure) {
+    constexpr std::size_t of_a_figure = 20000, of_a_series = 1200, at_least = 9;
+    std::size_t series = 1;
+    for (const auto& panel : figure.panels) series += panel.series.size();
+    return static_cast<Index>(std::clamp(of_a_figure / series, at_least, of_a_series));
+}
+
+/// Places of at most so many points as the eye sees them: of each stretch the first, the lowest and the highest.
+
+std::vector<Index> seen_points(const figures::Series& series, Index most) {
+    const Index n = series.x.size(), stretches = most / 3;
+    std::vector<Index> places;
+    for (Index k = 0; k < stretches; ++k) {
+        const Index first = n * k / stretches, count = n * (k + 1) / stretches - first;
+        Index lowest = 0, highest = 0;
+        const auto part = series.y.segment(first, count);
+        part.minCoeff<Eigen::PropagateNumbers>(&lowest);
+        part.maxCoeff<Eigen::PropagateNumbers>(&highest);
+        std::set<Index> wanted{first, first + lowest, first + highest};
+        places.insert(places.end(), wanted.begin(), wanted.end());
+    }
+    if (places.back() != n - 1) places.push_back(n - 1);
+    return places;
+}
+
+/// The series, or what the eye sees of it.
+figures::Series thinned(const figures::Series& series, Index most) {
+    if (series.x.size() <= most || series.y.size() != series.x.size()) return series;
+    const auto places = seen_points(series, most);
+    auto thin = series;
+    const auto pick = [&](Array1D& values) {
+        if (values.size() == series.x.size()) values = Array1D(values(places));
+    };
+    for (auto* values : {&thin.x, &thin.y, &thin.lower, &thin.upper, &thin.left, &thin.right}) pick(*values);
+    if (static_cast<Index>(series.names.size()) == series.x.size()) {
+        thin.names.clear();
+        for (const auto place : places) thin.names.push_back(series.names[static_cast<std::size_t>(place)]);
+    }
+    return thin;
+}
+
+bool is_thinned(const study_figures::StudyFigure& figure) {
+    const auto most = most_points(figure.figure);
+    return std::any_of(figure.figure.panels.begin(), figure.figure.panels.end(), [&](const figures::Panel& panel) {
+        return std::any_of(panel.series.begin(), panel.series.end(), [&](const figures::Series& series) {
+            return series.x.size() > most && series.y.size() == series.x.size();
+        });
+    });
+}
+
+Json series_json(const figures::Series& full, std::size_t place, Index most) {
+    const auto series = thinned(full, most);
     const int colour = series.colour >= 0 ? series.colour : static_cast<int>(place);
     const int symbol = series.symbol >= 0 ? series.symbol : colour;
     Json json{{"label", series.label},
@@ -74,13 +129,14 @@ Json map_json(const figures::HeatMap& map) {
     return json;
 }
 
-Json panel_json(const figures::Panel& panel) {
+Json panel_json(const figures::Panel& panel, Index most) {
     Json json{{"title", panel.title},
               {"x", axis_json(panel.x)},
               {"y", axis_json(panel.y)},
               {"legend", panel.legend},
               {"series", Json::array()}};
-    for (std::size_t i = 0; i < panel.series.size(); ++i) json["series"].push_back(series_json(panel.series[i], i));
+    for (std::size_t i = 0; i < panel.series.size(); ++i)
+        json["series"].push_back(series_json(panel.series[i], i, most));
     if (!panel.horizontal_lines.empty()) json["lines"] = panel.horizontal_lines;
     if (panel.legend_corner) {
         static constexpr std::array<const char*, 4> corners{"top right", "top left", "bottom right", "bottom left"};
@@ -107,7 +163,8 @@ Json figure_json(const study_figures::StudyFigure& figure) {
               {"width", figure.figure.width_mm},
               {"height", figure.figure.height_mm},
               {"panels", Json::array()}};
-    for (const auto& panel : figure.figure.panels) json["panels"].push_back(panel_json(panel));
+    for (const auto& panel : figure.figure.panels)
+        json["panels"].push_back(panel_json(panel, most_points(figure.figure)));
     return json;
 }
 
@@ -126,7 +183,11 @@ std::string figure_html(const study_figures::StudyFigure& figure, std::size_t nu
         "<button type=\"button\" data-action=\"csv\">CSV</button></div>",
         escaped(figure.identifier));
     html += fmt::format("<div class=\"plots\" data-label=\"{}\"></div>", escaped(figure.title + ". " + figure.caption));
-    html += "<p class=\"caption\">" + prose(figure.caption) + "</p>";
+    html += "<p class=\"caption\">" + prose(figure.caption) +
+            (is_thinned(figure) ? " This page holds the points that the eye tells apart; figures/" +
+                                      escaped(figure.name) + ".csv holds all."
+                                : "") +
+            "</p>";
     html += fmt::format(
         "<p class=\"command\">Made again by <code>{}</code></p>",
         escaped(fmt::format("setae plot {} --figure {}", shell_word(study), shell_word(figure.identifier))));
@@ -140,8 +201,20 @@ std::string figure_html(const study_figures::StudyFigure& figure, std::size_t nu
 }  // namespace
 
 std::string figures_html(const std::vector<study_figures::StudyFigure>& figures, const std::string& study) {
+    constexpr std::size_t most_bytes = 6'000'000;
     std::string html;
-    for (std::size_t i = 0; i < figures.size(); ++i) html += figure_html(figures[i], i, study);
+    std::size_t left_out = 0;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        // one a loop: of many loops the first
+        const bool one_of_many = figures[i].identifier.starts_with("loop:");
+        if (one_of_many && html.size() > most_bytes) ++left_out;
+        else html += figure_html(figures[i], i, study);
+    }
+    if (left_out > 0)
+        html += fmt::format(
+            "<p class=\"reason\">Figures of {} more loops are not in this page, to keep it small: they are in the folder "
+            "figures, and <code>setae plot {} --figure loop:NAME</code> draws one.</p>",
+            left_out, escaped(shell_word(study)));
     return html;
 }
 

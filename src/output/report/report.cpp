@@ -18,22 +18,8 @@ namespace {
 
 using output::Json;
 
-/// The study without its long columns of points, which the figures hold.
-Json without_curves(const Json& json) {
-    constexpr std::size_t longest = 16;
-    if (json.is_array()) {
-        if (json.size() > longest &&
-            std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number() || item.is_null(); }))
-            return nullptr;
-        Json copy = Json::array();
-        for (const auto& item : json) copy.push_back(without_curves(item));
-        return copy;
-    }
-    if (!json.is_object()) return json;
-    Json copy = Json::object();
-    for (const auto& [key, item] : json.items()) copy[key] = without_curves(item);
-    return copy;
-}
+/// What a page holds of experiments; of more, tables and figures are in files of their own.
+constexpr std::size_t most_experiments = 40;
 
 struct Chapter {
     std::string identifier, title, html;
@@ -49,7 +35,7 @@ std::string tables_html(const study::StudyResult& result, const Json& study) {
 
 std::string as_html(const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures,
                     const RunRecord& run) {
-    const auto study = output::to_json(result);
+    const auto study = output::json_without_curves(result, most_experiments);
     const auto figure_part = figures_html(figures, result.study.path);
     const std::vector<Chapter> chapters{
         {"summary", "Summary", summary_html(result, study)},
@@ -87,8 +73,7 @@ std::string as_html(const study::StudyResult& result, const std::vector<study_fi
         page += fmt::format(
             "<section id=\"{0}\" aria-labelledby=\"{0}-heading\"><h2 id=\"{0}-heading\">{1}</h2>\n{2}</section>\n",
             chapter.identifier, chapter.title, chapter.html);
-    page += "</main>\n<script type=\"application/json\" id=\"study\">" + script_json(without_curves(study)) +
-            "</script>\n<script>\n";
+    page += "</main>\n<script type=\"application/json\" id=\"study\">" + script_json(study) + "</script>\n<script>\n";
     page += assets::plotly;
     page += "\n</script>\n<script>\n";
     page += assets::program;

@@ -276,6 +276,28 @@ TEST(Report, FiguresCarryTheirNumbersCommandAndReason) {
     EXPECT_EQ(figure.at("panels").at(0).at("x").at("shown_unit"), "m⁻¹");
 }
 
+// Ends, peaks and valleys of 10 000 points stay, and of hundreds of loops the page holds a part.
+TEST(Report, StaysSmallWhereThereIsMuchToShow) {
+    constexpr Index points = 10000;
+    study_figures::StudyFigure figure{.identifier = "loop:a", .name = "loop_a", .title = "a loop"};
+    figures::Series series{.label = "force"};
+    series.x = Array1D::LinSpaced(points, 0.0, 1.0);
+    series.y = Array1D::Zero(points);
+    series.y[1234] = 7.5;
+    series.y[5678] = -3.25;
+    figure.figure.panels.resize(1);
+    figure.figure.panels[0].series = {series};
+    const auto page = as_html({}, {figure}, {"setae study a.toml", "now"});
+    EXPECT_NE(page.find("figures/loop_a.csv holds all"), std::string::npos);
+    EXPECT_NE(page.find("7.5"), std::string::npos);
+    EXPECT_NE(page.find("-3.25"), std::string::npos);
+    const auto empty = as_html({}, {}, {"setae study a.toml", "now"});
+    const std::vector<study_figures::StudyFigure> many(500, figure);
+    const auto of_many = as_html({}, many, {"setae study a.toml", "now"});
+    EXPECT_LT(of_many.size(), empty.size() + 7'000'000);
+    EXPECT_NE(of_many.find("more loops are not in this page"), std::string::npos);
+}
+
 TEST(Report, IsTheSameBytesEachTime) {
     const Folder folder("twice");
     folder.write_scan("a.csv", 20e-9);

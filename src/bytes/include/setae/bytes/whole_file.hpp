@@ -21,6 +21,10 @@ namespace setae::bytes {
 void write_whole_file(const std::string& path, std::string_view content);
 /// The same for content in parts, one behind the other.
 void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts);
+/// Takes the next piece of a file's content.
+using Write = std::function<void(std::string_view piece)>;
+/// The same for content that is made piece by piece, which need never be in memory as a whole.
+void write_whole_file(const std::string& path, const std::function<void(const Write& write)>& content);
 /// The same for a writer of its own, which is given the temporary name; what it throws passes on and nothing is
 /// replaced.
 void write_whole_file(const std::string& path, const std::function<void(const std::string& temporary)>& write);

@@ -62,6 +62,9 @@ public:
 
 private:
     struct Table;
+    static Table table_of(double poisson_ratio);
+    /// Of a/h alone: tables of the Poisson ratios used so far are kept.
+    static std::shared_ptr<const Table> kept_table(double poisson_ratio);
     double thickness_;
     double poisson_ratio_;
     std::shared_ptr<const Table> table_;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -40,7 +43,8 @@ using Json = nlohmann::ordered_json;
 /// {"step", "numbers", "alerts"} for each step of a pipeline that was done.
 [[nodiscard]] Json to_json(const std::vector<processing::StepRecord>& records);
 
-/// As a file holds it: indented by two, a line feed behind it; bytes that are no UTF-8 are U+FFFD.
+/// As a file holds it: objects indented by two, a list of numbers or texts on one line, a line feed at the end; bytes
+/// that are no UTF-8 are U+FFFD.
 [[nodiscard]] std::string as_text(const Json& json);
 
 /// NaN to null, infinity to text.
@@ -63,6 +67,10 @@ using Json = nlohmann::ordered_json;
 /// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the
 /// same bytes.
 [[nodiscard]] Json to_json(const study::StudyResult& result);
+/// The same as text, in pieces, so that thousands of experiments need not be in memory twice.
+void write_json(const study::StudyResult& result, const std::function<void(std::string_view)>& write);
+/// The same with null for columns of more than 16 numbers, and of the first experiments alone.
+[[nodiscard]] Json json_without_curves(const study::StudyResult& result, std::size_t most_experiments);
 
 /// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
 [[nodiscard]] std::vector<Quantity> measurement_quantities(const study::MeasurementResult& measurement);
