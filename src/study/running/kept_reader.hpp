@@ -17,14 +17,14 @@ public:
     explicit KeptReader(std::string_view bytes) : InputArchive(this), left_(bytes) {}
 
     void loadBinary(void* data, std::size_t size) {
-        require(size, 1);
+        require(size, 1, 1);
         std::memcpy(data, left_.data(), size);
         left_.remove_prefix(size);
     }
 
-    /// Refuses so many elements of so many bytes each where fewer bytes are left.
-    void require(std::uint64_t count, std::uint64_t each) const {
-        if (count > left_.size() / each) throw cereal::Exception("a size beyond the end of the bytes");
+    /// Refuses rows of so many elements of so many bytes each where fewer bytes are left.
+    void require(std::uint64_t count, std::uint64_t rows, std::uint64_t bytes) const {
+        if (count > left_.size() / bytes / rows) throw cereal::Exception("a size beyond the end of the bytes");
     }
 
     [[nodiscard]] bool at_end() const { return left_.empty(); }
@@ -34,9 +34,16 @@ private:
 };
 
 template <class T>
-    requires std::is_arithmetic_v<T>
+    requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
 void load(KeptReader& reader, T& value) {
     reader.loadBinary(&value, sizeof(value));
+}
+/// One byte, 0 or 1.
+inline void load(KeptReader& reader, bool& value) {
+    unsigned char byte = 0;
+    reader.loadBinary(&byte, 1);
+    if (byte > 1) throw cereal::Exception("neither true nor false");
+    value = byte == 1;
 }
 template <class T>
 void serialize(KeptReader& reader, cereal::NameValuePair<T>& named) {
@@ -46,19 +53,26 @@ void serialize(KeptReader& reader, cereal::NameValuePair<T>& named) {
 template <class T>
 void serialize(KeptReader& reader, cereal::SizeTag<T>& tag) {
     reader(tag.size);
-    reader.require(tag.size, 1);
+    reader.require(tag.size, 1, 1);
 }
 template <class T>
 void load(KeptReader& reader, cereal::BinaryData<T>& data) {
     reader.loadBinary(data.data, data.size);
 }
 
-/// Rows and columns of an array whose elements follow.
-template <class Index>
-void load_shape(KeptReader& reader, Index& rows, Index& columns, std::size_t element) {
+/// Makes an array as large as its rows and columns say and fills it.
+template <class Array>
+void load_array(KeptReader& reader, Array& array) {
+    using Index = typename Array::Index;
+    using Scalar = typename Array::Scalar;
+    Index rows = 0, columns = 0;
     reader(rows, columns);
-    if (rows < 0 || columns < 0) throw cereal::Exception("a negative size");
-    if (columns > 0) reader.require(static_cast<std::uint64_t>(rows), static_cast<std::uint64_t>(columns) * element);
+    const auto allowed = [](Index extent, int fixed) { return extent >= 0 && (fixed < 0 || extent == fixed); };
+    if (!allowed(rows, Array::RowsAtCompileTime) || !allowed(columns, Array::ColsAtCompileTime))
+        throw cereal::Exception("a size that the array cannot have");
+    if (rows > 0) reader.require(static_cast<std::uint64_t>(columns), static_cast<std::uint64_t>(rows), sizeof(Scalar));
+    array.resize(rows, columns);
+    reader.loadBinary(array.data(), static_cast<std::size_t>(array.size()) * sizeof(Scalar));
 }
 
 }  // namespace setae::study

@@ -27,10 +27,7 @@ void save(Archive& archive, const Array<Scalar, rows, columns, options>& a) {
 }
 template <class Archive, class Scalar, int rows, int columns, int options>
 void load(Archive& archive, Array<Scalar, rows, columns, options>& a) {
-    Index n_rows = 0, n_columns = 0;
-    setae::study::load_shape(archive, n_rows, n_columns, sizeof(Scalar));
-    a.resize(n_rows, n_columns);
-    archive(cereal::binary_data(a.data(), static_cast<std::size_t>(a.size()) * sizeof(Scalar)));
+    setae::study::load_array(archive, a);
 }
 template <class Archive>
 void save(Archive& archive, const MatrixXd& m) {
@@ -39,10 +36,7 @@ void save(Archive& archive, const MatrixXd& m) {
 }
 template <class Archive>
 void load(Archive& archive, MatrixXd& m) {
-    Index n_rows = 0, n_columns = 0;
-    setae::study::load_shape(archive, n_rows, n_columns, sizeof(double));
-    m.resize(n_rows, n_columns);
-    archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
+    setae::study::load_array(archive, m);
 }
 
 }  // namespace Eigen
