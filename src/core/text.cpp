@@ -62,15 +62,14 @@ std::size_t utf8_length(std::string_view text) {
     return overlong || no_character ? 0 : length;
 }
 
-namespace {
-
-/// The number of a character that utf8_length() has taken for one.
 char32_t code_point(std::string_view character) {
     constexpr unsigned char first_bits[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
     char32_t code = static_cast<unsigned char>(character.front()) & first_bits[character.size()];
     for (const char c : character.substr(1)) code = (code << 6) | (static_cast<unsigned char>(c) & 0x3f);
     return code;
 }
+
+namespace {
 
 /// C0, C1, separators of lines and paragraphs, marks of direction.
 bool controls(char32_t code) {

@@ -69,7 +69,7 @@ struct Outcome {
 
 /// The program's environment without time zone, language and gnuplot's own settings, which would change figures.
 std::vector<std::string> environment() {
-    std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C"};
+    std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C.UTF-8"};
     for (char** variable = environ; *variable; ++variable) {
         const std::string_view text(*variable);
         const auto begins = [&](std::string_view name) { return text.starts_with(name); };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "drawn_characters.hpp"
 #include "setae/core/text.hpp"
 #include "setae/figures/typesetting.hpp"
 
@@ -17,6 +18,7 @@ std::string taken_character(std::string_view& text) {
     const auto first = static_cast<unsigned char>(character.front());
     if (length == 0 || first < 0x20 || first == 0x7f) return " ";
     if (character == "'") return "''";
+    if (!is_drawn(character)) return "□";
     if (std::string_view(R"({}^_@&~\)").find(character) != std::string_view::npos) return "\\" + character;
     return character;
 }

@@ -72,6 +72,8 @@ TEST(GnuplotScript, SetsQuantitiesItalicAndUnitsUpright) {
     EXPECT_NE(script.find("set label 'wavevector {/:Italic q} (m^{−1})'"), std::string::npos) << script;
     EXPECT_NE(script.find("set label '{/:Italic C}_{1D} (m^{3})'"), std::string::npos);
     EXPECT_NE(script_of(figure_of(rising("'5'' wafer"))).find("title '{}''5''{}'' wafer"), std::string::npos);
+    // a character that no font has
+    EXPECT_NE(script_of(figure_of(rising("x\U0010FFFDy"))).find("title 'x□y"), std::string::npos);
     auto figure = figure_of(rising("a"));
     figure.panels[0].x = {"slope h'_rms_ \\*x", "1"};
     figure.panels[0].y = {"*W", "mJ/m2"};

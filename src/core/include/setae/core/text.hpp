@@ -18,6 +18,9 @@ namespace setae {
 /// Bytes of the UTF-8 character that text, not empty, begins with; 0 where it begins with none. Source: RFC 3629.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
+/// The number in Unicode of a character that utf8_length() has taken for one.
+[[nodiscard]] char32_t code_point(std::string_view character);
+
 /// Text whose bytes that are no UTF-8 have become U+FFFD.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 
