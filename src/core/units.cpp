@@ -290,11 +290,8 @@ namespace {
 std::string with_digits(double value, int significant_digits) {
     const auto magnitude = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (magnitude < -3 || magnitude >= 6) {
-        static constexpr std::array<std::string_view, 10> superscript{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-        std::string exponent = magnitude < 0 ? "⁻" : "";
-        for (const char digit : std::to_string(std::abs(magnitude)))
-            exponent += superscript[static_cast<std::size_t>(digit - '0')];
-        return fmt::format("{:.{}f}×10{}", value / std::pow(10.0, magnitude), significant_digits - 1, exponent);
+        return fmt::format("{:.{}f}×10{}", value / std::pow(10.0, magnitude), significant_digits - 1,
+                           superscript(magnitude));
     }
     return fmt::format("{:.{}f}", value, std::max(0, significant_digits - 1 - magnitude));
 }
@@ -317,6 +314,13 @@ std::vector<Scale> display_scales(std::string_view si) {
 }
 
 }  // namespace
+
+std::string superscript(int number) {
+    static constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = number < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(number))) text += digits[static_cast<std::size_t>(digit - '0')];
+    return text;
+}
 
 DisplayUnit display_unit(double value, std::string_view si_unit) {
     const auto scales = display_scales(si_unit);

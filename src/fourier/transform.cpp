@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/fourier/transform.hpp"
 
+#include <limits>
 #include <mutex>
 
 #include <fftw3.h>
@@ -36,8 +37,11 @@ private:
 
 fftw_complex* as_fftw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
 
+/// FFTW counts points in int.
 void require_points(Index n) {
-    if (n < 1) throw InvalidArgument(fmt::format("a transform of {} points; expected at least 1", n));
+    constexpr Index most = std::numeric_limits<int>::max();
+    if (n < 1 || n > most)
+        throw InvalidArgument(fmt::format("a transform of {} points; expected at least 1 and at most {}", n, most));
 }
 
 template <class Planned>

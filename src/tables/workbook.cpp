@@ -15,6 +15,7 @@ namespace setae::tables {
 namespace {
 
 constexpr std::size_t most_rows = 1048576, most_columns = 16384;  // ECMA-376 part 1, 18.3.1.73 and Excel's limits
+constexpr std::size_t most_text = std::size_t{256} << 20;  // of a sheet's cells: many may share one long string
 
 /// Name without namespace prefix: some writers use "x:row".
 const char* local_name(const pugi::xml_node& node) {
@@ -140,16 +141,24 @@ const std::vector<Sheet>& Workbook::sheets() const { return content_->sheets; }
 SheetRows Workbook::rows(const Sheet& sheet) const {
     SheetRows rows;
     const auto document = parsed(content_->archive, sheet.member, content_->source);
-    std::size_t row = 0;
+    std::size_t row = 0, bytes = 0;
     for (const auto& line : child(document.document_element(), "sheetData").children()) {
         std::size_t column = 0;
         row = line.attribute("r") ? line.attribute("r").as_ullong() - 1 : row;
+        if (row >= most_rows)
+            throw FormatError(content_->source.name, {},
+                              fmt::format("sheet '{}': '{:.20}' is no row", sheet.name, line.attribute("r").value()));
         for (const auto& cell : line.children()) {
             const std::string_view reference = cell.attribute("r").value();
             if (!reference.empty() && !parse_reference(reference, row, column))
                 throw FormatError(content_->source.name, {},
                                   fmt::format("sheet '{}': '{:.20}' is no cell", sheet.name, reference));
             auto text = content_->text(cell, sheet);
+            bytes += text.size();
+            if (bytes > most_text)
+                throw FormatError(content_->source.name, {},
+                                  fmt::format("sheet '{}': more than {} MB of text in its cells, at {}", sheet.name,
+                                              most_text >> 20, cell_name(row, column)));
             if (!text.empty()) rows[row].insert_or_assign(column, std::move(text));
             ++column;
         }

@@ -115,15 +115,22 @@ int main(int argc, char** argv) {
         return 2;
     }
     auto samples = micrograph_samples();
-    std::erase_if(samples, [](const Sample& sample) { return target_of(sample.first) == "emd"; });
+    const std::filesystem::path corpus = argv[1];
+    std::erase_if(samples, [&](const Sample& sample) {
+        if (target_of(sample.first) != "emd") return false;
+        write(corpus / "hdf5_bytes", sample.first, sample.second);
+        return true;
+    });
     for (const auto& description : descriptions()) samples.push_back(description);
     for (const auto& large : micrographs_of(30000)) samples.emplace_back(large.first + " large", large.second);
     for (const auto& description : hdf5_descriptions()) samples.push_back(description);
     for (const auto& film : films()) samples.push_back(film);
-    const std::filesystem::path corpus = argv[1];
     for (const auto& [name, content] : samples) write(corpus / target_of(name), name, content);
     for (const auto& sample : setae::formats::tests::format_samples()) {
-        if (setae::bytes::find_hdf5(sample.content)) continue;  // fuzz_hdf5 is told what such a file holds instead
+        if (setae::bytes::find_hdf5(sample.content)) {
+            write(corpus / "hdf5_bytes", sample.format + " " + sample.name, sample.content);
+            continue;
+        }
         write(corpus / ("topography_" + sample.format), sample.name, sample.content);
         write(corpus / "topography_any", sample.format + " " + sample.name, sample.content);
     }

@@ -150,7 +150,7 @@ public:
             if (arguments_.file.channel && *arguments_.file.channel != i) continue;
             const auto& info = found[i].info;
             const auto heights = wanted && can_be_read(info) ? summarise(found[i]) : HeightSummary{};
-            unreadable_ = unreadable_ || is_bad_member(info) || !heights.error.empty();
+            note_failure(info, heights);
             if (arguments_.common.json) {
                 channels_.push_back(channel_json(file, i, info, heights));
                 continue;
@@ -165,6 +165,13 @@ public:
     [[nodiscard]] bool any_unreadable() const { return unreadable_; }
 
 private:
+    /// The reason goes to standard error whatever form the data have.
+    void note_failure(const formats::ChannelInfo& info, const HeightSummary& heights) {
+        if (!heights.error.empty()) complain(heights.error);
+        if (is_bad_member(info) && arguments_.common.json) show(info.alerts);
+        unreadable_ = unreadable_ || is_bad_member(info) || !heights.error.empty();
+    }
+
     const Arguments& arguments_;
     output::Json channels_ = output::Json::array();
     bool unreadable_ = false;

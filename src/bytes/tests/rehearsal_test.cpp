@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/bytes/rehearsal.hpp"
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -26,6 +28,7 @@ TEST(Rehearsal, KeepsACrashFromTheProgram) {
     EXPECT_NE(refusal([] { std::raise(SIGSEGV); }).find("a.h5: HDF5: the library fails on it (signal 11"),
               std::string::npos);
     EXPECT_NE(refusal([] { std::raise(SIGABRT); }).find("signal 6"), std::string::npos);
+    EXPECT_NE(refusal([] { ::_exit(1); }).find("ends the program that reads it (exit code 1)"), std::string::npos);
     EXPECT_NE(refusal([] { std::raise(SIGALRM); }).find("does not end within"), std::string::npos);
 }
 

@@ -18,7 +18,7 @@ public:
     explicit HeightLocator(const ArrayView1D& heights)
         : heights_(heights.begin(), heights.end()), count_(static_cast<int>(heights.size())) {
         const double range = heights_.back() - heights_.front();
-        const int steps = std::clamp(4 * count_, 64, 1 << 16);
+        const int steps = std::clamp(count_, 16, 1 << 14) * 4;
         scale_ = steps / range;
         if (!std::isfinite(scale_)) scale_ = 0.0;  // one height, or heights closer than numbers can tell
         heights_.push_back(std::numeric_limits<double>::infinity());

@@ -137,6 +137,17 @@ TEST(Spreadsheet, MistakesAreNamedByCell) {
     EXPECT_TRUE(holds(message(xlsx_sheet({{{"A1", "s:7"}}})), "shared string '7' is not among the 0"));
     EXPECT_TRUE(holds(message(xlsx_sheet({{{"ZZZZ1", "1"}}})), "'ZZZZ1' is no cell"));
     EXPECT_TRUE(holds(message("<worksheet>"), "is no XML"));
+    EXPECT_TRUE(holds(message(R"(<worksheet><sheetData><row r="0"><c><v>1</v></c></row></sheetData></worksheet>)"),
+                      "'0' is no row"));
+}
+
+TEST(Spreadsheet, OneLongStringInManyCellsIsRefused) {
+    std::string cells;
+    for (int k = 0; k < 300; ++k) cells += R"(<c t="s"><v>0</v></c>)";
+    const auto sheet = "<worksheet><sheetData><row>" + cells + "</row></sheetData></worksheet>";
+    const auto book = xlsx_file({{"S", sheet}}, {"<t>" + std::string(1 << 20, 'x') + "</t>"});
+    EXPECT_TRUE(holds(message_of([&] { (void)read_raw_table(bytes::memory_source("t.xlsx", book)); }),
+                      "sheet 'S': more than 256 MB of text in its cells, at JW1"));
 }
 
 }  // namespace

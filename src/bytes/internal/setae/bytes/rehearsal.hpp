@@ -10,9 +10,13 @@ namespace setae::bytes {
 /// they cost one file and not the program.
 ///
 /// What `use` throws, gives back or prints is lost: the caller does it again. Locks that `use` takes must be the
-/// caller's own. In builds of a fuzzer, which looks for the crash itself, nothing is done.
-/// @throws FormatError "name: `library`: …" where the child is killed by a signal or takes longer than a minute;
-/// FileError where no child can be had.
+/// caller's own.
+/// @throws FormatError "name: `library`: …" where the child is killed by a signal, ends by itself or takes longer than
+/// a minute; FileError where no child can be had.
 void rehearse(const std::string& name, const std::string& library, const std::function<void()>& use);
+
+/// From here on rehearse() does nothing: for fuzzers of what stands above the library, which look for crashes
+/// themselves.
+void leave_out_rehearsals();
 
 }  // namespace setae::bytes

@@ -16,4 +16,7 @@ struct DisplayUnit {
 /// prefix for 0, NaN, and units setae does not print with prefixes.
 [[nodiscard]] DisplayUnit display_unit(double value, std::string_view si_unit);
 
+/// A whole number in raised digits: "⁻¹²".
+[[nodiscard]] std::string superscript(int number);
+
 }  // namespace setae
