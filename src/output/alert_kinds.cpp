@@ -149,7 +149,11 @@ std::vector<AlertKind> of_surfaces() {
         {"WAVES_BEYOND_DATA", about,
          "the surface's waves go on behind the finest data and would add more than 5 % to A_true/A_app − 1",
          "what A_true/A_app − 1 is known to from some twenty measurements (closure.md)"},
-        {"LIKELIHOOD_FAILED", about, "the likelihood could not be fitted; the average stands for it"},
+        {"LIKELIHOOD_FAILED", about,
+         "the likelihood could not be fitted, or leaves h_rms or h'_rms uncertain by more than a factor of ten either "
+         "way; the average stands for it"},
+        {"NO_INSTRUMENT", about, "what instrument read the heights is not stated; waves down to their sampling are believed"},
+        {"NO_TIP_RADIUS", about, "the tip's radius is not stated; waves down to the sampling are believed"},
         {"NOT_CONVERGED", about, "an iteration ended before its change was small: of a fit, a trace, a facet level"},
         {"ROLLOFF_NOT_SEEN", about,
          "the longest waves seen carry more than half as much of the height, a decade, as any do",

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
+#include "setae/core/layout.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 
@@ -39,14 +41,8 @@ std::string text_cell(const TidyTable::Cell& cell, int digits) {
     return format_value(std::get<double>(cell), "1", digits);
 }
 
-/// Characters on screen: UTF-8 continuation bytes take no room.
-std::size_t width(const std::string& text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 std::string padded(const std::string& text, std::size_t to, bool right) {
-    const std::string blanks(to - width(text), ' ');
+    const std::string blanks(to - display_width(text), ' ');
     return right ? blanks + text : text + blanks;
 }
 
@@ -64,29 +60,83 @@ std::string as_csv(const TidyTable& table) {
     return csv;
 }
 
-std::string as_text(const TidyTable& table, int significant_digits) {
+namespace {
+
+/// Every cell of a table as text, and how wide its columns are.
+struct TextCells {
+    std::vector<std::vector<std::string>> rows;
     std::vector<std::size_t> widths;
-    for (const auto& name : table.columns) widths.push_back(width(name));
-    std::vector<std::vector<std::string>> cells;
+};
+
+TextCells text_cells(const TidyTable& table, int significant_digits) {
+    TextCells cells;
+    for (const auto& name : table.columns) cells.widths.push_back(display_width(name));
     for (const auto& row : table.rows) {
-        cells.emplace_back();
+        cells.rows.emplace_back();
         for (std::size_t i = 0; i < row.size(); ++i) {
-            cells.back().push_back(text_cell(row[i], significant_digits));
-            widths[i] = std::max(widths[i], width(cells.back().back()));
+            cells.rows.back().push_back(text_cell(row[i], significant_digits));
+            cells.widths[i] = std::max(cells.widths[i], display_width(cells.rows.back().back()));
         }
     }
-    std::string text = table.title.empty() ? "" : table.title + "\n";
+    return cells;
+}
+
+TidyTable without_silent_columns(const TidyTable& table) {
+    const auto silent = [](const TidyTable::Cell& cell) {
+        const auto* text = std::get_if<std::string>(&cell);
+        return text ? text->empty() || *text == "–" : std::isnan(std::get<double>(cell));
+    };
+    TidyTable kept{table.title, {}, std::vector<std::vector<TidyTable::Cell>>(table.rows.size())};
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const bool right = !table.rows.empty() && std::holds_alternative<double>(table.rows.front()[i]);
-        text += "  " + padded(table.columns[i], widths[i], right);
+        if (std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return silent(row[i]); })) continue;
+        kept.columns.push_back(table.columns[i]);
+        for (std::size_t r = 0; r < table.rows.size(); ++r) kept.rows[r].push_back(table.rows[r][i]);
     }
-    text += '\n';
-    for (std::size_t r = 0; r < cells.size(); ++r) {
-        for (std::size_t i = 0; i < cells[r].size(); ++i)
-            text += "  " + padded(cells[r][i], widths[i], std::holds_alternative<double>(table.rows[r][i]));
-        text += '\n';
+    return kept;
+}
+
+std::string stacked(const TidyTable& table, const TextCells& cells) {
+    std::size_t names = 0;
+    for (std::size_t i = 1; i < table.columns.size(); ++i) names = std::max(names, display_width(table.columns[i]));
+    std::string text = table.title.empty() ? "" : table.title + "\n";
+    for (const auto& row : cells.rows) {
+        text += "  " + row.front() + "\n";
+        for (std::size_t i = 1; i < row.size(); ++i)
+            if (!row[i].empty() && row[i] != "–")
+                text += "    " + padded(table.columns[i], names, false) + "  " + row[i] + "\n";
     }
     return text;
+}
+
+std::string aligned(const TidyTable& table, const TextCells& cells) {
+    const auto line = [&](auto cell, auto right) {
+        std::string text;
+        for (std::size_t i = 0; i < table.columns.size(); ++i) text += "  " + padded(cell(i), cells.widths[i], right(i));
+        return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+    };
+    std::string text = table.title.empty() ? "" : table.title + "\n";
+    text += line([&](std::size_t i) { return table.columns[i]; },
+                 [&](std::size_t i) {
+                     return !table.rows.empty() && std::holds_alternative<double>(table.rows.front()[i]);
+                 });
+    for (std::size_t r = 0; r < cells.rows.size(); ++r)
+        text += line([&](std::size_t i) { return cells.rows[r][i]; },
+                     [&](std::size_t i) { return std::holds_alternative<double>(table.rows[r][i]); });
+    return text;
+}
+
+}  // namespace
+
+std::string as_text(const TidyTable& table, int significant_digits) {
+    return aligned(table, text_cells(table, significant_digits));
+}
+
+std::string as_text_within(const TidyTable& table, std::size_t width, int significant_digits) {
+    const auto shown = without_silent_columns(table);
+    const auto cells = text_cells(shown, significant_digits);
+    const auto needed =
+        std::accumulate(cells.widths.begin(), cells.widths.end(), 2 * cells.widths.size());
+    return needed <= width ? aligned(shown, cells) : stacked(shown, cells);
 }
 
 }  // namespace setae::tables

@@ -10,6 +10,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/imaging/stage_micrometer.hpp"
 #include "setae/output/json.hpp"
@@ -49,26 +50,20 @@ output::Json as_json(const imaging::CameraScale& scale) {
     return json;
 }
 
-std::string with_error(const Estimate& e) {
-    return format_value(e.value, "m", 6) + (e.uncertain() ? " ± " + format_value(e.standard_error, "m", 2) : "");
-}
-
 std::string as_text(const imaging::CameraScale& scale) {
-    std::string text = fmt::format("pixel size {}\n", with_error(scale.pixel_size));
+    std::string text = fmt::format("pixel size {}\n", format_uncertain(scale.pixel_size, "m"));
     const auto add = [&](const char* which, const std::optional<imaging::RulingFit>& fit) {
         if (!fit) return;
         text += fmt::format(
             "  {} lines: {} per pixel, {} lines at {} places, rms {}, turned by {:.2f}°; corners stretched by "
-            "{:.3f} ± {:.3f} % (p = {:.2g})\n",
-            which, with_error(fit->pixel_size), fit->lines, fit->places, format_value(fit->rms_residual, "m", 2),
-            fit->angle * 180.0 / pi, 100.0 * fit->distortion.value, 100.0 * fit->distortion.standard_error,
-            fit->probability);
+            "{} % (p = {})\n",
+            which, format_uncertain(fit->pixel_size, "m"), fit->lines, fit->places, format_value(fit->rms_residual, "m", 2),
+            fit->angle * 180.0 / pi, uncertain_number(fit->distortion, 0.01), probability_text(fit->probability));
     };
     add("upright", scale.across_x);
     add("lying", scale.across_y);
     if (scale.aspect)
-        text += fmt::format("  height of a pixel over its width {:.5f} ± {:.5f}\n", scale.aspect->value,
-                            scale.aspect->standard_error);
+        text += fmt::format("  height of a pixel over its width {}\n", uncertain_number(*scale.aspect));
     for (const auto& note : scale.notes) text += "  " + note + "\n";
     return text;
 }

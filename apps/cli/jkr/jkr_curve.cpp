@@ -6,6 +6,7 @@
 #include "program/messages.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/tidy_table.hpp"
 
@@ -97,13 +98,10 @@ void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit
             continue;
         }
         const auto& fit = *segment.fit;
-        const auto cell = [](const Estimate& v, double factor) {
-            return fmt::format("{:.5g} ± {:.2g}", factor * v.value, factor * v.standard_error);
-        };
-        table.rows.push_back({segment.name, to_string(fit.shape), to_string(fit.model), cell(fit.contact_modulus, 1e-3),
-                              cell(fit.youngs_modulus, 1e-3),
-                              fit.work_of_adhesion ? cell(*fit.work_of_adhesion, 1e3) : "–",
-                              cell(fit.contact_point, 1e6),
+        table.rows.push_back({segment.name, to_string(fit.shape), to_string(fit.model),
+                              uncertain_number(fit.contact_modulus, 1e3), uncertain_number(fit.youngs_modulus, 1e3),
+                              fit.work_of_adhesion ? uncertain_number(*fit.work_of_adhesion, 1e-3) : "–",
+                              uncertain_number(fit.contact_point, 1e-6),
                               fmt::format("{:.4g} … {:.4g}", 1e6 * fit.indentation_from, 1e6 * fit.indentation_to),
                               fmt::format("{}", fit.n), format_value(fit.rms_residual, "N", 3)});
     }

@@ -17,6 +17,7 @@
 #include "program/print_json.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/loop_tables.hpp"
@@ -45,11 +46,8 @@ struct Arguments {
 void add_branch(tables::TidyTable& table, const char* branch, const loops::BranchAnalysis& analysis) {
     const auto add = [&](const loops::Outcome<loops::JkrFit>& fit) {
         if (!fit) return;
-        const auto cell = [](const Estimate& v, double factor) {
-            return fmt::format("{:.4g} ± {:.2g}", factor * v.value, factor * v.standard_error);
-        };
-        table.rows.push_back({branch, fit->method, cell(fit->contact_modulus, 1e-6), cell(fit->youngs_modulus, 1e-6),
-                              cell(fit->work_of_adhesion, 1e3), fmt::format("{:.3f}", fit->correlation),
+        table.rows.push_back({branch, fit->method, uncertain_number(fit->contact_modulus, 1e6),
+                              uncertain_number(fit->youngs_modulus, 1e6), uncertain_number(fit->work_of_adhesion, 1e-3), fmt::format("{:.3f}", fit->correlation),
                               fmt::format("{:.3g}", fit->chi2_reduced), fmt::format("{}", fit->n),
                               fmt::format("{:.3g} {}", fit->rms_residual, fit->residual_unit)});
     };
@@ -73,12 +71,24 @@ std::string hold_text(const loops::HoldGrowth& hold) {
     return text;
 }
 
+/// E*, W of both ways and the loss in one line.
+std::string answer_of(const loops::LoopAnalysis& a) {
+    const auto& fit = a.loading.primary();
+    auto text = fmt::format("E* {}, W {} on loading ({})", format_uncertain(fit.contact_modulus, "Pa"),
+                            format_uncertain(fit.work_of_adhesion, "J/m2"), a.loading.range.name);
+    if (a.pull_off)
+        text += fmt::format(", {} at pull-off ({})", format_uncertain(a.pull_off->work_of_adhesion, "J/m2"),
+                            format_uncertain(a.pull_off->force, "N"));
+    if (a.loop) text += fmt::format(", loss {}", format_uncertain(a.loop->estimate(), "J"));
+    return text;
+}
+
 void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     tables::TidyTable table{
-        file, {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
+        "", {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
     add_branch(table, "loading", a.loading);
     if (a.unloading) add_branch(table, "unloading", *a.unloading);
-    std::string text = tables::as_text(table);
+    std::string text = file + ": " + answer_of(a) + "\n" + tables::as_text(table);
     text += fmt::format("  range: {}\n  samples dropped after jump-in → W:", a.loading.range.name);
     for (const auto& s : a.loading.sensitivity)
         text += s.fit ? fmt::format("  {} → {:.1f} mJ/m²", s.dropped, 1e3 * s.fit->work_of_adhesion.value) : "";
@@ -86,9 +96,7 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     const auto line = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<28} {}\n", what, value);
     };
-    const auto value = [](const Estimate& v, const char* unit) {
-        return format_value(v.value, unit) + " ± " + format_value(v.standard_error, unit, 2);
-    };
+    const auto value = [](const Estimate& v, const char* unit) { return format_uncertain(v, unit); };
     if (a.contact_points) {
         const auto& points = *a.contact_points;
         tables::TidyTable beside{

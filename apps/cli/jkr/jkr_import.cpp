@@ -16,6 +16,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/clocks.hpp"
 #include "setae/tables/column_guess.hpp"
@@ -181,8 +182,8 @@ void import(const Arguments& arguments, const std::string& file, output::Json& l
     }
     print(fmt::format("{}: {}{}", file, summary(opened.table), first_rows(opened.table)));
     if (opened.clock)
-        print(fmt::format("  camera's clock   + {:.4g} ± {:.2g} s, by {}\n", opened.clock->offset.value,
-                          opened.clock->offset.standard_error, opened.clock->method));
+        print(fmt::format("  camera's clock   + {}, by {}\n", format_uncertain(opened.clock->offset, "s"),
+                          opened.clock->method));
     print(output.empty() ? "nothing written: say where, -o LOOP.csv\n" : fmt::format("{} written\n", output));
     show(opened.alerts);
 }

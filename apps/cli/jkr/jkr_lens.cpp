@@ -13,6 +13,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/imaging/lens_outline.hpp"
 #include "setae/loops/lens_radius.hpp"
@@ -124,8 +125,7 @@ output::Json as_json(const std::string& file, const Lens& lens) {
 
 std::string as_text(const std::string& file, const Lens& lens) {
     const Estimate& radius = lens.circle.radius;
-    std::string text = fmt::format("{}: R = {}", file, format_value(radius.value, "m"));
-    if (radius.uncertain()) text += " ± " + format_value(radius.standard_error, "m");
+    std::string text = fmt::format("{}: R = {}", file, format_uncertain(radius, "m"));
     if (const auto interval = interval_of(radius))
         text += fmt::format(" (95 %: {} to {})", format_value(interval->lower, "m", 5),
                             format_value(interval->upper, "m", 5));
@@ -134,10 +134,10 @@ std::string as_text(const std::string& file, const Lens& lens) {
                     format_value(lens.last, "m"), format_value(lens.circle.rms_residual, "m"));
     if (const auto& conic = lens.conic; conic && conic->conic_constant.uncertain())
         text += fmt::format(
-            "  apex: R = {} ± {}, conic constant {:.3f} ± {:.3f} (0 is a sphere; p = {:.2g}); {} off the apex's sphere at the "
+            "  apex: R = {}, conic constant {} (0 is a sphere; p = {}); {} off the apex's sphere at the "
             "farthest point\n",
-            format_value(conic->radius.value, "m"), format_value(conic->radius.standard_error, "m", 2),
-            conic->conic_constant.value, conic->conic_constant.standard_error, conic->probability,
+            format_uncertain(conic->radius, "m"), uncertain_number(conic->conic_constant),
+            probability_text(conic->probability),
             format_value(conic->departure, "m", 3));
     for (const auto& alert : lens.alerts) text += fmt::format("  {}: {}\n", alert.code, alert.message);
     return text;

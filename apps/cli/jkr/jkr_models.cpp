@@ -7,21 +7,19 @@
 
 #include "program/messages.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli {
 namespace {
 
-std::string cell(const Estimate& estimate, double factor) {
-    return fmt::format("{:.4g} ± {:.2g}", factor * estimate.value, factor * estimate.standard_error);
-}
-std::string cell(const loops::Outcome<Estimate>& estimate, double factor) {
-    return estimate ? cell(*estimate, factor) : "–";
+std::string cell(const loops::Outcome<Estimate>& estimate, double unit) {
+    return estimate ? uncertain_number(*estimate, unit) : "–";
 }
 
 void add_row(tables::TidyTable& table, const loops::ModelFit& fit, double akaike_difference) {
-    table.rows.push_back({to_string(fit.model), cell(fit.contact_modulus, 1e-6), cell(fit.work_of_adhesion, 1e3),
+    table.rows.push_back({to_string(fit.model), cell(fit.contact_modulus, 1e6), cell(fit.work_of_adhesion, 1e-3),
                           cell(fit.transition_parameter, 1.0), fmt::format("{:.3g}", fit.chi2_reduced),
                           fmt::format("{}", fit.n), akaike_difference});
 }

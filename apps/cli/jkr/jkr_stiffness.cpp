@@ -11,6 +11,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/machine_stiffness.hpp"
 #include "setae/output/json.hpp"
@@ -47,9 +48,7 @@ output::Json as_json(const std::string& file, const loops::MachineStiffness& fou
 }
 
 std::string as_text(const std::string& file, const loops::MachineStiffness& found) {
-    const auto shown = [](const Estimate& e) {
-        return format_value(e.value, "N/m", 5) + " ± " + format_value(e.standard_error, "N/m", 2);
-    };
+    const auto shown = [](const Estimate& e) { return format_uncertain(e, "N/m"); };
     std::string text =
         fmt::format("{}: k = {}, {} samples; loading {}", file, shown(found.stiffness), found.n, shown(found.loading));
     if (std::isfinite(found.unloading.value))

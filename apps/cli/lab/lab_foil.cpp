@@ -9,6 +9,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/simulation/projection_bias.hpp"
 #include "synthesize/synthesis_options.hpp"
@@ -29,7 +30,7 @@ struct FoilArguments {
 };
 
 std::string with_error(const simulation::BiasFactor& factor) {
-    return fmt::format("{:.3f} ± {:.3f}", factor.value, factor.standard_error);
+    return uncertain_number({factor.value, factor.standard_error});
 }
 
 ExitCode run(const FoilArguments& arguments) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/core/constants.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/json.hpp"
 #include "setae/tables/tidy_table.hpp"
@@ -26,10 +27,8 @@ std::string status(const TextureParameter& row) {
 
 std::string value_text(const TextureParameter& row) {
     const auto& quantity = row.quantity;
-    if (std::isnan(quantity.estimate.value)) return "–";
-    auto text = format_value(quantity.estimate.value, quantity.unit, 5);
-    if (quantity.estimate.uncertain()) text += " ± " + format_value(quantity.estimate.standard_error, quantity.unit, 2);
-    return text;
+    return quantity.estimate.uncertain() ? format_uncertain(quantity.estimate, quantity.unit)
+                                         : format_value(quantity.estimate.value, quantity.unit, 5);
 }
 
 /// The bandwidth as wavelengths.

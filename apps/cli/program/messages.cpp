@@ -7,6 +7,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::cli {
@@ -45,8 +46,8 @@ ExitCode for_each_item(const std::vector<std::string>& items, const std::functio
 }
 
 std::string as_line(const Quantity& q) {
-    std::string value = format_value(q.estimate.value, q.unit, 5);
-    if (q.estimate.uncertain()) value += " ± " + format_value(q.estimate.standard_error, q.unit, 2);
+    const auto value = q.estimate.uncertain() ? format_uncertain(q.estimate, q.unit)
+                                              : format_value(q.estimate.value, q.unit, 5);
     std::string line = fmt::format("{:<48} {:<16} {}", q.quantity, q.symbol, value);
     if (q.band)
         line +=

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/progress.hpp"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,18 +11,14 @@
 #include <nlohmann/json.hpp>
 
 #include "program/messages.hpp"
+#include "program/terminal.hpp"
 
 namespace setae::cli {
 namespace {
 
 ProgressMode resolved(ProgressMode mode) {
     if (mode != ProgressMode::automatic) return mode;
-    return isatty(STDERR_FILENO) ? ProgressMode::bar : ProgressMode::json;
-}
-
-std::size_t columns_of_terminal() {
-    winsize size{};
-    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+    return isatty(STDERR_FILENO) ? ProgressMode::bar : ProgressMode::none;
 }
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -81,7 +76,7 @@ void ProgressDisplay::print(double elapsed) const {
                             last_.stage == "measurement" || last_.stage == "experiment"
                                 ? std::filesystem::path(last_.item).filename().string()
                                 : last_.stage + " " + last_.item);
-    if (const auto columns = columns_of_terminal(); text.size() >= columns) text.resize(columns - 1);
+    if (const auto columns = columns_of_errors(); text.size() >= columns) text.resize(columns - 1);
     std::fputs(("\r\x1b[K" + text).c_str(), stderr);
     std::fflush(stderr);
 }

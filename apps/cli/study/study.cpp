@@ -12,10 +12,12 @@
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/output/result_folder.hpp"
+#include "setae/output/screen.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/report/report.hpp"
 #include "setae/study_figures/write_figures.hpp"
@@ -46,12 +48,16 @@ struct Arguments {
     std::string output;
     bool dry_run = false;
     bool no_figures = false;
+    bool all = false;
     std::string documentation;
 };
 
 void show_failures(const study::StudyResult& result) {
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));
+        if (!surface.likelihood_error.empty())
+            complain(fmt::format("surface {}: {}; its numbers are averages over its measurements", surface.name,
+                                 surface.likelihood_error));
         for (const auto& m : surface.measurements)
             if (m.failed()) complain(fmt::format("surface {}: {}", surface.name, m.error));
     }
@@ -59,23 +65,12 @@ void show_failures(const study::StudyResult& result) {
         if (e.failed()) complain(e.error);
 }
 
-/// One line a kind of alert, with its first; all of them stand in alerts.csv.
-void show_alerts(const study::StudyResult& result) {
-    const auto alerts = output::alert_table(result);
-    std::vector<std::pair<std::string, std::size_t>> kinds;
-    const auto code_of = [](const auto& row) { return std::get<std::string>(row[0]); };
-    for (const auto& row : alerts.rows) {
-        const auto known =
-            std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first == code_of(row); });
-        if (known == kinds.end()) kinds.emplace_back(code_of(row), 1);
-        else ++known->second;
-    }
-    for (const auto& [code, count] : kinds) {
-        const auto& first = *std::find_if(alerts.rows.begin(), alerts.rows.end(),
-                                          [&, &name = code](const auto& row) { return code_of(row) == name; });
-        complain(fmt::format("{}: {}: {}{}", code, std::get<std::string>(first[1]), std::get<std::string>(first[2]),
-                             count > 1 ? fmt::format(" (and {} more in alerts.csv)", count - 1) : std::string()));
-    }
+/// What the results are and where.
+void print_result(const study::StudyResult& result, const std::string& report, bool all) {
+    const auto places = fmt::format("Results: {}\nReport:  {}\n", result.study.output, report);
+    constexpr std::size_t lines_of_places = 2;
+    const auto size = output_size();
+    print((all ? output::summary(result, size.width) : output::screen(result, size, lines_of_places)) + places);
 }
 
 study::Study study_of(const Arguments& arguments) {
@@ -187,9 +182,7 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     if (arguments.common.json) {
         output::write_json(result, [](std::string_view piece) { print(std::string(piece)); });
     } else {
-        print(output::summary(result));
-        show_alerts(result);
-        print(fmt::format("Results: {}\nReport:  {}\n", result.study.output, report));
+        print_result(result, report, arguments.all);
     }
     report_traffic(store);
     const bool empty = result.study.surfaces.empty() && result.study.experiments.empty();
@@ -214,6 +207,7 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->file, "TOML file of the study").of_inputs();
     options.add("--output", arguments->output, "folder of the results; default: beside the study");
+    options.flag("--all", arguments->all, "print every table and alert, not one screen");
     options.flag("--no-figures", arguments->no_figures, "write no files of figures; the report draws its own");
     arguments->run.add_to(options);
     options.flag("--dry-run", arguments->dry_run,

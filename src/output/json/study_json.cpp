@@ -11,6 +11,7 @@
 #include "setae/output/fit_json.hpp"
 #include "setae/output/replicate_report.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/output/verdict.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::output {
@@ -171,6 +172,7 @@ Json surface_json(const study::SurfaceResult& surface, const study::SurfaceAnaly
             for (const auto& [method, spectrum] : study::spectra_of(surface))
                 json["spectra"][method] = spectrum_json(surface, *spectrum, options);
         if (surface.fitted) json["likelihood"] = to_json(*surface.fitted);
+        if (!surface.likelihood_error.empty()) json["likelihood_error"] = surface.likelihood_error;
         json["reconstructed"] = surface.reconstructed;
         json["n_measurements"] = surface.measurements.size();
     }
@@ -494,6 +496,8 @@ Json experiment_json(const study::ExperimentResult& e) {
 Json json_without_experiments(const study::StudyResult& result) {
     const auto& study = result.study;
     Json json{{"title", study.title}, {"description", study.description}};
+    const auto said = verdict(result);
+    json["verdict"] = {{"answer", said.answer}, {"limits", said.limits}};
     add_work(json, result);
     json["fits"] = fits_json(result);
     json["surfaces"] = Json::object();

@@ -43,7 +43,7 @@ std::string prose(std::string_view text) {
     static const std::regex power(
         "(^|[^A-Za-z0-9_./-])(-?[0-9]+(?:\\.[0-9]+)?)e([+-]?)0*([0-9]+)(?![A-Za-z0-9_./-]*[A-Za-z_/])");
     static const std::regex symbol("\\b(W|U|A|h|E|C)_(int|app|el|true|rms|loss|iso|1D)\\b");
-    static const std::regex energy("\\bmJ/m2\\b");
+    static const std::regex energy("\\bmJ/m(?:2\\b|²)");
     std::string whole = escaped(text), result;
     auto from = whole.cbegin();
     for (std::sregex_iterator found(whole.cbegin(), whole.cend(), power), end; found != end; ++found) {

@@ -39,7 +39,7 @@ std::string as_html(const study::StudyResult& result, const std::vector<study_fi
     const auto figure_part = figures_html(figures, result.study.path);
     const std::vector<Chapter> chapters{
         {"summary", "Summary", summary_html(result, study)},
-        {"limits", "What can and cannot be concluded", limits_html(result, study)},
+        {"limits", "What can and cannot be concluded", limits_html(result)},
         {"parameters", "Parameters", tables_html(result, study)},
         {"figures", "Figures",
          figure_part.empty()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drawing.hpp"
+#include "setae/core/uncertain_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -111,11 +112,7 @@ std::vector<InstrumentBand> instrument_bands(const std::vector<const study::Surf
 }
 
 std::string with_error(const Estimate& estimate, double factor, const std::string& unit) {
-    const auto value = estimate.value * factor;
-    if (!estimate.uncertain()) return fmt::format("{:.4g} {}", value, unit);
-    const double error = estimate.standard_error * factor;
-    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 6);
-    return fmt::format("{:.{}f} ± {:.{}f} {}", value, digits, error, digits, unit);
+    return uncertain_number(estimate, 1.0 / factor) + " " + unit;
 }
 
 std::string reconstruction_note(const study::StudyResult& result) {

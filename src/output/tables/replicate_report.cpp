@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/core/uncertain_text.hpp"
 #include "setae/output/replicate_report.hpp"
 
 #include <algorithm>
@@ -91,10 +92,6 @@ Json surface_json(const ReplicateData& data, const statistics::SurfaceMean& surf
     return json;
 }
 
-std::string with_error(const Estimate& e, const std::string& unit) {
-    return format_value(e.value, unit) + (e.uncertain() ? " ± " + format_value(e.standard_error, unit, 2) : "");
-}
-
 std::string between(const std::optional<Interval>& interval, const std::string& unit) {
     return interval ? format_value(interval->lower, unit) + " … " + format_value(interval->upper, unit) : "–";
 }
@@ -184,8 +181,8 @@ std::string summary(const ReplicateData& data, const MixedModel& model) {
     for (const auto& s : model.surfaces) {
         if (const auto interval = s.mean.interval) means.columns[4] = percent(interval->level) + " interval";
         means.rows.push_back({s.surface, fmt::format("{}", s.n), fmt::format("{}", s.excluded),
-                              with_error(s.mean, unit), between(s.mean.interval, unit), between(s.prediction, unit),
-                              s.with_excluded ? with_error(*s.with_excluded, unit) : "–",
+                              format_uncertain(s.mean, unit), between(s.mean.interval, unit), between(s.prediction, unit),
+                              s.with_excluded ? format_uncertain(*s.with_excluded, unit) : "–",
                               s.heterogeneity ? percent(s.heterogeneity->I2) : "–",
                               s.heterogeneity ? fmt::format("{:.2g}", s.heterogeneity->probability) : "–"});
     }
@@ -209,7 +206,7 @@ std::string summary(const ReplicateData& data, const MixedModel& model) {
     if (!model.differences.empty()) {
         tables::TidyTable table{"\nDifferences", {"", data.quantity, "interval", "p"}, {}};
         for (const auto& d : model.differences)
-            table.rows.push_back({d.later + " − " + d.earlier, with_error(d.difference, unit),
+            table.rows.push_back({d.later + " − " + d.earlier, format_uncertain(d.difference, unit),
                                   between(d.difference.interval, unit),
                                   std::isnan(d.probability) ? "–" : fmt::format("{:.2g}", d.probability)});
         text += tables::as_text(table);
@@ -217,7 +214,7 @@ std::string summary(const ReplicateData& data, const MixedModel& model) {
     tables::TidyTable influence{"\nWithout one group", {data.levels[0], "without", data.quantity, "shift"}, {}};
     for (const auto& s : model.surfaces)
         for (const auto& i : s.influence)
-            influence.rows.push_back({s.surface, i.level + " " + i.group, i.mean ? with_error(*i.mean, unit) : "–",
+            influence.rows.push_back({s.surface, i.level + " " + i.group, i.mean ? format_uncertain(*i.mean, unit) : "–",
                                       std::isnan(i.shift) ? "–" : format_value(i.shift, unit, 3)});
     if (!influence.rows.empty()) text += tables::as_text(influence);
     if (!data.exclusions.empty()) {
@@ -225,7 +222,7 @@ std::string summary(const ReplicateData& data, const MixedModel& model) {
         for (const auto& e : data.exclusions)
             table.rows.push_back(
                 {data.rows[e.row].name, data.rows[e.row].groups[0],
-                 with_error({.value = data.rows[e.row].value, .standard_error = data.rows[e.row].standard_error}, unit),
+                 format_uncertain({.value = data.rows[e.row].value, .standard_error = data.rows[e.row].standard_error}, unit),
                  e.reason});
         text += tables::as_text(table);
     }

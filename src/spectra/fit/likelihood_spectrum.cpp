@@ -104,6 +104,7 @@ public:
         r.log_standard_error = (r.design * r.covariance).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
         r.rounds = rounds_;
         r.converged = fit_.converged;
+        r.iterations = fit_.iterations;
         r.C_iso.band = used_band();
         r.agreement = agreement(groups_, fit_);
         for (const auto& alerts : {agreement_alerts(r.agreement), scatter_alerts(scatter)})
@@ -114,10 +115,6 @@ public:
             if (g.tip.log_transfer.size() > 0)
                 r.tips.push_back(
                     {g.data.instrument, g.probe->name, g.probe->size, g.data.wavevector, g.tip.log_transfer.exp()});
-        if (!r.converged)
-            r.alerts.push_back({"NOT_CONVERGED", "spectrum",
-                                fmt::format("the fit stopped after {} steps short of its optimum", fit_.iterations),
-                                "look at the agreement of each instrument; a measurement in the wrong unit does this"});
         return r;
     }
 

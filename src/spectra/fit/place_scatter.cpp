@@ -67,7 +67,7 @@ std::vector<Alert> scatter_alerts(const Scatter& scatter) {
     for (const auto& [instrument, found] : scatter)
         if (found.probability < significant)
             alerts.push_back(
-                {"MEASUREMENTS_SCATTER", instrument,
+                {"MEASUREMENTS_SCATTER", instrument.empty() ? "no instrument stated" : instrument,
                  fmt::format(
                      "its measurements differ from each other by {:.0f} % in power beyond what their waves explain; intervals allow for it",
                      100.0 * std::sqrt(found.variance)),

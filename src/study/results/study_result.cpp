@@ -12,7 +12,7 @@ namespace setae::study {
 int StudyResult::failures() const {
     int count = 0;
     for (const auto& s : surfaces) {
-        count += s.failed() ? 1 : 0;
+        count += s.failed() || !s.likelihood_error.empty() ? 1 : 0;
         for (const auto& m : s.measurements) count += m.failed() ? 1 : 0;
     }
     for (const auto& e : experiments) count += e.failed() ? 1 : 0;

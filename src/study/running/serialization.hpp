@@ -224,7 +224,7 @@ SETAE_KEEP(SpectrumResult, curve, parameters, other_conversion, uncut_energy_per
 SETAE_KEEP(FittedSpectrum, band, wavevector, C_iso, log_C_iso_standard_error, C1D, log_C1D_standard_error, agreement,
            tips, stretch, C1D_along, C1D_across, rounds, converged)
 SETAE_KEEP(SurfaceResult, name, error, reconstructed, measurements, combined, method, average, likelihood, fitted,
-           slope_shape, beyond_data, alerts)
+           likelihood_error, slope_shape, beyond_data, alerts)
 
 /// The bytes of a value: equal values, equal bytes.
 template <class T>

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/spectral_fit/line_spectrum.hpp"
 
@@ -77,6 +81,39 @@ FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum,
             spectrum.converged};
 }
 
+/// Names of measurements by a tip of which no radius is known: their waves are believed to the sampling's end.
+std::string without_tip(const SurfaceResult& surface) {
+    std::string names;
+    for (const auto& m : surface.measurements)
+        for (const auto& alert : m.alerts)
+            if (alert.code == "NO_TIP_RADIUS" || alert.code == "NO_INSTRUMENT")
+                names += (names.empty() ? "" : ", ") + m.name;
+    return names;
+}
+
+/// @throws UndefinedDataError where a fit has not found its optimum, or knows the surface to no better than a factor.
+void require_numbers(const spectral_fit::LikelihoodSpectrum& spectrum, const SpectrumResult& result,
+                     const SurfaceResult& surface) {
+    constexpr double most_ratio = 100.0;  // of the ends of a 95 % interval: a factor of ten either way
+    const auto known = [&](const char* name, const roughness::ParameterSpread::Function& parameter, const char* unit) {
+        const auto estimate = result.estimate(parameter);
+        const auto interval = interval_of(estimate);
+        if (!interval || interval->upper <= most_ratio * std::max(interval->lower, 0.0)) return std::string();
+        return fmt::format("leaves {} between {} and {}", name, format_value(interval->lower, unit, 2),
+                           format_value(interval->upper, unit, 2));
+    };
+    auto reason = spectrum.converged
+                      ? known("h_rms", [](const auto& p) { return p.rms_height; }, "m")
+                      : fmt::format("stopped after {} steps short of its optimum", spectrum.iterations);
+    if (reason.empty()) reason = known("h'_rms", [](const auto& p) { return p.rms_slope; }, "1");
+    if (reason.empty()) return;
+    const auto names = without_tip(surface);
+    throw UndefinedDataError(fmt::format(
+        "the fit of C_iso to all measurements {}{}", reason,
+        names.empty() ? "; a measurement in the wrong unit does this, see the agreement of each instrument"
+                      : fmt::format("; of {} no tip is known, and their finest waves are believed", names)));
+}
+
 }  // namespace
 
 void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared,
@@ -105,13 +142,14 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
         result.spread.replicas.push_back(parameters_of(curve, options));
         result.spread.replicas.back().decade_C1D = lines.decade_means(curve.density);
     }
-    surface.fitted = fitted_spectrum(spectrum, curve.band);
-    surface.likelihood = std::move(result);
-    surface.method = SpectrumMethod::likelihood;
     for (auto alert : spectrum.alerts) {
         alert.subject = surface.name + ": " + alert.subject;
         surface.alerts.push_back(std::move(alert));
     }
+    require_numbers(spectrum, result, surface);
+    surface.fitted = fitted_spectrum(spectrum, curve.band);
+    surface.likelihood = std::move(result);
+    surface.method = SpectrumMethod::likelihood;
 }
 
 }  // namespace setae::study

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 #include "setae/processing/fill.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/isotropic.hpp"
@@ -52,6 +54,21 @@ spectra::SpectrumOptions spectrum_options(const SurfaceAnalysisOptions& options,
     spectrum.reliability.percentile = options.tip_percentile;
     spectrum.threads = threads;
     return spectrum;
+}
+
+/// What is believed because nobody says what read the heights; nothing where that is said.
+std::optional<Alert> alert_of_unstated(const topography::Metadata& metadata, bool probe_given, const Band& band) {
+    const auto& instrument = metadata.instrument;
+    const auto believed = fmt::format("waves down to {} are believed", format_value(2.0 * pi / band.upper, "m", 3));
+    if (instrument.resolution || instrument.tip_radius || probe_given) return std::nullopt;
+    if (instrument.type.empty())
+        return Alert{"NO_INSTRUMENT", topography::label(metadata),
+                     "neither file nor study says what instrument read it: " + believed,
+                     "say it: instrument = \"afm\", tip_radius = \"…\" (resolution of an optical one)"};
+    if (instrument.type != "afm" && instrument.type != "stylus") return std::nullopt;
+    return Alert{"NO_TIP_RADIUS", topography::label(metadata),
+                 fmt::format("no radius of the {}'s tip is known: {}", instrument.type, believed),
+                 "say it: tip_radius = \"10 ± 3 nm\""};
 }
 
 /// A copy whose tip may be changed, where its radius has an error.
@@ -124,6 +141,9 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
             return spectra::reliable_band(*moved, spectrum.reliability, threads).band;
         });
     result.alerts.insert(result.alerts.end(), result.spectrum.alerts.begin(), result.spectrum.alerts.end());
+    const bool probe_given = prepared.probe.has_value() || prepared.optics.has_value();
+    if (auto alert = alert_of_unstated(topography::metadata(measurement), probe_given, result.spectrum.band))
+        result.alerts.push_back(std::move(*alert));
     return result;
 }
 
@@ -157,6 +177,8 @@ MeasurementResult analyse_tiled_map(const TiledMeasurement& large, const Surface
         return spectra::reliable_band(moved, lines_together, spectrum.reliability, threads).band;
     });
     result.alerts.insert(result.alerts.end(), result.spectrum.alerts.begin(), result.spectrum.alerts.end());
+    if (auto alert = alert_of_unstated(metadata, false, result.spectrum.band))
+        result.alerts.push_back(std::move(*alert));
     return result;
 }
 

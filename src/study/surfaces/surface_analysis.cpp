@@ -102,8 +102,9 @@ void add_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> pre
     try {
         estimate_by_likelihood(surface, std::move(prepared), options, threads);
     } catch (const std::exception& error) {
-        surface.alerts.push_back(
-            {"LIKELIHOOD_FAILED", surface.name, reason_of(error), "its numbers rest on the average over measurements"});
+        surface.likelihood_error = reason_of(error);
+        surface.alerts.push_back({"LIKELIHOOD_FAILED", surface.name, surface.likelihood_error,
+                                  "its numbers rest on the average over measurements"});
     }
 }
 

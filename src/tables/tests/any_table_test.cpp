@@ -147,7 +147,7 @@ TEST(Spreadsheet, OneLongStringInManyCellsIsRefused) {
     const auto sheet = "<worksheet><sheetData><row>" + cells + "</row></sheetData></worksheet>";
     const auto book = xlsx_file({{"S", sheet}}, {"<t>" + std::string(1 << 20, 'x') + "</t>"});
     EXPECT_TRUE(holds(message_of([&] { (void)read_raw_table(bytes::memory_source("t.xlsx", book)); }),
-                      "sheet 'S': more than 256 MB of text in its cells, at JW1"));
+                      "sheet 'S': more than 256 MB of text in its cells, at IW1"));
 }
 
 }  // namespace

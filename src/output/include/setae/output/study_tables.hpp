@@ -53,9 +53,6 @@ namespace setae::output {
 /// A fitted spectrum with standard error and 95 % band.
 [[nodiscard]] Table fitted_spectrum_table(const study::FittedSpectrum& fitted);
 
-/// The summary a terminal shows, in the units of the field.
-[[nodiscard]] std::string summary(const study::StudyResult& result);
-
 /// What stands for each surface in the names of its files, in their order: psd_STEM.csv; see file_names().
 [[nodiscard]] std::vector<std::string> spectrum_stems(const study::StudyResult& result);
 

@@ -162,7 +162,7 @@ struct StudyResult : Conclusions {
     std::vector<Alert> alerts;
     std::optional<Conclusions> by_average;  ///< once more with averages, where likelihoods are used first
 
-    [[nodiscard]] int failures() const;   ///< measurements, surfaces and experiments that failed
+    [[nodiscard]] int failures() const;   ///< measurements, surfaces, their likelihoods and experiments that failed
     [[nodiscard]] int successes() const;  ///< surfaces and experiments that did not
     /// @throws InternalError for a name that is not in the study (both).
     [[nodiscard]] const SurfaceResult& surface(const std::string& name) const;

@@ -97,6 +97,7 @@ struct SurfaceResult {
     std::optional<SpectrumResult>
         likelihood;                        ///< fitted to all measurements at once, where it is wanted and can be had
     std::optional<FittedSpectrum> fitted;  ///< beside `likelihood`
+    std::string likelihood_error;          ///< why a likelihood that was wanted gave no numbers
     std::optional<roughness::SlopeShape> slope_shape;  ///< of its maps, by area
     std::optional<roughness::BeyondData> beyond_data;  ///< where the surface's waves go on behind the finest data
     std::vector<Alert> alerts;

@@ -95,8 +95,9 @@ struct LikelihoodSpectrum {
         stretch;                ///< empty: isotropic as far as is seen; C_iso is the mean over directions else
     Array1D C_along, C_across;  ///< of a stretched surface: C_iso that lines along and across its long direction show
     int rounds = 0;
-    bool converged = false;
-    std::vector<Alert> alerts;  ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN, NOT_CONVERGED
+    int iterations = 0;      ///< of the last fit
+    bool converged = false;  ///< else the numbers are those of the step it stopped at
+    std::vector<Alert> alerts;  ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN
 };
 
 /// Fits ln C_iso of an isotropic surface to the expected periodograms of all measurements: window, detrending, sampling

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace setae {
+
+/// "no pairs", "1 pair", "3 pairs".
+[[nodiscard]] std::string counted(std::size_t n, const std::string& one, const std::string& many);
+
+/// "A, B and C"; of more than six names the first five and how many more.
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
+}  // namespace setae

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/core/words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace setae::words_test {
+namespace {
+
+TEST(Counted, AgreesWithItsNumber) {
+    EXPECT_EQ(counted(0, "pair", "pairs"), "no pairs");
+    EXPECT_EQ(counted(1, "pair", "pairs"), "1 pair");
+    EXPECT_EQ(counted(3, "pair", "pairs"), "3 pairs");
+}
+
+TEST(Listed, NamesFiveOfMany) {
+    EXPECT_EQ(listed({}), "");
+    EXPECT_EQ(listed({"A"}), "A");
+    EXPECT_EQ(listed({"A", "B", "C"}), "A, B and C");
+    EXPECT_EQ(listed({"A", "B", "C", "D", "E", "F"}), "A, B, C, D, E and F");
+    EXPECT_EQ(listed({"A", "B", "C", "D", "E", "F", "G"}), "A, B, C, D, E and 2 more");
+}
+
+}  // namespace
+}  // namespace setae::words_test

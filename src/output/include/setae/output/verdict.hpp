@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/study/study_result.hpp"
+
+namespace setae::output {
+
+/// What a study says, in sentences of plain text: symbols as "W_int", numbers with their unit.
+struct Verdict {
+    std::vector<std::string> answer;  ///< whether roughness explains the approach, what the loss says; at least one
+    std::vector<std::string> limits;  ///< what cannot be concluded and why, worst first
+};
+
+/// The verdict from fits, tests and alerts.
+///
+/// Roughness explains the approach where the χ² of (7) with both errors has a probability of at least 0.05; two works
+/// of adhesion are consistent where the 95 % interval of their difference holds 0.
+[[nodiscard]] Verdict verdict(const study::StudyResult& result);
+
+/// Alerts of one kind, by kind: what misleads most first, then in the order they were found.
+struct AlertGroup {
+    std::string code;
+    std::vector<Alert> alerts;  ///< at least one
+};
+[[nodiscard]] std::vector<AlertGroup> grouped_alerts(const study::StudyResult& result);
+
+}  // namespace setae::output

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/study/study_result.hpp"
+#include "setae/tables/tidy_table.hpp"
+
+/// Tables for readers, in the units of the field; numbers by uncertain_number(). Without rows where there is nothing.
+namespace setae::output::reading {
+
+/// Which spectra of surfaces stand in a table: that which everything rests on, or all of them.
+enum class Spectra { used, all };
+
+[[nodiscard]] tables::TidyTable surfaces(const study::StudyResult& result, Spectra spectra);
+/// One row a surface and instrument, with the decade in which it agrees least.
+[[nodiscard]] tables::TidyTable agreement(const study::StudyResult& result);
+[[nodiscard]] tables::TidyTable elastomers(const study::StudyResult& result);
+[[nodiscard]] tables::TidyTable loops(const study::StudyResult& result);
+[[nodiscard]] tables::TidyTable references(const study::StudyResult& result);
+/// Measured and predicted works of adhesion, one row a pair.
+[[nodiscard]] tables::TidyTable pairs(const study::StudyResult& result);
+/// The same of every spectrum, with raw values, (S13) and how the contact closes.
+[[nodiscard]] tables::TidyTable all_pairs(const study::StudyResult& result);
+/// One row a balance.
+[[nodiscard]] tables::TidyTable fits(const study::StudyResult& result);
+/// One row a balance, variant and spectrum.
+[[nodiscard]] tables::TidyTable all_fits(const study::StudyResult& result);
+[[nodiscard]] tables::TidyTable cutoffs(const study::StudyResult& result);
+
+}  // namespace setae::output::reading

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/screen.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "setae/core/layout.hpp"
+#include "setae/output/verdict.hpp"
+
+namespace setae::output::screen_test {
+namespace {
+
+using adhesion::PredictionResidual;
+using study::StudyResult;
+
+Estimate work(double value, double error) { return {.value = value, .standard_error = error, .degrees_of_freedom = 3.0}; }
+
+adhesion::WorkFit fit(double value, double error) {
+    adhesion::WorkFit found;
+    found.work_of_adhesion = work(value, error);
+    found.n = 4;
+    return found;
+}
+
+adhesion::PredictionTest test(double chi_squared, double probability, double scatter) {
+    adhesion::PredictionTest found;
+    found.pairs = {{"A", "soft", work(0.04, 1e-3), work(0.037, 1e-3), 3e-3, 1e-3}};
+    found.n = 4;
+    found.degrees_of_freedom = 3;
+    found.chi_squared = chi_squared;
+    found.probability = probability;
+    found.extra_scatter = scatter;
+    return found;
+}
+
+/// A study whose approach says one W_int and whose loss another.
+StudyResult result_of(const adhesion::PredictionTest& tested, double loss) {
+    StudyResult result;
+    result.study.title = "Two ways";
+    result.surfaces.push_back({.name = "A", .error = "kept short"});
+    result.modified = fit(0.037, 2e-4);
+    result.loop = adhesion::LossFits{.through_origin = fit(loss, 3e-4), .through_origin_without_ideal_loss = {},
+                                     .with_intercept = {}, .with_intercept_without_ideal_loss = {}};
+    result.prediction_test = tested;
+    return result;
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Verdict, SaysThatRoughnessExplainsTheApproachAndTheLossAgrees) {
+    const auto said = verdict(result_of(test(0.4, 0.94, 0.0), 0.0372));
+    ASSERT_EQ(said.answer.size(), 2u);
+    EXPECT_EQ(said.answer[0],
+              "Roughness explains the approach: W_int 37.00 [36.36, 37.64] mJ/m² (4 pairs, χ² 0.4 of 3, p = 0.94).");
+    EXPECT_TRUE(holds(said.answer[1], "mJ/m²: consistent.")) << said.answer[1];
+    EXPECT_FALSE(std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) { return holds(s, "contradicted"); }));
+}
+
+TEST(Verdict, SaysThatTheBalanceFailsAndWhatScatterWouldMendIt) {
+    auto tested = test(194.0, 4.2e-33, 8.5e-3);
+    const auto said = verdict(result_of(tested, 0.050));
+    EXPECT_EQ(said.answer[0],
+              "(7) does not describe these 4 pairs: χ² 194.0 of 3, p = 4·10⁻³³; with 8.5 mJ/m² of scatter it does. "
+              "W_int 37.00 [36.36, 37.64] mJ/m².");
+    EXPECT_TRUE(holds(said.answer[1], "13.00 ± 0.36 mJ/m² apart")) << said.answer[1];
+    EXPECT_TRUE(std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) {
+        return holds(s, "(7) is contradicted by its pairs: soft on A is +3.0 standard errors from its prediction");
+    }));
+    tested.probability_with_scatter = 1e-3;
+    EXPECT_FALSE(holds(verdict(result_of(tested, 0.050)).answer[0], "it does"));
+}
+
+TEST(Verdict, OfNothingSaysSo) {
+    const auto said = verdict(StudyResult{});
+    EXPECT_TRUE(holds(said.answer.at(0), "Nothing can be concluded"));
+    EXPECT_TRUE(holds(said.limits.at(0), "Empty study"));
+}
+
+TEST(Verdict, NamesWhatIsNotStated) {
+    StudyResult result;
+    result.surfaces.push_back({.name = "A"});
+    auto& surface = result.surfaces.front();
+    surface.likelihood_error = "the fit of C_iso stopped";
+    surface.measurements.resize(2);
+    surface.measurements[0].name = "scan";
+    surface.measurements[0].alerts = {{"NO_TIP_RADIUS", "scan", "", ""}};
+    const auto limits = verdict(result).limits;
+    const auto said = [&](const std::string& part) {
+        return std::any_of(limits.begin(), limits.end(), [&](const auto& s) { return holds(s, part); });
+    };
+    EXPECT_TRUE(said("The numbers of A are averages over its measurements: the fit of C_iso stopped."));
+    EXPECT_TRUE(said("Of scan no tip radius is stated"));
+    EXPECT_TRUE(said("1 part of the study failed and is in no number here."));
+}
+
+TEST(AlertGroups, PutWhatMisleadsFirst) {
+    StudyResult result;
+    result.alerts = {{"ONE_DIRECTION", "a", "", ""}, {"NO_INSTRUMENT", "b", "", ""}, {"ONE_DIRECTION", "c", "", ""}};
+    const auto groups = grouped_alerts(result);
+    ASSERT_EQ(groups.size(), 2u);
+    EXPECT_EQ(groups[0].code, "NO_INSTRUMENT");
+    EXPECT_EQ(groups[1].alerts.size(), 2u);
+}
+
+/// A study with more rows than any screen has.
+StudyResult many() {
+    auto result = result_of(test(0.4, 0.94, 0.0), 0.0372);
+    for (int i = 0; i < 50; ++i) {
+        result.surfaces.push_back({.name = fmt::format("surface {}", i), .error = "unreadable"});
+        study::PairResult pair;
+        pair.surface = result.surfaces.back().name;
+        pair.elastomer = "soft";
+        pair.approach = work(0.037, 1e-3);
+        result.pairs.push_back(pair);
+        result.alerts.push_back({fmt::format("KIND_{}", i), "some/where/file.csv", std::string(300, 'x'), ""});
+    }
+    return result;
+}
+
+TEST(Screen, NeverHasMoreLinesOrColumnsThanItIsGiven) {
+    const auto result = many();
+    for (const std::size_t width : {60u, 80u, 100u, 120u}) {
+        std::istringstream text(screen(result, {.width = width, .lines = 40}, 2));
+        std::size_t lines = 0;
+        for (std::string line; std::getline(text, line); ++lines) EXPECT_LE(display_width(line), width) << line;
+        EXPECT_LE(lines, 38u) << width;
+        EXPECT_GE(lines, 25u) << width;
+    }
+}
+
+TEST(Screen, CountsWhatItLeavesOut) {
+    const auto text = screen(many());
+    EXPECT_TRUE(holds(text, " more in surfaces.csv")) << text;
+    EXPECT_TRUE(holds(text, " more in pairs.csv")) << text;
+    EXPECT_TRUE(holds(text, "and 45 more kinds")) << text;
+    EXPECT_TRUE(holds(text, "KIND_0  file.csv: xxx")) << text;
+    EXPECT_LT(text.find("Roughness explains"), text.find("Surfaces"));
+}
+
+}  // namespace
+}  // namespace setae::output::screen_test

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "answer.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "setae/core/uncertain_text.hpp"
+#include "setae/core/units.hpp"
+#include "setae/core/words.hpp"
+
+namespace setae::output {
+namespace {
+
+using study::StudyResult;
+
+constexpr double improbable = 0.05;
+
+std::string pairs_text(int n) { return counted(static_cast<std::size_t>(n), "pair", "pairs"); }
+
+std::string test_text(const adhesion::PredictionTest& test) {
+    return fmt::format("χ² {:.1f} of {}, p = {}", test.chi_squared, test.degrees_of_freedom,
+                       probability_text(test.probability));
+}
+
+/// Whether (7) says what was measured.
+std::string sentence_of_test(const adhesion::PredictionTest& test) {
+    if (test.probability >= improbable) return "Roughness explains the approach";
+    auto text = fmt::format("(7) does not describe {}: {}",
+                            test.n == 1 ? "the pair" : fmt::format("these {} pairs", test.n), test_text(test));
+    if (test.extra_scatter > 0.0 && test.probability_with_scatter >= improbable)
+        text += fmt::format("; with {} of scatter it does", format_value(test.extra_scatter, "J/m2", 2));
+    return text;
+}
+
+/// W_int of loss beside that of approach.
+std::string sentence_of_loss(const StudyResult& result) {
+    if (!result.loop) return "";
+    const auto& loss = result.loop->through_origin.work_of_adhesion;
+    const auto number = format_interval(loss, "J/m2");
+    if (!result.modified) return fmt::format("By the loss, W_int is {}.", number);
+    const auto apart = difference(loss, result.modified->work_of_adhesion);
+    const auto interval = interval_of(apart);
+    if (!interval) return fmt::format("The loss says {}.", number);
+    const bool consistent = interval->lower <= 0.0 && interval->upper >= 0.0;
+    return fmt::format(
+        "The loss says {}: {}.", number,
+        consistent ? "consistent" : fmt::format("{} apart", format_uncertain(apart, "J/m2")));
+}
+
+/// What measured and predicted works of adhesion say together; empty where nothing was measured.
+std::vector<std::string> sentences_of_approach(const StudyResult& result) {
+    const bool fitted = static_cast<bool>(result.modified);
+    if (!result.prediction_test && !fitted) return {};
+    std::string text;
+    if (result.prediction_test) text = sentence_of_test(*result.prediction_test);
+    const bool explained = result.prediction_test && result.prediction_test->probability >= improbable;
+    if (fitted) {
+        const auto work = format_interval(result.modified->work_of_adhesion, "J/m2");
+        if (text.empty())
+            text = fmt::format("W_int is {} from {}; nothing tests (7)", work, pairs_text(result.modified->n));
+        else text += fmt::format("{}W_int {}", explained ? ": " : ". ", work);
+    } else {
+        text += fmt::format("{}W_int {}, as given", explained ? ": " : ". ",
+                            format_interval(*result.work_of_adhesion, "J/m2"));
+    }
+    if (explained)
+        text += fmt::format(" ({}, {})", pairs_text(result.prediction_test->n), test_text(*result.prediction_test));
+    std::vector<std::string> sentences{text + "."};
+    if (auto loss = sentence_of_loss(result); !loss.empty()) sentences.push_back(std::move(loss));
+    return sentences;
+}
+
+/// W_app of pairs that nobody measured.
+std::vector<std::string> sentences_of_prediction(const StudyResult& result) {
+    std::vector<const study::PairResult*> pairs;
+    for (const auto& pair : result.pairs)
+        if (pair.modified) pairs.push_back(&pair);
+    if (pairs.empty()) return {};
+    const auto work = [](const study::PairResult* pair) { return pair->modified->estimate.value; };
+    const auto name = [](const study::PairResult* pair) {
+        return fmt::format("{} on {}", pair->elastomer, pair->surface);
+    };
+    const auto [least, most] =
+        std::minmax_element(pairs.begin(), pairs.end(), [&](auto a, auto b) { return work(a) < work(b); });
+    auto text = fmt::format("Predicted: W_app of {} is {}", name(*most), format_uncertain((*most)->modified->estimate, "J/m2"));
+    if (pairs.size() > 1)
+        text += fmt::format(", of {} {}", name(*least), format_uncertain((*least)->modified->estimate, "J/m2"));
+    return {text + "; no experiment tests it."};
+}
+
+std::vector<std::string> sentences_of_roughness(const StudyResult& result) {
+    std::vector<std::string> sentences;
+    for (const auto& surface : result.surfaces) {
+        if (surface.failed()) continue;
+        const auto& spectrum = surface.used();
+        sentences.push_back(fmt::format(
+            "{}: h_rms {}, h'_rms {}, A_true/A_app {}.", surface.name,
+            format_uncertain(spectrum.estimate([](const auto& p) { return p.rms_height; }), "m"),
+            format_uncertain(spectrum.estimate([](const auto& p) { return p.rms_slope; }), "1"),
+            format_uncertain(spectrum.estimate([](const auto& p) { return p.area_ratio(); }, 1.0), "1")));
+        if (sentences.size() == 3) break;
+    }
+    return sentences;
+}
+
+}  // namespace
+
+std::vector<std::string> answer_of(const StudyResult& result) {
+    auto sentences = sentences_of_approach(result);
+    if (sentences.empty()) sentences = sentences_of_prediction(result);
+    if (sentences.empty()) sentences = sentences_of_roughness(result);
+    if (sentences.empty())
+        sentences.emplace_back(result.successes() > 0 ? "Loops were analysed; no surface says what they should be."
+                                                      : "Nothing can be concluded: no part of the study gave a result.");
+    return sentences;
+}
+
+}  // namespace setae::output
