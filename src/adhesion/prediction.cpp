@@ -46,12 +46,15 @@ VarianceTerm term(const Estimate& input, double derivative) {
             input.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())};
 }
 
-/// A value with the sum of its terms as variance; none where the spectrum's own share is unknown.
+/// A value with the sum of its terms as variance: what is unknown of a spectrum without errors adds nothing. None where
+/// no term is known.
 Estimate with_terms(const RoughSide& rough, double value, std::span<const VarianceTerm> terms) {
     Estimate result{.value = value, .method = "delta"};
-    if (std::isnan(rough.spread.standard_error([](const SpectralParameters& p) { return p.rms_slope; }))) return result;
     double variance = 0.0;
     for (const auto& t : terms) variance += t.variance;
+    const bool spectrum_known =
+        !std::isnan(rough.spread.standard_error([](const SpectralParameters& p) { return p.rms_slope; }));
+    if (!spectrum_known && variance == 0.0) return result;
     result.standard_error = std::sqrt(variance);
     const double freedom = satterthwaite_degrees_of_freedom(terms);
     if (std::isfinite(freedom)) result.degrees_of_freedom = freedom;

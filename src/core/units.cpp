@@ -79,7 +79,7 @@ struct Prefix {
     double factor;
 };
 
-constexpr std::array<Prefix, 14> prefixes{{{"G", 1e9},
+constexpr std::array<Prefix, 15> prefixes{{{"T", 1e12}, {"G", 1e9},
                                            {"M", 1e6},
                                            {"k", 1e3},
                                            {"h", 1e2},

@@ -2,11 +2,14 @@
 #include "setae/tables/power_spectrum_table.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/text.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/table_file.hpp"
@@ -25,6 +28,47 @@ Column in_si(const RawTable::RawColumn& raw, const char* name, const Dimension& 
 bool is_standard_error(const std::string& name) {
     const auto lower = bytes::lowered(name);
     return lower.find("err") != std::string::npos || lower.find("std") != std::string::npos;
+}
+
+bool says_frequency(const std::string& name) {
+    const auto lower = bytes::lowered(name);
+    return lower.find("freq") != std::string::npos || lower == "f" || lower == "nu" || lower == "ν" ||
+           lower == "1/lambda" || lower == "1/λ";
+}
+
+bool has_dimension(const std::string& unit, const Dimension& dimension) {
+    try {
+        return parse_unit(unit).dimension == dimension;
+    } catch (const InvalidArgument&) {
+        return false;
+    }
+}
+
+/// The first column as wavevectors; says what it was where it was none.
+Column wavevectors(const RawTable::RawColumn& raw, Table& table, const std::string& path) {
+    constexpr const char* normalised = "; the density counts as that of both signs, h_rms^2 = int C(f) df over +-f";
+    if (has_dimension(raw.unit, dimension::length)) {
+        auto column = in_si(raw, "wavevector", dimension::length, path);
+        table.metadata["converted"] = fmt::format("column '{}' holds wavelengths: q = 2 pi/lambda", raw.name);
+        return {column.name, "1/m", 2.0 * pi / column.values};
+    }
+    auto column = in_si(raw, "wavevector", dimension::wavevector, path);
+    if (!says_frequency(raw.name)) return column;
+    table.metadata["converted"] = fmt::format("column '{}' holds frequencies: q = 2 pi f{}", raw.name, normalised);
+    return {column.name, column.unit, 2.0 * pi * column.values};
+}
+
+/// Rows by rising wavevector.
+void sort_rows(Table& table, const std::string& path) {
+    const auto q = table.columns[0].values;
+    std::vector<Index> order(static_cast<std::size_t>(q.size()));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::stable_sort(order.begin(), order.end(), [&q](Index a, Index b) { return q[a] < q[b]; });
+    for (auto& column : table.columns) column.values = Array1D(column.values(order));
+    const auto& sorted = table.columns[0].values;
+    for (Index i = 1; i < sorted.size(); ++i)
+        if (sorted[i] == sorted[i - 1])
+            throw FormatError(path, {}, fmt::format("wavevector {:.6g} 1/m stands in two rows", sorted[i]));
 }
 
 /// The dialect ';' with decimal comma begins with a row that is no data, even where it holds numbers.
@@ -53,10 +97,13 @@ Table read_power_spectrum_table(const std::string& path) {
         table.metadata["units"] = "assumed SI";
         if (raw.separator == ';' && raw.decimal_point == ',' && raw.header.empty()) drop_first_row(raw);
     }
-    table.columns.push_back(in_si(columns[0], "wavevector", dimension::wavevector, path));
-    table.columns.push_back(in_si(columns[1], "C1D", dimension::power_spectrum_1d, path));
+    table.columns.push_back(wavevectors(columns[0], table, path));
+    const bool areal = has_dimension(columns[1].unit, dimension::power_spectrum_2d);
+    const auto& density = areal ? dimension::power_spectrum_2d : dimension::power_spectrum_1d;
+    table.columns.push_back(in_si(columns[1], areal ? "C_iso" : "C1D", density, path));
     if (columns.size() > 2 && is_standard_error(columns[2].name))
-        table.columns.push_back(in_si(columns[2], "standard_error", dimension::power_spectrum_1d, path));
+        table.columns.push_back(in_si(columns[2], "standard_error", density, path));
+    sort_rows(table, path);
     if (!(table.columns[0].values > 0.0).any())
         throw FormatError(path, {}, fmt::format("no positive wavevector among {} rows", table.rows()));
     return table;

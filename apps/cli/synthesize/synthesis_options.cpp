@@ -14,7 +14,6 @@
 #include "setae/spectra/self_affine.hpp"
 #include "setae/spectra/spectral_density.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
-#include "setae/tables/table_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -58,17 +57,13 @@ spectra::SpectralDensity without_longer(spectra::SpectralDensity density, double
 
 /// C_iso or C1D from columns q, C.
 spectra::SpectralDensity from_table(const std::string& path, bool line) {
-    const auto columns = tables::read_table(path).columns;
-    if (columns.size() >= 2 && columns[1].unit == "m4") {
-        if (columns[0].unit != "1/m")
-            throw InvalidArgument(fmt::format("{}: first column '{}' in '{}', expected wavevectors in 1/m", path,
-                                              columns[0].name, columns[0].unit));
-        const auto C_iso = spectra::tabulated_density(columns[0].values, columns[1].values);
-        const auto& q = columns[0].values;
-        return line ? spectra::profile_density(C_iso, {q[0], q[q.size() - 1]}) : C_iso;
-    }
     const auto table = tables::read_power_spectrum_table(path);
-    const auto &q = table.at("wavevector"), &C1D = table.at("C1D");
+    const auto& q = table.at("wavevector");
+    if (const auto* C_iso = table.find("C_iso")) {
+        auto density = spectra::tabulated_density(q, C_iso->values);
+        return line ? spectra::profile_density(density, {q[0], q[q.size() - 1]}) : density;
+    }
+    const auto& C1D = table.at("C1D");
     return line ? spectra::tabulated_density(q, C1D) : spectra::surface_density(q, C1D);
 }
 

@@ -58,7 +58,8 @@ Estimate floored(const adhesion::PredictedWork& predicted) {
 }
 
 std::string work_by(const std::optional<adhesion::PredictedWork>& predicted) {
-    return predicted ? uncertain_number(floored(*predicted), mJ_per_m2) : "–";
+    if (!predicted) return "–";
+    return predicted->work.conforms ? uncertain_number(floored(*predicted), mJ_per_m2) : "0";
 }
 
 /// A fit's row by a balance's name.

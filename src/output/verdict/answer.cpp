@@ -83,9 +83,12 @@ std::vector<std::string> sentences_of_prediction(const StudyResult& result) {
     };
     const auto [least, most] =
         std::minmax_element(pairs.begin(), pairs.end(), [&](auto a, auto b) { return work(a) < work(b); });
-    auto text = fmt::format("Predicted: W_app of {} is {}", name(*most), format_uncertain((*most)->modified->estimate, "J/m2"));
-    if (pairs.size() > 1)
-        text += fmt::format(", of {} {}", name(*least), format_uncertain((*least)->modified->estimate, "J/m2"));
+    const auto said = [](const study::PairResult* pair) {
+        return pair->modified->work.conforms ? format_uncertain(pair->modified->estimate, "J/m2")
+                                             : std::string("0, it will not conform");
+    };
+    auto text = fmt::format("Predicted: W_app of {} is {}", name(*most), said(*most));
+    if (pairs.size() > 1) text += fmt::format(", of {} {}", name(*least), said(*least));
     return {text + "; no experiment tests it."};
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "given_spectrum.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/spectra/parametric_noise.hpp"
 #include "setae/spectra/self_affine.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
 
@@ -64,13 +66,49 @@ void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const
          "it fixes rms height, slope and curvature; the stored energy in between is the model's"});
 }
 
+namespace {
+
+/// Spectra as likely as the one given, by the standard error of each of its values.
+void add_given_errors(roughness::ParameterSpread& spread, const spectra::Spectrum& curve, const Array1D& errors,
+                      const SurfaceAnalysisOptions& options) {
+    constexpr double most_freedom = 1e12;  // of a value without error
+    constexpr int least_replicas = 40;
+    const Array1D freedom = (curve.density / errors).square().min(most_freedom);
+    spectra::MeasuredSpectrum given;
+    given.wavevector = curve.wavevector;
+    given.density = curve.density;
+    const Array2D drawn = spectra::parametric_noise(
+        given, freedom, std::max(options.bootstrap_resamples, least_replicas), options.seed);
+    auto replica = curve;
+    for (Index r = 0; r < drawn.rows(); ++r) {
+        replica.density = drawn.row(r).transpose();
+        spread.replicas.push_back(parameters_of(replica, options));
+    }
+    spread.replica_method = "given errors";
+    spread.seed = options.seed;
+}
+
+}  // namespace
+
 void take_power_spectrum(SurfaceResult& surface, const std::string& file, const SurfaceAnalysisOptions& options) {
     const auto table = tables::read_power_spectrum_table(file);
+    const bool areal = table.find("C_iso") != nullptr;
     const auto& q = table.at("wavevector");
-    surface.average = spectrum_result({q, table.at("C1D"), {q[0], q[q.size() - 1]}, spectra::Density::C1D}, options);
+    const spectra::Spectrum curve{q, table.at(areal ? "C_iso" : "C1D"), {q[0], q[q.size() - 1]},
+                                  areal ? spectra::Density::C_iso : spectra::Density::C1D};
+    surface.average = spectrum_result(curve, options);
+    if (const auto* errors = table.find("standard_error"))
+        add_given_errors(surface.average.spread, curve, errors->values, options);
+    else
+        surface.alerts.push_back({"SPECTRUM_WITHOUT_ERROR", surface.name,
+                                  fmt::format("{} states no errors: ± of what follows from it leave the spectrum's out", file),
+                                  "add a third column, standard_error [m3]"});
     if (const auto units = table.metadata.find("units"); units != table.metadata.end())
         surface.alerts.push_back({"UNIT_GUESSED", surface.name, fmt::format("{}: units {}", file, units->second),
                                   "write them in the header as q [1/m], C1D [m3]"});
+    if (const auto converted = table.metadata.find("converted"); converted != table.metadata.end())
+        surface.alerts.push_back({"SPECTRUM_CONVERTED", surface.name, fmt::format("{}: {}", file, converted->second),
+                                  "name the column q where it holds wavevectors"});
 }
 
 }  // namespace setae::study

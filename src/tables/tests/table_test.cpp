@@ -141,10 +141,35 @@ TEST(PowerSpectrumTable, UnitsOfTheHeaderAreApplied) {
     EXPECT_EQ(table.metadata.count("units"), 0u);
 }
 
+TEST(PowerSpectrumTable, FrequenciesAndWavelengthsBecomeWavevectors) {
+    const TemporaryFolder folder;
+    const auto by_frequency = read_power_spectrum_table(folder.write("f.csv", "frequency [1/um],PSD [nm3]\n1,2\n2,1\n"));
+    EXPECT_DOUBLE_EQ(by_frequency.at("wavevector")[0], 2e6 * pi);
+    EXPECT_DOUBLE_EQ(by_frequency.at("C1D")[0], 2e-27);
+    EXPECT_NE(by_frequency.metadata.at("converted").find("frequencies: q = 2 pi f"), std::string::npos);
+    const auto by_wavelength =
+        read_power_spectrum_table(folder.write("l.csv", "wavelength [um],C1D [nm3],error [nm3]\n2,1,0.1\n4,3,0.2\n"));
+    EXPECT_DOUBLE_EQ(by_wavelength.at("wavevector")[0], 0.5e6 * pi) << "ascending";
+    EXPECT_DOUBLE_EQ(by_wavelength.at("C1D")[0], 3e-27);
+    EXPECT_DOUBLE_EQ(by_wavelength.at("standard_error")[0], 0.2e-27);
+    EXPECT_EQ(read_power_spectrum_table(folder.write("q.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n")).metadata.count("converted"),
+              0u);
+}
+
+TEST(PowerSpectrumTable, AnArealDensityIsToldByItsUnit) {
+    const TemporaryFolder folder;
+    const auto table = read_power_spectrum_table(folder.write("p.csv", "q [1/um],C_iso [nm4]\n1,2\n2,1\n"));
+    EXPECT_EQ(table.find("C1D"), nullptr);
+    EXPECT_DOUBLE_EQ(table.at("C_iso")[1], 1e-36);
+}
+
 TEST(PowerSpectrumTable, WrongUnitsAreRefused) {
     const TemporaryFolder folder;
-    const auto path = folder.write("p.csv", "q [1/um],C2D [nm4]\n1,2\n2,1\n");
-    EXPECT_NE(message_of([&] { (void)read_power_spectrum_table(path); }).find("nm4"), std::string::npos);
+    const auto path = folder.write("p.csv", "q [1/um],C1D [nm2]\n1,2\n2,1\n");
+    EXPECT_NE(message_of([&] { (void)read_power_spectrum_table(path); }).find("nm2"), std::string::npos);
+    const auto twice = folder.write("t.csv", "q [1/um],C1D [nm3]\n1,2\n1,1\n");
+    EXPECT_NE(message_of([&] { (void)read_power_spectrum_table(twice); }).find("stands in two rows"),
+              std::string::npos);
     const auto partly = folder.write("r.csv", "q [1/um],C1D\n1,2\n2,1\n");
     EXPECT_THROW((void)read_power_spectrum_table(partly), FormatError);
     const auto single = folder.write("q.csv", "1\n2\n");

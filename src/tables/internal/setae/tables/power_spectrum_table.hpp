@@ -7,14 +7,21 @@
 
 namespace setae::tables {
 
-/// A power spectrum from a table: columns "wavevector" [1/m] and "C1D" [m³], sorted as in the file; a third column
-/// "standard_error" [m³] is kept where the header names it.
+/// A power spectrum from a table: columns "wavevector" [1/m], ascending, and "C1D" [m³] or "C_iso" [m⁴]; a third column
+/// is kept as "standard_error" where the header names it so.
 ///
-/// Units stand in the header, as "q [1/m];C1D [m3]" or in a unit row. Two columns without any unit are taken as SI,
-/// which metadata["units"] = "assumed SI" records; this covers separator ';' with decimal comma and a first row that is
-/// no data.
-/// @throws FileError; FormatError for one column only, units of another dimension, or no positive wavevector.
-/// Source of the dialect: [D19]'s data, two columns q [1/m] and C1D [m³].
+/// Units stand in the header, as "q [1/m];C1D [m3]" or in a unit row; the density's tells C1D from C_iso. Two columns
+/// without any unit are taken as SI, which metadata["units"] = "assumed SI" records; this covers separator ';' with
+/// decimal comma and a first row that is no data.
+///
+/// A first column whose name says frequency ("frequency", "f", "1/lambda") is one, a length a wavelength; both become
+/// wavevectors, which metadata["converted"] says:
+///
+///   q = 2π f = 2π/λ,  C1D(q) = C(f) where h_rms² = ∫ C(f) df over ±f
+///
+/// @throws FileError; FormatError for one column only, units of another dimension, wavevectors that repeat, or none
+/// that is positive. Source of the dialect: [D19]'s data, two columns q [1/m] and C1D [m³]; of the conventions:
+/// [J17] sec. 2.
 [[nodiscard]] Table read_power_spectrum_table(const std::string& path);
 
 }  // namespace setae::tables
