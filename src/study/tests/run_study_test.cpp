@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole chain on files made here: roughness with a known spectrum, loops with known work of adhesion and loss.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <random>
 
 #include <unistd.h>
@@ -237,6 +239,42 @@ TEST_F(StudyOfFiles, SaysWhatAGivenSpectrumLeavesOpen) {
     ASSERT_EQ(surface.error, "");
     EXPECT_TRUE(std::any_of(surface.alerts.begin(), surface.alerts.end(),
                             [](const Alert& a) { return a.code == "UNIT_GUESSED"; }));
+}
+
+// C1D = C0 (q/q0)^-3 from q0 on is C_iso = 4 C0 q0^3 q^-4, of which h_rms² = C0 q0/π, exactly.
+TEST_F(StudyOfFiles, GivenSpectraCarryTheirErrorsAndTheirConventions) {
+    constexpr double C0 = 3e-21, q0 = 1e5;
+    const auto write = [&](const std::string& name, const std::string& head, double unit, bool errors) {
+        std::ofstream table(folder_ / name);
+        table << head << std::setprecision(15) << "\n";
+        for (int i = 0; i <= 400; ++i) {
+            const double q = q0 * std::pow(10.0, 0.01 * i), C = C0 * std::pow(q / q0, -3.0);
+            table << q / unit << "," << C << (errors ? fmt::format(",{:.15g}", 0.1 * C) : "") << "\n";
+        }
+    };
+    write("q.csv", "q [1/m],C1D [m3],standard_error [m3]", 1.0, true);
+    write("f.csv", "frequency (1/m),PSD (m3)", 2.0 * pi, false);
+    const auto path = (folder_ / "both.toml").string();
+    std::ofstream(path) << "work_of_adhesion = \"37 ± 3.7 mJ/m2\"\n[surfaces.Q]\npower_spectrum = \"q.csv\"\n"
+                           "[surfaces.F]\npower_spectrum = \"f.csv\"\n[rough_solid]\nyoungs_modulus = \"1.1 TPa\"\n"
+                           "poisson_ratio = 0.06\n[elastomers.soft]\nyoungs_modulus = \"1 MPa\"\n"
+                           "surface_energy = \"25 mJ/m2\"\n";
+    const auto result = run_study(read_study(path), {2});
+    const auto height = [](const auto& p) { return p.rms_height; };
+    const auto known = result.surface("Q").average.estimate(height), bare = result.surface("F").average.estimate(height);
+    EXPECT_NEAR(known.value, std::sqrt(C0 * q0 / pi), 2e-3 * known.value);
+    EXPECT_NEAR(bare.value, known.value, 1e-9 * known.value);
+    // half of 10 % over the root of the thirty rows or so that hold most of the heights
+    EXPECT_GT(known.standard_error, 0.004 * known.value);
+    EXPECT_LT(known.standard_error, 0.02 * known.value);
+    EXPECT_TRUE(std::isnan(bare.standard_error));
+    const auto has = [&](const std::string& surface, const char* code) {
+        const auto& alerts = result.surface(surface).alerts;
+        return std::any_of(alerts.begin(), alerts.end(), [&](const Alert& a) { return a.code == code; });
+    };
+    EXPECT_TRUE(has("F", "SPECTRUM_CONVERTED") && has("F", "SPECTRUM_WITHOUT_ERROR"));
+    EXPECT_FALSE(has("Q", "SPECTRUM_CONVERTED") || has("Q", "SPECTRUM_WITHOUT_ERROR"));
+    for (const auto& pair : result.pairs) EXPECT_NEAR(pair.modified->estimate.standard_error, 3.7e-3, 1e-5);
 }
 
 TEST_F(StudyOfFiles, KeepsTheRestWhenOneLoopIsMissing) {
