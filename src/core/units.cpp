@@ -170,10 +170,17 @@ NumberAndRest leading_number(std::string_view text, std::string_view whole) {
     return {*number, trimmed(body)};
 }
 
+/// The unit in which such a quantity is usually stated.
+std::string usual_unit(const Dimension& dimension) {
+    if (dimension == dimension::length) return "um";
+    if (dimension == dimension::pressure) return "MPa";
+    return si_unit(dimension);
+}
+
 double in_si(double number, std::string_view unit, const Dimension& expected, std::string_view whole) {
     if (unit.empty()) {
         if (expected == dimension::none || number == 0.0) return number;
-        throw InvalidArgument(fmt::format("'{}' has no unit; expected one such as {}", whole, si_unit(expected)));
+        throw InvalidArgument(fmt::format("'{0}' has no unit, for instance \"{0} {1}\"", whole, usual_unit(expected)));
     }
     return number * unit_factor(unit, expected);
 }

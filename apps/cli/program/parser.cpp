@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "program/messages.hpp"
 #include "program/program_tree.hpp"
@@ -149,7 +150,7 @@ std::unique_ptr<CLI::App> program_with_verbs(Action& chosen) {
     program->set_version_flag("--version", "setae " + study::version());
     program->require_subcommand(1);
     program->footer(
-        "Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
+        "`setae help VERB` says what a verb takes. Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
     for (const auto& command : commands()) {
         auto* verb = group_of(*program, command).add_subcommand(command.name, command.description);
         Options options(*verb);
@@ -159,14 +160,14 @@ std::unique_ptr<CLI::App> program_with_verbs(Action& chosen) {
 }
 
 /// A first word that is no verb, with the nearest one; CLI11 itself would only say that a verb is missing.
-std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') return {};
+std::string unknown_verb(const CLI::App& program, const std::vector<std::string>& words) {
+    if (words.empty() || words.front().starts_with('-')) return {};
     std::vector<std::string> verbs;
     for (const auto* verb : program.get_subcommands(any)) verbs.push_back(verb->get_name());
-    if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return {};
-    const auto nearest = nearest_match(argv[1], verbs);
-    return std::string("unknown verb '") + argv[1] + "'" +
-           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " `setae --help` lists them";
+    if (std::find(verbs.begin(), verbs.end(), words.front()) != verbs.end()) return {};
+    const auto nearest = nearest_match(words.front(), verbs);
+    return "unknown verb '" + words.front() + "'" +
+           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
 ProgramOption described(const CLI::Option& option) {
@@ -202,12 +203,53 @@ void add_verbs(const CLI::App& app, const std::string& path, std::vector<Program
         add_verbs(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), verbs);
 }
 
+/// The verb that a command line has named so far.
+const CLI::App& named_verb(const CLI::App& program) {
+    const auto* verb = &program;
+    while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
+    return *verb;
+}
+
+std::string path_of(const CLI::App& verb) {
+    const auto* parent = verb.get_parent();
+    return parent && parent->get_parent() ? path_of(*parent) + " " + verb.get_name() : verb.get_name();
+}
+
+/// What is wrong with a command line: the verb, the option, the nearest option where there is none of that name.
+std::string objection_to(const CLI::App& program, const CLI::ParseError& error) {
+    const auto& verb = named_verb(program);
+    const bool of_verb = &verb != &program;
+    const auto help = of_verb ? "`setae help " + path_of(verb) + "` says what it takes" : "`setae --help` lists the verbs";
+    const auto words = program.remaining(true);
+    std::string said = error.what();
+    if (!verb.get_subcommands(any).empty()) {
+        said = words.empty() ? "expected a verb after it" : unknown_verb(verb, words);
+    } else if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+        std::vector<std::string> flags;
+        for (const auto* option : verb.get_options())
+            for (const auto& name : option->get_lnames()) flags.push_back("--" + name);
+        const auto word = words.empty() ? std::string() : words.front();
+        const auto nearest = nearest_match(word, flags);
+        said = word.starts_with("-") ? fmt::format("there is no option '{}'", word)
+                                     : fmt::format("'{}' is more than it takes", word);
+        if (word.starts_with("-") && !nearest.empty()) said += "; did you mean '" + nearest + "'?";
+    }
+    return (of_verb ? path_of(verb) + ": " : "") + said + (said.ends_with('?') ? " " : "; ") + help;
+}
+
+/// `help VERB…` asks for what `VERB… --help` prints.
+std::vector<std::string> help_as_option(std::vector<std::string> words) {
+    if (words.empty() || words.front() != "help") return words;
+    words.erase(words.begin());
+    words.emplace_back("--help");
+    return words;
+}
+
 /// The words of a command line as CLI11 takes them: backwards, without the program, and with a negative number joined
 /// to the option before it, for which "-1.25 mm" would else be an option itself.
-std::vector<std::string> reversed_words(int argc, char** argv) {
+std::vector<std::string> reversed_words(const std::vector<std::string>& given) {
     std::vector<std::string> words;
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
+    for (const std::string_view word : given) {
         const bool negative =
             word.size() > 1 && word[0] == '-' && (std::isdigit(static_cast<unsigned char>(word[1])) || word[1] == '.');
         const bool of_option = !words.empty() && words.back().starts_with("--") && words.back().size() > 2 &&
@@ -224,17 +266,22 @@ std::vector<std::string> reversed_words(int argc, char** argv) {
 Parsed parsed(int argc, char** argv) {
     Parsed result;
     const auto program = program_with_verbs(result.action);
+    const auto words = help_as_option({argv + std::min(argc, 1), argv + argc});
     constexpr int nothing_done = static_cast<int>(ExitCode::nothing_done);
-    if (const auto message = unknown_verb(*program, argc, argv); !message.empty()) {
-        complain(message);
+    if (const auto message = unknown_verb(*program, words); !message.empty()) {
+        complain(message + (message.ends_with('?') ? " " : "; ") + "`setae --help` lists them");
         result.exit_code = nothing_done;
         return result;
     }
     try {
-        program->parse(reversed_words(argc, argv));
+        program->parse(reversed_words(words));
+    } catch (const CLI::Success& asked) {  // --help, --version
+        result.action = nullptr;
+        result.exit_code = program->exit(asked);
     } catch (const CLI::ParseError& error) {
         result.action = nullptr;
-        result.exit_code = program->exit(error) == 0 ? 0 : nothing_done;
+        result.exit_code = nothing_done;
+        complain(objection_to(*program, error));
     }
     return result;
 }
