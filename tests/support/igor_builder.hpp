@@ -42,8 +42,9 @@ inline void put_checksum(ByteBuilder& file, std::size_t at, std::size_t bytes, s
 [[nodiscard]] inline std::string igor_wave_5(std::endian order, const IgorContent& content) {
     const std::size_t labelled = content.points[2] > 0 ? 2 : 1,
                       label_bytes = content.labels.empty() ? 0 : 32 * (content.labels.size() + 1);
-    std::int32_t count = 1;
-    for (const auto along : content.points) count *= along > 0 ? along : 1;
+    std::uint32_t product = 1;  // of extents that damaged files exaggerate: it wraps around
+    for (const auto along : content.points) product *= along > 0 ? static_cast<std::uint32_t>(along) : 1;
+    const auto count = static_cast<std::int32_t>(product);
     ByteBuilder file(order);
     file.number<std::int16_t>(5).number<std::uint16_t>(0);
     file.number(content.numbers_bytes > 0 ? 320 + content.numbers_bytes
