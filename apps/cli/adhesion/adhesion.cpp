@@ -9,6 +9,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "psd/surface_options.hpp"
+#include "setae/adhesion/predicted_loop.hpp"
 #include "setae/adhesion/stored_energy.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -25,6 +26,8 @@ constexpr const char* explanation =
     "modified W_app = W_int r - gamma_1 (r - 1) - U_el/A_app                                  [D19] (7)\n"
     "Persson-Tosatti W_app = W_int (1 + h'^2/2) - U_el/A_app                                  [D19] (S13)\n"
     "without area change of the soft side W_app = W_int r - U_el/A_app                        [D19] (2)\n"
+    "loop     a_max by (1) with W_app; E_loss = W_int r pi a_max^2                             [D19] (1), (10)\n"
+    "         W_ret from E_loss = (W_ret - W_app) pi a_max^2 + jump in (W_app) + jump out (W_ret); F = 3/2 pi R W  (S1)\n"
     "bridging wavevectors q above which the roughness stores more than it gains                THEORY 8\n"
     "pressed  q above which it stores more than 0.49 of that: closes under pressure alone      Johnson (1995)\n";
 
@@ -35,6 +38,7 @@ struct Arguments {
     double poisson_ratio = 0.5;
     std::string rough_modulus;
     double rough_poisson_ratio = 0.0;
+    std::string radius, preload;
 };
 
 study::Study study_of(const Arguments& arguments) {
@@ -102,7 +106,36 @@ std::vector<Quantity> quantities(const study::StudyResult& result, const std::op
     return list;
 }
 
+/// The loop that a press asks for; nothing where none is asked for or the surfaces do not conform.
+std::vector<Quantity> loop_quantities(const Arguments& arguments, const study::StudyResult& result) {
+    if (arguments.radius.empty()) return {};
+    const auto& surface = result.surfaces.front();
+    const auto& elastomer = result.elastomers.front();
+    const auto loop = adhesion::predict_loop(
+        {surface.name, surface.used().parameters, surface.used().spread},
+        {elastomer.input.name, elastomer.contact_modulus, elastomer.input.surface_energy},
+        *result.study.work_of_adhesion,
+        {.radius = parse_quantity(arguments.radius, positive(dimension::length)),
+         .preload = parse_quantity(arguments.preload, non_negative(dimension::force))});
+    if (!loop) return {};
+    std::vector<Quantity> list;
+    const auto add = [&](const char* name, const char* symbol, const Estimate& value, const char* unit,
+                         const char* source) {
+        list.push_back(output::quantity(name, symbol, value, unit));
+        list.back().source = source;
+    };
+    add("contact_radius", "a_max", loop->contact_radius, "m", "[D19] (1) with W_app");
+    add("energy_loss", "E_loss", loop->energy_loss, "J", "[D19] (10)");
+    add("ideal_smooth_sphere_loss", "E_0", loop->ideal_loss, "J", "jumps of JKR under fixed grips");
+    add("work_of_adhesion_retraction", "W_ret", loop->work_retraction, "J/m2", "edge and jumps lose E_loss");
+    add("pull_off_force", "F_po", loop->pull_off_force, "N", "[D19] (S1) with W_ret");
+    add("pull_off_force_reversible", "F_po", loop->pull_off_force_reversible, "N", "[D19] (S1) with W_app");
+    return list;
+}
+
 ExitCode run(const Arguments& arguments) {
+    if (arguments.radius.empty() != arguments.preload.empty())
+        throw InvalidArgument("--radius and --preload are given together or not at all, such as --radius 1.25mm --preload 1mN");
     if (arguments.youngs_modulus.empty() || arguments.work.empty() || arguments.surface_energy.empty())
         throw InvalidArgument("expected --E, --w and --gamma, such as --E 1.1MPa --w 37mJ/m2 --gamma 25mJ/m2");
     const auto study = study_of(arguments);
@@ -112,7 +145,8 @@ ExitCode run(const Arguments& arguments) {
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     const auto result = study::predicted_study(study, std::move(surface));
-    const auto list = quantities(result, map, threads);
+    auto list = quantities(result, map, threads);
+    for (auto& quantity : loop_quantities(arguments, result)) list.push_back(std::move(quantity));
     const auto& pair = result.pairs.front();
     auto alerts = alerts_of(result.surfaces.front());
     alerts.insert(alerts.end(), pair.alerts.begin(), pair.alerts.end());
@@ -155,6 +189,10 @@ Action declare(Options& options) {
         .quantity(non_negative(dimension::surface_energy));
     options.add("--rough-E", arguments->rough_modulus, "Young's modulus of the rough solid; default rigid")
         .quantity(positive(dimension::pressure));
+    options.add("--radius", arguments->radius, "of a soft sphere that is pressed on and pulled off; with --preload")
+        .quantity(positive(dimension::length));
+    options.add("--preload", arguments->preload, "its largest force, such as 1mN")
+        .quantity(non_negative(dimension::force));
     options.add("--rough-nu", arguments->rough_poisson_ratio, "its Poisson ratio").within(domain::poisson_ratio);
     return action(options, arguments, explanation, run);
 }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/adhesion/predicted_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
+#include "setae/numerics/bracketing.hpp"
+
+namespace setae::adhesion {
+namespace {
+
+using roughness::SpectralParameters;
+
+/// Everything a loop depends on, without errors.
+struct Inputs {
+    double contact_modulus, surface_energy, work;  ///< E*, γ1, W_int
+};
+
+/// A loop's numbers, without errors.
+struct Loop {
+    double contact_radius, energy_loss, ideal_loss, work_approach, work_retraction;
+};
+
+/// W_ret with which edge and jumps together lose so much: more than the jumps alone with W_app, for W_int r >= W_app and
+/// a_max is larger than after the jump into contact.
+double work_of_retraction(const contact::AdhesiveContact& approach, double contact_area, double loss) {
+    const double jump_in = contact::jkr::ideal_loop_loss(approach).jump_in;
+    const auto excess = [&](double work) {
+        auto retraction = approach;
+        retraction.work_of_adhesion = work;
+        return (work - approach.work_of_adhesion) * contact_area + jump_in +
+               contact::jkr::ideal_loop_loss(retraction).jump_out - loss;
+    };
+    const double lower = approach.work_of_adhesion, upper = lower + loss / contact_area;
+    return numerics::bracketed_root(excess, lower, upper, 50);
+}
+
+Loop loop_of(const SpectralParameters& parameters, const Inputs& inputs, const Press& press) {
+    const ConformalState state{parameters.area_ratio(),
+                               inputs.contact_modulus * parameters.elastic_energy_per_modulus};
+    Loop loop{};
+    loop.work_approach = modified_balance(inputs.work, inputs.surface_energy, state).floored;
+    const contact::AdhesiveContact approach{press.radius, inputs.contact_modulus, loop.work_approach};
+    loop.contact_radius = contact::jkr::contact_radius_at_force(press.preload, approach);
+    const double area = pi * loop.contact_radius * loop.contact_radius;
+    loop.energy_loss = inputs.work * state.area_ratio * area;
+    loop.ideal_loss = contact::jkr::ideal_loop_loss(approach).total;
+    loop.work_retraction = work_of_retraction(approach, area, loop.energy_loss);
+    return loop;
+}
+
+/// Values with errors of one pair.
+class Propagation {
+public:
+    Propagation(const RoughSide& rough, const SoftSide& soft, const Estimate& work, const Press& press)
+        : rough_(rough),
+          soft_(soft),
+          work_(work),
+          press_(press),
+          centre_{soft.contact_modulus.value, soft.surface_energy.value, work.value} {}
+
+    template <class Number>
+    [[nodiscard]] Estimate operator()(Number number) const {
+        Estimate result{.value = number(loop_of(rough_.parameters, centre_, press_)), .method = "delta"};
+        std::vector<VarianceTerm> terms{rough_.spread.variance_term(
+            [&](const SpectralParameters& p) { return number(loop_of(p, centre_, press_)); })};
+        const auto add = [&](const Estimate& input, double Inputs::* member) {
+            if (!input.uncertain()) return;
+            auto more = centre_, less = centre_;
+            more.*member += input.standard_error;
+            less.*member = std::max(less.*member - input.standard_error, 1e-3 * less.*member);
+            const double change = 0.5 * (number(loop_of(rough_.parameters, more, press_)) -
+                                         number(loop_of(rough_.parameters, less, press_)));
+            terms.push_back({change * change,
+                             input.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())});
+        };
+        add(soft_.contact_modulus, &Inputs::contact_modulus);
+        add(soft_.surface_energy, &Inputs::surface_energy);
+        add(work_, &Inputs::work);
+        double variance = 0.0;
+        for (const auto& term : terms) variance += term.variance;
+        if (variance > 0.0) result.standard_error = std::sqrt(variance);
+        if (const double freedom = satterthwaite_degrees_of_freedom(terms); variance > 0.0 && std::isfinite(freedom))
+            result.degrees_of_freedom = freedom;
+        return result;
+    }
+
+private:
+    const RoughSide& rough_;
+    const SoftSide& soft_;
+    const Estimate& work_;
+    const Press& press_;
+    Inputs centre_;
+};
+
+}  // namespace
+
+std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide& soft, const Estimate& work,
+                                          const Press& press) {
+    if (!(press.radius > 0.0) || !(press.preload >= 0.0) || !std::isfinite(press.radius + press.preload))
+        throw InvalidArgument(fmt::format("a sphere of radius {} m under {} N; expected a radius above 0 and a force of 0 or more",
+                                          press.radius, press.preload));
+    if (!predict(rough, soft, work).modified.work.conforms) return std::nullopt;
+    const Propagation propagated(rough, soft, work, press);
+    const double force_per_work = 1.5 * pi * press.radius;
+    return PredictedLoop{
+        .contact_radius = propagated([](const Loop& loop) { return loop.contact_radius; }),
+        .energy_loss = propagated([](const Loop& loop) { return loop.energy_loss; }),
+        .ideal_loss = propagated([](const Loop& loop) { return loop.ideal_loss; }),
+        .work_retraction = propagated([](const Loop& loop) { return loop.work_retraction; }),
+        .pull_off_force = propagated([&](const Loop& loop) { return force_per_work * loop.work_retraction; }),
+        .pull_off_force_reversible = propagated([&](const Loop& loop) { return force_per_work * loop.work_approach; }),
+    };
+}
+
+}  // namespace setae::adhesion
