@@ -141,7 +141,7 @@ def impossible_numbers(samples, work, draw):
         ("jkr", "fit", loop, "--lens-height", "-1mm", "--radius", "1.25 mm"), ("jkr", "fit", loop, "--radius", "1.25 mm", "--contact-point", "nan"),
         ("jkr", "fit", loop, "--radius=-1.25 mm"), ("jkr", "fit", loop, "--radius", "0 mm"), ("jkr", "fit", loop, "--radius", "nan mm"),
         ("adhesion", path, "--E", "-0.7MPa"), ("adhesion", path, "--E", "0 MPa"), ("adhesion", path, "--E", "nan MPa"),
-        ("synthesize", "-o", "out.csv", "--memory", "nan"), ("synthesize", "-o", "out.csv", "--memory", "inf"),
+        ("psd", path, "--memory", "nan"), ("psd", path, "--memory", "inf"),
     ]
     for words in options:
         outcome = refused(run(samples.program, *words, cwd=work))

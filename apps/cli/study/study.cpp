@@ -186,6 +186,7 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     }
     report_traffic(store);
     const bool empty = result.study.surfaces.empty() && result.study.experiments.empty();
+    if (empty) complain("the study names no surface and no experiment");
     if (result.successes() == 0 && (result.failures() > 0 || empty)) return ExitCode::nothing_done;
     return result.failures() + failed_figures == 0 ? ExitCode::done : ExitCode::some_failed;
 }

@@ -64,7 +64,7 @@ TEST(Figure2, ShadesTheLoopThatLosesMost) {
     EXPECT_EQ(shaded.mark, figures::Mark::area);
     EXPECT_LE(shaded.x.size(), 400);
     EXPECT_NEAR(shaded.y.maxCoeff(), 1.0, 1e-12);
-    EXPECT_NE(drawn.caption.find("loses 3 nJ"), std::string::npos) << drawn.caption;
+    EXPECT_NE(drawn.caption.find("loses 3.000 nJ"), std::string::npos) << drawn.caption;
 }
 
 TEST(Figure2, NeedsAContactRadius) {
