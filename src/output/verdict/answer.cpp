@@ -36,10 +36,10 @@ std::string sentence_of_test(const adhesion::PredictionTest& test) {
 /// W_int of loss beside that of approach.
 std::string sentence_of_loss(const StudyResult& result) {
     if (!result.loop) return "";
-    const auto& loss = result.loop->through_origin.work_of_adhesion;
+    const auto& loss = work_of(result.loop->through_origin);
     const auto number = format_interval(loss, "J/m2");
     if (!result.modified) return fmt::format("By the loss, W_int is {}.", number);
-    const auto apart = difference(loss, result.modified->work_of_adhesion);
+    const auto apart = difference(loss, work_of(*result.modified));
     const auto interval = interval_of(apart);
     if (!interval) return fmt::format("The loss says {}.", number);
     const bool consistent = interval->lower <= 0.0 && interval->upper >= 0.0;
@@ -56,7 +56,7 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     if (result.prediction_test) text = sentence_of_test(*result.prediction_test);
     const bool explained = result.prediction_test && result.prediction_test->probability >= improbable;
     if (fitted) {
-        const auto work = format_interval(result.modified->work_of_adhesion, "J/m2");
+        const auto work = format_interval(work_of(*result.modified), "J/m2");
         if (text.empty())
             text = fmt::format("W_int is {} from {}; nothing tests (7)", work, pairs_text(result.modified->n));
         else text += fmt::format("{}W_int {}", explained ? ": " : ". ", work);
@@ -108,6 +108,10 @@ std::vector<std::string> sentences_of_roughness(const StudyResult& result) {
 }
 
 }  // namespace
+
+const Estimate& work_of(const adhesion::WorkFit& fit) {
+    return fit.clustered.uncertain() ? fit.clustered : fit.work_of_adhesion;
+}
 
 std::vector<std::string> answer_of(const StudyResult& result) {
     auto sentences = sentences_of_approach(result);

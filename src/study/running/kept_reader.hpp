@@ -18,6 +18,7 @@ public:
 
     void loadBinary(void* data, std::size_t size) {
         require(size, 1, 1);
+        if (size == 0) return;  // of an empty array, which has no address
         std::memcpy(data, left_.data(), size);
         left_.remove_prefix(size);
     }

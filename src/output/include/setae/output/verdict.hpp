@@ -17,7 +17,8 @@ struct Verdict {
 /// The verdict from fits, tests and alerts.
 ///
 /// Roughness explains the approach where the χ² of (7) with both errors has a probability of at least 0.05; two works
-/// of adhesion are consistent where the 95 % interval of their difference holds 0.
+/// of adhesion are consistent where the 95 % interval of their difference holds 0. Their errors are those of
+/// WorkFit::clustered, where pairs are enough for it.
 [[nodiscard]] Verdict verdict(const study::StudyResult& result);
 
 /// Alerts of one kind, by kind: what misleads most first, then in the order they were found.
