@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/folder_lock.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
@@ -91,6 +92,7 @@ ResultFolder::ResultFolder(const study::Study& study)
     if (failure)
         throw FileError(fmt::format("{}: cannot make the folder of the results ({})", folder_, failure.message()));
     protect_inputs(study);
+    const bytes::FolderLock alone(folder_);
     const auto list_path = (fs::path(folder_) / list_name).string();
     if (!fs::exists(list_path, failure)) return;
     auto list = read_list(list_path);
@@ -132,7 +134,7 @@ std::string ResultFolder::claim(const std::string& name) {
     const std::lock_guard lock(mutex_);
     bytes::require_no_input(path);
     if (!listed_.contains(name)) {
-        // another process may be running the same study
+        const bytes::FolderLock alone(folder_);  // another process may be running the same study
         if (holds(name) && !names_on_disk().contains(name))
             throw FileError(fmt::format(
                 "{}: was not written by a run of this study ({} does not name it) and is kept; move it away, or give the "
@@ -158,14 +160,20 @@ void ResultFolder::drop(const std::string& name) {
 
 void ResultFolder::finish() {
     const std::lock_guard lock(mutex_);
+    const bytes::FolderLock alone(folder_);
+    auto names = names_on_disk();  // with those another process has claimed since
     for (const auto& name : listed_)
-        if (!claimed_.contains(name)) remove(name);
+        if (!claimed_.contains(name)) {
+            remove(name);
+            names.erase(name);
+        }
+    names.insert(claimed_.begin(), claimed_.end());
     std::error_code ignored;
     for (const auto& name : listed_)
         if (const auto below = fs::path(name).parent_path(); !below.empty())
             fs::remove(fs::path(folder_) / below, ignored);  // where it is empty now
-    bytes::write_whole_file((fs::path(folder_) / list_name).string(), list_text(study_, claimed_));
-    listed_ = claimed_;
+    bytes::write_whole_file((fs::path(folder_) / list_name).string(), list_text(study_, names));
+    listed_ = std::move(names);
 }
 
 }  // namespace setae::output

@@ -168,7 +168,7 @@ def at_once(samples, work, draw):
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE) for _ in range(4)]
     outputs = [child.communicate() for child in children]
     if any(child.returncode != 0 for child in children) or len({out for out, _ in outputs}) != 1:
-        found.add(f"four runs at once: {[c.returncode for c in children]}, {outputs[0][1][-300:]!r}")
+        found.add(f"four runs at once: {[c.returncode for c in children]}, {[errors[-300:] for _, errors in outputs]!r}")
     alone = run(samples.program, "study", study, "--no-figures", cwd=work, env={"SOURCE_DATE_EPOCH": "1700000000"})
     if alone.out != outputs[0][0]:
         found.add("four runs at once print something else than one alone")

@@ -5,11 +5,15 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/bytes/whole_file.hpp"
@@ -92,6 +96,23 @@ TEST_F(FolderTest, KnowsFilesOfARunThatWasKilled) {
     }  // without finish()
     run({"b.csv"});
     EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
+}
+
+TEST_F(FolderTest, ServesRunsAtOnceWithoutLosingANameOfAny) {
+    constexpr int runs = 4, files_of_each = 40;
+    std::deque<ResultFolder> folders;
+    for (int r = 0; r < runs; ++r) folders.emplace_back(study);
+    {
+        std::vector<std::jthread> threads;
+        for (int r = 0; r < runs; ++r)
+            threads.emplace_back([r, &folder = folders[r]] {
+                for (int i = 0; i < files_of_each; ++i)
+                    EXPECT_NO_THROW(static_cast<void>(folder.claim(std::to_string(r) + "_" + std::to_string(i))));
+                EXPECT_NO_THROW(folder.finish());
+            });
+    }
+    const auto list = bytes::read_back(study.output + "/files.txt");
+    EXPECT_EQ(std::ranges::count(list, '\n'), 2 + runs * files_of_each);
 }
 
 TEST_F(FolderTest, RemovesTheMarksOfAWholeRunFirst) {
