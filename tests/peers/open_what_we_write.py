@@ -5,7 +5,8 @@
     python3 -m venv peers-env && peers-env/bin/pip install SurfaceTopography gwyfile surfalize
     peers-env/bin/python tests/peers/open_what_we_write.py --setae build/bin/setae
 
-A map of 7 × 5 points with an undefined one, no two heights alike and unequal pixels, and a line of 7, are written in every format. A
+A map of 7 × 5 points with an undefined one, no two heights alike and unequal pixels, and a line of 7, are written in every format, and
+each of these files into a container; so is a contour with standard errors. A
 package that is not installed is left out. Prints a table in Markdown; exit status 1 where a package that reads a format disagrees,
 77 (skipped) where no package is installed.
 """
@@ -74,6 +75,22 @@ def by_surfalize(path, kind, package):
     return heights, np.array([surface.step_x * heights.shape[0], surface.step_y * heights.shape[1]]) * 1e-6
 
 
+def by_container(path, kind, package):
+    """What `setae container write` put in, as the package's own reader of containers gives it."""
+    from SurfaceTopography.Container.IO import CEReader
+
+    topography = CEReader(str(path), ignore_filters=True).container(0)[0].to_unit("m")
+    return plain(topography.heights()), np.array(topography.physical_sizes)
+
+
+def contained(setae, path, kind):
+    """A container of a written file."""
+    size = " x ".join(f"{length!r} m" for length in (MAP_SIZE if kind == "map" else LINE_SIZE))
+    target = path.with_name(f"container_of_{path.name}.zip")
+    subprocess.run([setae, "container", "write", str(path), "-o", str(target), "--size", size, "--unit", "m"], check=True, capture_output=True)
+    return target
+
+
 PEERS = {
     "SurfaceTopography": (by_surface_topography, ENDINGS),
     "gwyfile": (by_gwyfile, ("gwy",)),
@@ -92,6 +109,20 @@ def compare(heights, size, expected, expected_size):
     extent = np.max(np.abs(size / np.array(expected_size) - 1))
     told = f"heights within {height:.1e}, sizes within {extent:.1e}"
     return height < 1e-14 and extent < 1e-14, told
+
+
+EXPECTED = {"map": (test_map(), MAP_SIZE), "line": (test_line(), LINE_SIZE), "contour": (np.array([1e-9, 3e-9, 2e-9]), (7e-9,))}
+CONTOUR = "# format: setae profile\n# version: 1\nx [m],h [m],standard_error [m]\n0,1e-9,1e-11\n2e-9,3e-9,1e-11\n7e-9,2e-9,1e-11\n"
+
+
+def judged(label, open_by, path, kind, package):
+    """Whether a package reads a file as it was meant; prints its row of the table."""
+    try:
+        same, told = compare(*open_by(path, kind, package), *EXPECTED[kind])
+    except Exception as error:  # whatever the package throws is its answer
+        same, told = False, f"{type(error).__name__}: {str(error)[:80]}"
+    print(f"{label} | {'same' if same else 'DIFFERS'}: {told} |")
+    return same
 
 
 def write(setae, folder, kind, ending):
@@ -132,16 +163,21 @@ def main():
                     open_by, endings = PEERS[peer]
                     if ending not in endings:
                         continue
+                    label = f"| .{ending} | {kind} | {peer} {getattr(package, '__version__', '')}"
                     if (peer, ending, kind) in UNREAD:
-                        print(f"| .{ending} | {kind} | {peer} | {UNREAD[peer, ending, kind]} |")
-                        continue
-                    try:
-                        heights, size = open_by(path, kind, package)
-                        same, told = compare(heights, size, test_map() if kind == "map" else test_line(), MAP_SIZE if kind == "map" else LINE_SIZE)
-                    except Exception as error:  # whatever the package throws is its answer
-                        same, told = False, f"{type(error).__name__}: {str(error)[:80]}"
-                    failed = failed or not same
-                    print(f"| .{ending} | {kind} | {peer} {getattr(package, '__version__', '')} | {'same' if same else 'DIFFERS'}: {told} |")
+                        print(f"{label} | {UNREAD[peer, ending, kind]} |")
+                    else:
+                        failed = not judged(label, open_by, path, kind, package) or failed
+                if package := packages.get("SurfaceTopography"):
+                    label = f"| container of .{ending} | {kind} | SurfaceTopography {package.__version__}"
+                    failed = not judged(label, by_container, contained(setae, path, kind), kind, package) or failed
+        if package := packages.get("SurfaceTopography"):
+            path = folder / "contour.csv"
+            path.write_text(CONTOUR)
+            told = f"| container of a contour with errors | profile | SurfaceTopography {package.__version__}"
+            container = folder / "contour.zip"
+            subprocess.run([setae, "container", "write", str(path), "-o", str(container)], check=True, capture_output=True)
+            failed = not judged(told, by_container, container, "contour", package) or failed
     return 1 if failed else 0
 
 

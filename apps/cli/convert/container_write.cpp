@@ -22,7 +22,8 @@ namespace {
 
 constexpr const char* explanation =
     "index.json  generation C of contact.engineering; meta.yml says the same for programs that know no other\n"
-    "original    each file byte for byte\n"
+    "original    each file byte for byte; of files that only setae opens, text with names of columns or errors among them,\n"
+    "            the heights as two columns or NetCDF, and the file itself as setae-source, which setae prefers\n"
     "copy        the same heights [index's unit] as classic NetCDF, scaled once, less the trend of detrend_mode; NaN and a mask: undefined\n"
     "older ones  are brought to generation C, with all they hold; a height scale that the original carries itself leaves the index\n"
     "bytes       stored, dated 1980: the same input gives the same container\n";

@@ -3,51 +3,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <sstream>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
-#include "setae/formats/profile_file.hpp"
-#include "setae/tables/table_file.hpp"
 
 namespace setae::cli {
 namespace {
 
 constexpr const char* text_ending = ".csv";
-
-Array1D positions(const topography::LineScan& scan) {
-    return scan.pixel_size() *
-           Array1D::LinSpaced(scan.heights.size(), 0.0, static_cast<double>(scan.heights.size() - 1));
-}
-
-void write_line(const std::string& path, const Array1D& x, const Array1D& h) {
-    tables::write_csv(path, {{{"x", "m", x}, {"h", "m", h}}, {}});
-}
-
-/// A map as a matrix without header: one line for each x, NaN spelled out, since an empty cell ends some readers.
-void write_matrix(const std::string& path, const Array2D& heights) {
-    std::string text;
-    for (Index i = 0; i < heights.rows(); ++i)
-        for (Index j = 0; j < heights.cols(); ++j)
-            fmt::format_to(std::back_inserter(text), "{}{}", heights(i, j), j + 1 < heights.cols() ? ',' : '\n');
-    bytes::write_whole_file(path, text);
-}
-
-struct CsvWriter {
-    std::string path;
-    void operator()(const topography::HeightMap& map) const { write_matrix(path, map.heights); }
-    void operator()(const topography::LineScan& scan) const { write_line(path, positions(scan), scan.heights); }
-    void operator()(const topography::Profile& profile) const {
-        if (profile.response || profile.standard_error.size() > 0) formats::write_profile(path, profile);
-        else write_line(path, profile.positions, profile.heights);
-    }
-};
 
 std::string ending_of(const std::string& path) {
     auto ending = std::filesystem::path(path).extension().string();
@@ -87,8 +55,7 @@ void require_heights_ending(const std::string& path) {
 
 void write_heights(const std::string& path, const topography::Measurement& measurement) {
     require_heights_ending(path);
-    if (ending_of(path) == text_ending) std::visit(CsvWriter{path}, measurement);
-    else formats::format_to_write(path).write(path, measurement);
+    formats::format_to_write(path).write(path, measurement);
 }
 
 }  // namespace setae::cli

@@ -45,9 +45,10 @@ std::string readme(const Container& container) {
     return fmt::format(
         "This archive holds {} surface(s) and {} measurement(s). index.json says what they are; meta.yml says the same for programs\n"
         "that know no other index.\n\n"
-        "A measurement has one file or two: \"original\", as it came from the instrument, and \"squeezed-netcdf\", the same heights as\n"
+        "A measurement has one to three files: \"original\", as it came from the instrument, and \"squeezed-netcdf\", the same heights as\n"
         "classic NetCDF, which is processed: multiplied by height_scale where the original carries no scale, filled by\n"
-        "fill_undefined_data_mode, and with the trend of detrend_mode removed.\n",
+        "fill_undefined_data_mode, and with the trend of detrend_mode removed. Where other programs do not read what came from\n"
+        "the instrument, \"original\" holds its heights in a layout they read, and \"setae-source\" the file as it came.\n",
         container.surfaces.size(), count);
 }
 

@@ -74,7 +74,7 @@ public:
 private:
     void heights(const Channel& channel, const ContainerSurface& surface, const ContainerTopography& topography,
                  const std::string& place) {
-        const auto& [original, squeezed, rest] = topography.datafile;
+        const auto &original = topography.datafile.original, &squeezed = topography.datafile.squeezed;
         try {
             const auto measurement = channel.read();
             if (original.empty() || squeezed.empty() || !archive_.has(original)) return;

@@ -5,11 +5,14 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
 #include "container_measurement.hpp"
+#include "setae/bytes/expand.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/formats/format.hpp"
@@ -19,7 +22,7 @@
 namespace setae::formats {
 namespace {
 
-using topography::Measurement;
+using topography::HeightMap, topography::Measurement;
 
 // ---- names of members -----------------------------------------------------------------------------------------------
 
@@ -48,6 +51,10 @@ std::string member_name(std::size_t number, const std::string& path) {
 
 std::string copy_name(const std::string& original) {
     return std::filesystem::path(original).replace_extension().string() + "-squeezed.nc";
+}
+
+std::string plain_name(const std::string& source, bool is_map) {
+    return std::filesystem::path(source).replace_extension().string() + (is_map ? "-heights.nc" : "-heights.txt");
 }
 
 // ---- what the index says of a file ----------------------------------------------------------------------------------
@@ -164,6 +171,51 @@ void set_size(const ChannelInfo& info, ContainerTopography& topography) {
     for (const double size : info.size) topography.size.push_back(without_rounding(size / factor));
 }
 
+// ---- originals that others read -------------------------------------------------------------------------------------
+
+bool others_read(const Format& format, const Measurement& measurement) {
+    const bool reads_maps_alone = format.identifier == "x3p";
+    return format.read_elsewhere && (!reads_maps_alone || std::holds_alternative<HeightMap>(measurement));
+}
+
+/// The unit of an original made for others. They take steps for equal that differ by less than 10⁻⁶ of it.
+std::string unit_of_positions(const std::string& unit, const Measurement& measurement) {
+    const auto* profile = std::get_if<topography::Profile>(&measurement);
+    if (profile == nullptr) return unit;
+    return profile->size() < 1.0 * units::mm ? "nm" : "µm";
+}
+
+std::string columns_text(const Array1D& x, const Array1D& heights, double unit) {
+    fmt::memory_buffer text;
+    for (Index i = 0; i < x.size(); ++i)
+        fmt::format_to(std::back_inserter(text), "{:.15g}\t{:.15g}\n", x[i] / unit, heights[i] / unit);
+    return fmt::to_string(text);
+}
+
+/// A map as classic NetCDF; a curve as two columns of numbers, x and height.
+std::string plain_content(const Measurement& measurement, const std::string& unit) {
+    const double factor = unit_factor(unit, dimension::length);
+    if (const auto* scan = std::get_if<topography::LineScan>(&measurement)) {
+        const auto n = scan->heights.size();
+        return columns_text(scan->pixel_size() * Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1)), scan->heights,
+                            factor);
+    }
+    if (const auto* profile = std::get_if<topography::Profile>(&measurement))
+        return columns_text(profile->positions, profile->heights, factor);
+    return netcdf_content(measurement, unit);
+}
+
+/// What came from the instrument goes beside an original that says the same in a layout others read.
+void put_source_beside(const std::function<Measurement()>& read, bool is_map, ContainerDraft& draft,
+                       ContainerTopography& topography) {
+    auto& [original, source, source_channel, squeezed, rest] = topography.datafile;
+    source = std::exchange(original, free_name(draft, plain_name(original, is_map)));
+    source_channel = std::exchange(topography.data_source, 0);
+    draft.members.push_back({original, [name = original, read, unit = topography.unit] {
+                                 return bytes::memory_source(name, plain_content(read(), unit));
+                             }});
+}
+
 /// The processed copy, made when it is written.
 ContainerMember copy_of(const std::string& name, std::function<Measurement()> read, topography::Trend trend,
                         const std::string& unit) {
@@ -250,6 +302,7 @@ void upgrade_all(ContainerDraft& draft, const bytes::Source& source, const std::
         for (auto& topography : surface.topographies) {
             upgrade(source, archive, surface, draft, topography);
             rename(names, topography.datafile.original);
+            rename(names, topography.datafile.source);
             rename(names, topography.datafile.squeezed);
         }
 }
@@ -274,7 +327,9 @@ std::vector<std::string> members_of(const std::vector<ContainerSurface>& surface
     for (const auto& name : members)
         for (const auto& surface : surfaces)
             for (const auto& topography : surface.topographies)
-                if (name == topography.datafile.original || name == topography.datafile.squeezed) named.push_back(name);
+                for (const auto& member :
+                     {topography.datafile.original, topography.datafile.source, topography.datafile.squeezed})
+                    if (name == member) named.push_back(name);
     std::sort(named.begin(), named.end());
     named.erase(std::unique(named.begin(), named.end()), named.end());
     return named;
@@ -306,7 +361,10 @@ void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const Sto
     topography.name = std::filesystem::path(measurement.path).filename().string();
     topography.datafile.original = free_name(draft, member_name(surface.topographies.size(), measurement.path));
     topography.data_source = index;
-    topography.unit = index_unit(channel.info.unit, measurement.options.unit.has_value(), measurement.path);
+    const bool unit_is_given = measurement.options.unit.has_value();
+    topography.unit = index_unit(channel.info.unit, unit_is_given, measurement.path);
+    const bool is_plain = others_read(detect_format(bytes::unpacked(bytes::file_source(measurement.path))), heights);
+    if (!is_plain && !unit_is_given) topography.unit = unit_of_positions(topography.unit, heights);
     set_size(channel.info, topography);
     topography.fill_undefined_data_mode = "do-not-fill";
     topography.detrend_mode = detrend_mode(trend);
@@ -321,6 +379,7 @@ void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const Sto
     const auto read_again = [path = measurement.path, index, options = measurement.options] {
         return read(path, index, options);
     };
+    if (!is_plain) put_source_beside(read_again, std::holds_alternative<HeightMap>(heights), draft, topography);
     draft.members.push_back(copy_of(topography.datafile.squeezed, read_again, trend, topography.unit));
     surface.topographies.push_back(std::move(topography));
 }

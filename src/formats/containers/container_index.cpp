@@ -65,6 +65,8 @@ template <class Fields>
 void fields_of(ContainerTopography::Datafile& datafile, Fields& fields) {
     fields("original", datafile.original);
     fields("squeezed-netcdf", datafile.squeezed);
+    fields("setae-source", datafile.source);
+    fields("setae-source-channel", datafile.source_channel);
 }
 
 template <class Fields>

@@ -20,6 +20,7 @@ namespace {
 struct MemberEntry {
     std::string name, member;
     bool squeezed = false;  ///< processed: scaled, filled and detrended already
+    bool source = false;    ///< what the original says in another layout
     std::size_t channel = 0;
     std::optional<ContainerTopography::Channel> named;  ///< instead of the number
     double height_scale = 1.0;
@@ -42,8 +43,14 @@ void require_understood(const ContainerTopography& topography) {
 }
 
 void choose_member(const ContainerTopography& topography, const bytes::Archive& archive, MemberEntry& entry) {
-    const auto& [original, squeezed, rest] = topography.datafile;
+    const auto& datafile = topography.datafile;
+    const auto &original = datafile.original, &squeezed = datafile.squeezed;
     if (original.empty() && squeezed.empty()) throw InvalidArgument("the index names no data file");
+    if (!datafile.source.empty() && !original.empty() && archive.has(datafile.source)) {
+        entry.source = true;
+        entry.member = datafile.source;
+        return;
+    }
     const bool lost = !original.empty() && !archive.has(original);
     entry.squeezed = original.empty() || (lost && !squeezed.empty());
     entry.member = entry.squeezed ? squeezed : original;
@@ -59,8 +66,10 @@ MemberEntry entry_of(const ContainerTopography& topography, const std::string& s
     MemberEntry entry;
     entry.name = topography.name;
     choose_member(topography, archive, entry);
-    entry.channel = entry.squeezed ? 0 : topography.data_source.value_or(0);
-    if (!entry.squeezed && !topography.data_source) entry.named = topography.channel;
+    entry.channel = entry.squeezed ? 0
+                    : entry.source ? topography.datafile.source_channel.value_or(0)
+                                   : topography.data_source.value_or(0);
+    if (!entry.squeezed && !entry.source && !topography.data_source) entry.named = topography.channel;
     entry.height_scale = topography.height_scale.value_or(1.0);
     if (!topography.unit.empty()) {
         entry.options.unit = topography.unit;
@@ -168,7 +177,7 @@ void compare_units(const MemberEntry& entry, const bytes::Source& source, Channe
 Channel member_channel(const bytes::Source& source, const bytes::Archive& archive, const MemberEntry& entry) {
     auto opened = open_member(archive, entry);
     auto info = std::move(opened.channel.info);
-    compare_units(entry, source, info);
+    if (!entry.source) compare_units(entry, source, info);
     info.name = entry.name;
     merge(entry, source.name, info.metadata);
     info.recommended_trend = entry.trend;

@@ -261,6 +261,7 @@ Format dabam_format() {
         .not_read = "slopes beside heights are listed only",
         .reference = "M. Sanchez del Rio et al., J. Synchrotron Rad. 23, 665 (2016); SR-xraylib, metrology/dabam.py",
         .tested_on_real_files = true,
+        .read_elsewhere = false,
         .detect = detect_dabam,
         .open = open_dabam};
 }

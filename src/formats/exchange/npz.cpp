@@ -61,6 +61,7 @@ Format npz_format() {
         .reference = "numpy.savez; NumPy Enhancement Proposal 1",
         .tested_on_real_files = false,
         .carries_scale = false,
+        .read_elsewhere = false,
         .detect = detect_npz,
         .open = open_npz};
 }

@@ -74,6 +74,7 @@ Format dektak_csv_format() {
         .orientation = "",
         .reference = "SurfaceTopography 1.27.1, IO/XYZ.py",
         .tested_on_real_files = true,
+        .read_elsewhere = false,
         .detect = detect_dektak,
         .open = open_dektak};
 }

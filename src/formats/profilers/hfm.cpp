@@ -43,6 +43,7 @@ Format hfm_format() {
             .orientation = "",
             .reference = "SurfaceTopography 1.27.1, IO/XYZ.py",
             .tested_on_real_files = true,
+            .read_elsewhere = false,
             .detect = detect_hfm,
             .open = open_hfm};
 }

@@ -190,6 +190,7 @@ Format qep_format() {
         .not_read = "evaluations and drawings are passed over",
         .reference = "QEP reader of SurfaceTopography 1.27; no real file at hand",
         .carries_scale = true,
+        .read_elsewhere = false,
         .detect = detect_qep,
         .open = open_qep};
 }

@@ -129,6 +129,18 @@ RC_GTEST_PROP(WriteRead, IsTheIdentityOfMaps, ()) {
     }
 }
 
+TEST(WriteRead, AMapInCsvLiesAsItIsSeen) {
+    HeightMap map;
+    map.heights = Array2D::Random(7, 5);
+    map.heights(5, 1) = std::nan("");
+    map.size = {7e-6, 5e-6};
+    const TemporaryFolder folder;
+    format_to_write("a.csv").write(folder.path("a.csv"), map);
+    const auto back = std::get<HeightMap>(read(folder.path("a.csv"), 0, {.size = {{7e-6, 5e-6}}, .unit = "m"}));
+    ASSERT_EQ(back.shape(), map.shape());
+    EXPECT_TRUE(same(back.heights.data(), map.heights.data(), 35));
+}
+
 RC_GTEST_PROP(WriteRead, IsTheIdentityOfLinesWhereTheyAreHeld, ()) {
     const auto count = *rc::gen::inRange<Index>(2, 40);
     const LineScan scan{any_heights(count), any_length(), false, any_metadata()};

@@ -29,6 +29,7 @@ Format matrix_text_format() {
             "Gwyddion user guide, export as ASCII data matrix; Gwyddion modules asciiexport, spip-asc and opdfile; SurfaceTopography 1.27.1, IO/Text.py",
         .tested_on_real_files = true,
         .carries_scale = false,
+        .read_elsewhere = false,
         .detect = detect_matrix_text,
         .open = open_text,
         .write = write_text_matrix};

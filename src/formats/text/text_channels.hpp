@@ -31,8 +31,8 @@ struct TextGuess {
 /// @throws FormatError for text that is none of these: named columns of a table, numbers that break off.
 [[nodiscard]] std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& options);
 
-/// Writes a map with Gwyddion's header; lines and profiles as x [m], h [m], or as setae's own profile where the trace
-/// is known.
+/// Writes lines and profiles as x [m], h [m], or as setae's own profile where the trace is known. A map becomes a
+/// matrix with Gwyddion's header, or, by write_text_curve, one of numbers in metres between commas, without size.
 void write_text_matrix(const std::string& path, const topography::Measurement& measurement);
 void write_text_curve(const std::string& path, const topography::Measurement& measurement);
 

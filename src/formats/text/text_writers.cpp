@@ -26,24 +26,28 @@ std::string one_line(std::string text) {
 }
 
 /// Rows `first` to `last` of a map, every digit of them.
-std::string rows_of(const Array2D& heights, Index first, Index last) {
+std::string rows_of(const Array2D& heights, char separator, Index first, Index last) {
     fmt::memory_buffer text;
     for (Index j = first; j < last; ++j)
         for (Index i = 0; i < heights.rows(); ++i)
-            fmt::format_to(std::back_inserter(text), "{}{}", heights(i, j), i + 1 < heights.rows() ? '\t' : '\n');
+            fmt::format_to(std::back_inserter(text), "{}{}", heights(i, j), i + 1 < heights.rows() ? separator : '\n');
     return fmt::to_string(text);
 }
 
-void write_matrix(const std::string& path, const HeightMap& map) {
-    std::string text;
-    if (!map.metadata.name.empty()) text += fmt::format("# Channel: {}\n", one_line(map.metadata.name));
-    text += fmt::format("# Width: {} m\n# Height: {} m\n# Value units: m\n", map.size[0], map.size[1]);
+std::string gwyddion_header(const HeightMap& map) {
+    const auto channel =
+        map.metadata.name.empty() ? std::string{} : fmt::format("# Channel: {}\n", one_line(map.metadata.name));
+    return channel + fmt::format("# Width: {} m\n# Height: {} m\n# Value units: m\n", map.size[0], map.size[1]);
+}
+
+/// The row at the top first, as the map is seen and as open_text takes a matrix.
+void write_matrix(const std::string& path, std::string text, const HeightMap& map, char separator) {
     constexpr Index together = 64;
     const Index rows = map.heights.cols();
     std::vector<std::string> parts(static_cast<std::size_t>((rows + together - 1) / together));
     parallel::for_each_index(parts.size(), {}, [&](std::size_t i) {
         const Index first = static_cast<Index>(i) * together;
-        parts[i] = rows_of(map.heights, first, std::min(first + together, rows));
+        parts[i] = rows_of(map.heights, separator, first, std::min(first + together, rows));
     });
     for (const auto& part : parts) text += part;
     bytes::write_whole_file(path, text);
@@ -66,14 +70,14 @@ void write_curve(const std::string& path, const Profile& profile) {
 }  // namespace
 
 void write_text_matrix(const std::string& path, const Measurement& measurement) {
-    if (const auto* map = std::get_if<HeightMap>(&measurement)) write_matrix(path, *map);
+    if (const auto* map = std::get_if<HeightMap>(&measurement)) write_matrix(path, gwyddion_header(*map), *map, '\t');
     else write_text_curve(path, measurement);
 }
 
 void write_text_curve(const std::string& path, const Measurement& measurement) {
     if (const auto* scan = std::get_if<LineScan>(&measurement)) write_line(path, *scan);
     else if (const auto* profile = std::get_if<Profile>(&measurement)) write_curve(path, *profile);
-    else throw InvalidArgument(fmt::format("{}: a map has no columns x and h; write it as .txt", path));
+    else write_matrix(path, {}, std::get<HeightMap>(measurement), ',');
 }
 
 }  // namespace setae::formats

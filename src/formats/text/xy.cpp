@@ -29,6 +29,7 @@ Format xy_format() {
         .reference = "no standard; the dialects stand in setae/tables/table_file.hpp",
         .tested_on_real_files = true,
         .carries_scale = false,
+        .read_elsewhere = false,
         .detect = detect_xy,
         .open = open_text,
         .write = write_text_curve};

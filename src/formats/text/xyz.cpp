@@ -26,6 +26,7 @@ Format xyz_format() {
         .reference = "no standard; Gwyddion module xyzexport for the header 'Lateral units', 'Value units'",
         .tested_on_real_files = true,
         .carries_scale = false,
+        .read_elsewhere = false,
         .detect = detect_xyz,
         .open = open_text};
 }

@@ -57,6 +57,47 @@ TEST(ContainerDraft, KeepsTheFileByteForByteBesideItsCopy) {
     EXPECT_TRUE(schema_violations(read_container(container).container).empty());
 }
 
+const std::string traced =
+    "# format: setae profile\n# version: 1\n# instrument: tem\nx [m],h [m],standard_error [m]\n"
+    "0,1.2e-09,6e-11\n5.1e-11,1.3e-09,6.2e-11\n1.1e-10,1.5e-09,7e-11\n";
+
+TEST(ContainerDraft, ATracedContourIsTwoColumnsForOthersAndKeepsItsErrors) {
+    const TemporaryFolder folder;
+    const auto container = one_file(folder, {.path = folder.write("soot.csv", traced)});
+    const auto topography = read_container(container).container.surfaces.at(0).topographies.at(0);
+    EXPECT_EQ(topography.datafile.original, "0-soot-heights.txt");
+    EXPECT_EQ(container_member(container, topography.datafile.original).all(), "0\t1.2\n0.051\t1.3\n0.11\t1.5\n");
+    EXPECT_EQ(topography.unit, "nm");
+    EXPECT_EQ(container_member(container, topography.datafile.source).all(), traced);
+    const auto profile = std::get<topography::Profile>(open(container, {}).at(0).read());
+    EXPECT_EQ(profile.standard_error[2], 7e-11);
+    EXPECT_EQ(profile.positions[1], 5.1e-11);
+}
+
+TEST(ContainerDraft, SourcesOfAContainerAreTakenAlong) {
+    const TemporaryFolder folder;
+    ContainerDraft draft;
+    add_container(draft, one_file(folder, {.path = folder.write("soot.csv", traced)}));
+    write_container(folder.path("again.zip"), draft.container, draft.members);
+    const auto again = bytes::file_source(folder.path("again.zip"));
+    EXPECT_EQ(std::get<topography::Profile>(open(again, {}).at(0).read()).standard_error[2], 7e-11);
+    ContainerDraft other;
+    ContainerSurface surface{.name = "wafer"};
+    add_measurements_of(other, surface, {.path = folder.path("again.zip")});
+    other.container.surfaces.push_back(surface);
+    EXPECT_EQ(std::get<topography::Profile>(open(written(folder, other), {}).at(0).read()).standard_error[2], 7e-11);
+}
+
+TEST(ContainerDraft, ATextThatOthersDoNotReadGetsAnOriginalTheyDo) {
+    const TemporaryFolder folder;
+    const auto container =
+        one_file(folder, {.path = folder.write("scan.csv", "x [um];h [nm]\n0;1,5\n1;3\n2;2\n3;6\n")});
+    const auto topography = read_container(container).container.surfaces.at(0).topographies.at(0);
+    EXPECT_EQ(container_member(container, topography.datafile.original).all(), "0\t1.5\n1000\t3\n2000\t2\n3000\t6\n");
+    EXPECT_EQ(topography.unit, "nm");
+    EXPECT_TRUE(open(container, {}).at(0).info.alerts.empty());
+}
+
 TEST(ContainerDraft, CopyIsTheOriginalLessItsTrend) {
     const TemporaryFolder folder;
     const auto path = folder.write("a.spm", nanoscope_file(4, 3, 2));

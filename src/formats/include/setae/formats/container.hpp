@@ -63,7 +63,9 @@ struct ContainerInstrument {
 struct ContainerTopography {
     std::string name;
     struct Datafile {
-        std::string original;  ///< name of the member that came from the instrument
+        std::string original;  ///< name of the member that came from the instrument, or says what that did
+        std::string source;    ///< setae's own key: what came from the instrument, beside an original made for others
+        std::optional<std::size_t> source_channel;  ///< of the source, counted from 0
         std::string squeezed;  ///< of the NetCDF file with the same heights scaled, filled and levelled
         std::string extra;
         bool operator==(const Datafile&) const = default;

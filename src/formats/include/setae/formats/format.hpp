@@ -28,6 +28,7 @@ struct Format {
     std::string reference;              ///< where the layout is described
     bool tested_on_real_files = false;  ///< of instruments, not only files made by the tests
     bool carries_scale = true;          ///< heights come with their unit and scale from the file itself
+    bool read_elsewhere = true;         ///< the field's Python package, 1.27.1, opens such files
     bool is_container = false;          ///< each channel of heights is a measurement of its own
     /// from the first `bytes::detection_bytes` bytes, and for archives from the names of their members
     std::function<Match(std::string_view head, const bytes::Source&)> detect;
