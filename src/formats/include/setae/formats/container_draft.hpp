@@ -29,8 +29,8 @@ struct StoredMeasurement {
 
 /// Adds a measured file to a surface: the file itself, byte for byte, and its processed copy, heights less their trend
 /// as classic NetCDF. Where the field's Python package does not open the file (Format::read_elsewhere), the index's
-/// original is a member it does open, two columns x and h or classic NetCDF, and the file is its `source`. The file is read once here, so that what cannot be read is refused, and again when the container
-/// is written.
+/// original is a member it does open, two columns x and h or classic NetCDF, and the file is its `source`. The file is
+/// read once here, so that what cannot be read is refused, and again when the container is written.
 /// @throws as open() and read(); InvalidArgument for a file without heights, a missing size or unit, a trend no
 /// container knows, a unit no container knows where the file's numbers rest on it.
 void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const StoredMeasurement& measurement);
