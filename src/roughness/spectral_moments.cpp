@@ -68,7 +68,7 @@ double last_exponent(const Usable& nodes) {
         x.push_back(std::log(nodes.q[i]));
         y.push_back(std::log(nodes.c[i]));
     }
-    return std::min(flattest, slope_through(x, y).value);
+    return std::min(flattest, line_through(x, y).slope);
 }
 
 /// Power laws between nodes, the outer ones to the ends of the band where these lie beyond.

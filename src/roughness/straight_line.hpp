@@ -6,12 +6,13 @@
 
 namespace setae::roughness {
 
-/// Slope of the straight line through points, and its standard error from their scatter; NaN for two.
-struct LineSlope {
-    double value = 0.0, standard_error = 0.0;
+/// The straight line through points: its slope, with the standard error from their scatter (NaN for two), and its value
+/// at x = 0.
+struct Line {
+    double slope = 0.0, slope_error = 0.0, level = 0.0;
 };
 
-inline LineSlope slope_through(const std::vector<double>& x, const std::vector<double>& y) {
+inline Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
     const auto n = static_cast<double>(x.size());
     double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0, squares = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -24,7 +25,7 @@ inline LineSlope slope_through(const std::vector<double>& x, const std::vector<d
     }
     const double slope = xy / xx;
     for (std::size_t i = 0; i < x.size(); ++i) squares += std::pow(y[i] - mean_y - slope * (x[i] - mean_x), 2);
-    return {slope, std::sqrt(squares / (n - 2.0) / xx)};
+    return {slope, std::sqrt(squares / (n - 2.0) / xx), mean_y - slope * mean_x};
 }
 
 }  // namespace setae::roughness

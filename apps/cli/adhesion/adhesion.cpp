@@ -9,10 +9,10 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "psd/surface_options.hpp"
-#include "setae/adhesion/predicted_loop.hpp"
 #include "setae/adhesion/stored_energy.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/predicted_quantities.hpp"
 #include "setae/study/study_result.hpp"
 
 namespace setae::cli::adhesion_command {
@@ -53,6 +53,10 @@ study::Study study_of(const Arguments& arguments) {
     elastomer.name = "soft solid";
     elastomer.youngs_modulus = parse_uncertain_quantity(arguments.youngs_modulus, positive(dimension::pressure));
     elastomer.poisson_ratio = arguments.poisson_ratio;
+    if (!arguments.radius.empty()) {
+        elastomer.sphere_radius = parse_quantity(arguments.radius, positive(dimension::length));
+        elastomer.preload = parse_quantity(arguments.preload, non_negative(dimension::force));
+    }
     elastomer.surface_energy =
         parse_uncertain_quantity(arguments.surface_energy, non_negative(dimension::surface_energy));
     study.elastomers = {elastomer};
@@ -106,36 +110,10 @@ std::vector<Quantity> quantities(const study::StudyResult& result, const std::op
     return list;
 }
 
-/// The loop that a press asks for; nothing where none is asked for or the surfaces do not conform.
-std::vector<Quantity> loop_quantities(const Arguments& arguments, const study::StudyResult& result) {
-    if (arguments.radius.empty()) return {};
-    const auto& surface = result.surfaces.front();
-    const auto& elastomer = result.elastomers.front();
-    const auto loop = adhesion::predict_loop(
-        {surface.name, surface.used().parameters, surface.used().spread},
-        {elastomer.input.name, elastomer.contact_modulus, elastomer.input.surface_energy},
-        *result.study.work_of_adhesion,
-        {.radius = parse_quantity(arguments.radius, positive(dimension::length)),
-         .preload = parse_quantity(arguments.preload, non_negative(dimension::force))});
-    if (!loop) return {};
-    std::vector<Quantity> list;
-    const auto add = [&](const char* name, const char* symbol, const Estimate& value, const char* unit,
-                         const char* source) {
-        list.push_back(output::quantity(name, symbol, value, unit));
-        list.back().source = source;
-    };
-    add("contact_radius", "a_max", loop->contact_radius, "m", "[D19] (1) with W_app");
-    add("energy_loss", "E_loss", loop->energy_loss, "J", "[D19] (10)");
-    add("ideal_smooth_sphere_loss", "E_0", loop->ideal_loss, "J", "jumps of JKR under fixed grips");
-    add("work_of_adhesion_retraction", "W_ret", loop->work_retraction, "J/m2", "edge and jumps lose E_loss");
-    add("pull_off_force", "F_po", loop->pull_off_force, "N", "[D19] (S1) with W_ret");
-    add("pull_off_force_reversible", "F_po", loop->pull_off_force_reversible, "N", "[D19] (S1) with W_app");
-    return list;
-}
-
 ExitCode run(const Arguments& arguments) {
     if (arguments.radius.empty() != arguments.preload.empty())
-        throw InvalidArgument("--radius and --preload are given together or not at all, such as --radius 1.25mm --preload 1mN");
+        throw InvalidArgument(
+            "--radius and --preload are given together or not at all, such as --radius 1.25mm --preload 1mN");
     if (arguments.youngs_modulus.empty() || arguments.work.empty() || arguments.surface_energy.empty())
         throw InvalidArgument("expected --E, --w and --gamma, such as --E 1.1MPa --w 37mJ/m2 --gamma 25mJ/m2");
     const auto study = study_of(arguments);
@@ -146,13 +124,15 @@ ExitCode run(const Arguments& arguments) {
     if (code == ExitCode::nothing_done) return code;
     const auto result = study::predicted_study(study, std::move(surface));
     auto list = quantities(result, map, threads);
-    for (auto& quantity : loop_quantities(arguments, result)) list.push_back(std::move(quantity));
     const auto& pair = result.pairs.front();
+    if (pair.with_unmeasured_waves) list.push_back(output::unmeasured_quantity(*pair.with_unmeasured_waves));
+    if (pair.loop)
+        for (auto& quantity : output::loop_quantities(*pair.loop)) list.push_back(std::move(quantity));
     auto alerts = alerts_of(result.surfaces.front());
     alerts.insert(alerts.end(), pair.alerts.begin(), pair.alerts.end());
     if (!arguments.common.json) {
+        print(output::adhesion_answer(result));
         for (const auto& q : list) print(as_line(q));
-        print(fmt::format("conforms: {}\n", pair.modified->work.conforms ? "yes by (7)" : "no by (7)"));
         show(alerts);
         return code;
     }

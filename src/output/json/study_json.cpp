@@ -9,6 +9,7 @@
 #include "json_writer.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/output/fit_json.hpp"
+#include "setae/output/predicted_quantities.hpp"
 #include "setae/output/replicate_report.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/output/verdict.hpp"
@@ -161,6 +162,19 @@ Json spectrum_json(const study::SurfaceResult& surface, const study::SpectrumRes
     return json;
 }
 
+/// Parameters with waves beyond an end of the data.
+Json continuation_json(const roughness::BeyondData& beyond) {
+    Json json;
+    add(json, quantity("end_of_data", "q_e", beyond.end, "1/m"));
+    add(json, quantity("end_of_waves", "q_s", beyond.up_to, "1/m"));
+    add(json, quantity("exponent", "p", beyond.exponent, "1"));
+    add(json, quantity("rms_height", "h_rms", beyond.rms_height, "m"));
+    add(json, quantity("rms_slope", "h'_rms", beyond.rms_slope, "1"));
+    add(json, quantity("excess_area", "A_true/A_app - 1", beyond.excess_area, "1"));
+    add(json, quantity("elastic_energy_per_modulus", "U_el/(A E*)", beyond.elastic_energy_per_modulus, "m"));
+    return json;
+}
+
 Json surface_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options) {
     Json json;
     if (surface.failed()) {
@@ -179,16 +193,8 @@ Json surface_json(const study::SurfaceResult& surface, const study::SurfaceAnaly
     Json measurements = Json::array();
     for (const auto& m : surface.measurements) measurements.push_back(measurement_json(m));
     json["measurements"] = measurements;
-    if (const auto& beyond = surface.beyond_data) {
-        Json more;
-        add(more, quantity("end_of_data", "q_e", beyond->end, "1/m"));
-        add(more, quantity("end_of_waves", "q_s", beyond->up_to, "1/m"));
-        add(more, quantity("exponent", "p", beyond->exponent, "1"));
-        add(more, quantity("rms_slope", "h'_rms", beyond->rms_slope, "1"));
-        add(more, quantity("excess_area", "A_true/A_app - 1", beyond->excess_area, "1"));
-        add(more, quantity("elastic_energy_per_modulus", "U_el/(A E*)", beyond->elastic_energy_per_modulus, "m"));
-        json["beyond_data"] = more;
-    }
+    if (surface.beyond_data) json["beyond_data"] = continuation_json(*surface.beyond_data);
+    if (surface.longer_waves) json["longer_waves"] = continuation_json(*surface.longer_waves);
     json["alerts"] = to_json(surface.alerts);
     return json;
 }
@@ -288,6 +294,9 @@ Json pair_json(const study::PairResult& pair) {
         add(json, named("energy_in_contact", "U/U_el", pair.seen.energy, "1",
                         "stored energy of the waves within the contact, in a layer, over that of all on a half-space"));
     }
+    if (pair.with_unmeasured_waves) add(json, unmeasured_quantity(*pair.with_unmeasured_waves));
+    if (pair.loop)
+        for (const auto& q : loop_quantities(*pair.loop)) add(json["loop"], q);
     json["alerts"] = to_json(pair.alerts);
     return json;
 }

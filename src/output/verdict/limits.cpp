@@ -77,8 +77,7 @@ private:
                 worst->elastomer, worst->surface, worst->standardised()));
         }
         if (result_.pairs.empty()) return;
-        if (!result_.modified && result_.work_of_adhesion)
-            say("No fit of approach: " + result_.modified.reason + ".");
+        if (!result_.modified && result_.work_of_adhesion) say("No fit of approach: " + result_.modified.reason + ".");
         if (!result_.loop) say("No fit of loop energies: " + result_.loop.reason + ".");
         if (!result_.work_of_adhesion) say("No prediction: " + result_.work_of_adhesion.reason + ".");
     }
@@ -91,8 +90,8 @@ private:
         else if (surfaces == 0) say("No surface could be analysed: nothing is predicted.");
         if (tested_.pairs == 0 && surfaces > 0) {
             const std::string none = result_.experiments.empty() ? "No experiment"
-                                     : experiments == 0         ? "No experiment could be analysed"
-                                                                : "No experiment on a rough surface";
+                                     : experiments == 0          ? "No experiment could be analysed"
+                                                                 : "No experiment on a rough surface";
             say(none + (result_.study.work_of_adhesion
                             ? fmt::format(": W_app is predicted with the given W_int of {}; nothing measured tests it.",
                                           format_uncertain(*result_.study.work_of_adhesion, "J/m2"))
@@ -153,6 +152,9 @@ private:
             {"SAME_MEASUREMENT", "{} lists the same data more than once: its intervals are too narrow."},
             {"WAVES_BEYOND_DATA",
              "Of {} waves shorter than the finest data are in no number; slope, true area and stored energy are lower bounds."},
+            {"BAND_LIMITED",
+             "Of {} waves longer than the longest measured are in no number; h_rms and stored energy are lower bounds."},
+            {"ONE_PLACE", "{} was measured in one place: whether others are like it is not known."},
             {"MEASUREMENTS_SCATTER", "Places of {} differ beyond their waves: few places may not stand for the whole."},
             {"HEIGHT_UNKNOWN",
              "The height of the soft body of {} is not given: its modulus counts as that of a half-space and is too high for a lens."},

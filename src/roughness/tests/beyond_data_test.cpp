@@ -13,6 +13,8 @@
 namespace setae::roughness::beyond_data_test {
 namespace {
 
+using spectra::Spectrum;
+
 /// A self-affine surface to 4 Å, known to a longer wavelength alone.
 spectra::Spectrum curve(double shortest) {
     const spectra::SelfAffine model{.plateau = 5e-27,
@@ -57,6 +59,57 @@ TEST(BeyondData, OfLinesHasTheClosedForm) {
     EXPECT_NEAR(found.rms_slope.value, std::sqrt(2.0 / pi * std::log(1e3)), 1e-6);
     EXPECT_NEAR(found.elastic_energy_per_modulus.value, (1e-6 - 1e-9) / (2.0 * pi), 1e-12);
     EXPECT_THROW((void)beyond_data(line, 1e7), InvalidArgument);
+}
+
+/// A roll-off at 5 µm, of which a map of 1 µm sees nothing.
+TEST(BeyondData, LongWavesOfAPowerLawAreWhatIsThere) {
+    const spectra::SelfAffine model{.plateau = 5e-27,
+                                    .rolloff_wavevector = 2.0 * pi / 5e-6,
+                                    .hurst_exponent = 0.8,
+                                    .short_wavevector = 2.0 * pi / 1e-8};
+    const auto between = [&](double longest) {
+        Spectrum found;
+        found.kind = spectra::Density::C_iso;
+        found.wavevector = Array1D::LinSpaced(300, std::log(2.0 * pi / longest), std::log(2.0 * pi / 1e-8)).exp();
+        found.density = found.wavevector.unaryExpr(spectra::density(model));
+        found.band = {found.wavevector[0], found.wavevector[299]};
+        return found;
+    };
+    const auto whole = spectral_parameters(between(4.99e-6));
+    const auto found = beyond_data(between(1e-6), 2.0 * pi / 4.99e-6);
+    EXPECT_NEAR(found.rms_height.value / whole.rms_height, 1.0, 1e-4);
+    EXPECT_NEAR(found.elastic_energy_per_modulus.value / whole.elastic_energy_per_modulus, 1.0, 1e-4);
+    EXPECT_LT(found.rms_height.interval->lower, found.rms_height.value);
+    EXPECT_GT(found.rms_height.interval->upper, found.rms_height.value);
+    // where the roll-off is seen, longer waves add little
+    const auto flat = between(1e-4);
+    const auto more = beyond_data(flat, 2.0 * pi / 1e-3);
+    EXPECT_LT(more.rms_height.value / spectral_parameters(flat).rms_height, 1.001);
+    EXPECT_THROW((void)beyond_data(flat, 2.0 * pi / 1e-5), InvalidArgument);
+}
+
+/// Lines by the Abel integral; modes are averaged before.
+TEST(BeyondData, LongWavesOfLinesFollowTheAbelIntegral) {
+    const double q0 = 1e6, q1 = 1e9;
+    Spectrum lines;
+    lines.kind = spectra::Density::C1D;
+    lines.wavevector = Array1D::LinSpaced(300, std::log(q0), std::log(q1)).exp();
+    lines.density = lines.wavevector.pow(-3.0);
+    lines.band = {lines.wavevector[0], lines.wavevector[299]};
+    const auto found = beyond_data(lines, 0.1 * q0);
+    EXPECT_NEAR(found.exponent.value, -4.0, 1e-9);
+    // C_iso = 4 q⁻⁴: h² = (1/π) (1/a² − 1/b²)
+    EXPECT_NEAR(found.rms_height.value, std::sqrt(1.0 / pi / (0.01 * q0 * q0)), 1e-3 * found.rms_height.value);
+    // where lines do not fall there are no longer waves to speak of
+    auto flat = lines;
+    flat.density = Array1D::Constant(300, 1e-24);
+    EXPECT_EQ(beyond_data(flat, 0.1 * q0).rms_height.value, spectral_parameters(flat).rms_height);
+    auto modes = lines;
+    modes.nodes = spectra::Nodes::modes;
+    modes.wavevector = Array1D::LinSpaced(1000, q0, q1);
+    modes.density = modes.wavevector.pow(-3.0);
+    const auto of_modes = beyond_data(modes, 1e10);
+    EXPECT_NEAR(of_modes.exponent.value, -4.0, 0.02);
 }
 
 }  // namespace

@@ -191,6 +191,8 @@ const Keys<ElastomerInput>& elastomer_keys() {
                 "the general balance")
             .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "of the lens")
             .add("sphere_height", &Input::sphere_height, positive(dimension::length), "of the lens")
+            .add("preload", &Input::preload, non_negative(dimension::force),
+                 "with sphere_radius: loops with this largest force are predicted, measured or not")
             .add("crosslink_molar_mass", &Input::crosslink_molar_mass, positive(dimension::molar_mass),
                  "M_c, for the plausibility of E against ρRT/M_c")
             .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "ρ of it")

@@ -9,6 +9,7 @@
 
 #include "pairs.hpp"
 #include "setae/adhesion/contact_scales.hpp"
+#include "setae/adhesion/unmeasured_waves.hpp"
 #include "setae/contact/wavy.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -322,11 +323,20 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     pair.without_area_change = prediction.without_area_change;
     pair.budget = prediction.budget;
     pair.general = general_balance(elastomer.input, work.value, {pair.area_ratio, prediction.stored_energy.value});
+    const auto& input = elastomer.input;
+    if (input.sphere_radius && input.preload)
+        pair.loop = adhesion::predict_loop(rough, soft, work, {*input.sphere_radius, *input.preload});
     if (pair.contact_area) pair.predicted_loss = adhesion::predicted_loss(rough, work, *pair.contact_area);
+    else if (pair.loop) pair.predicted_loss = pair.loop->energy_loss;
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value,
                                           rough.parameters.area_shape);
     add_alerts(pair);
+    if (to_.of_averages) return;  // what lies beyond the data is known of the spectrum used alone
+    // waves longer than the contact do not matter
+    const auto& longer = pair.contact_area ? std::optional<roughness::BeyondData>{} : surface.longer_waves;
+    pair.with_unmeasured_waves = adhesion::work_with_unmeasured_waves(
+        rough, soft, work.value, {surface.used().parameters, surface.beyond_data, longer});
 }
 
 void Concluding::predict() {

@@ -107,7 +107,7 @@ SETAE_KEEP(SlopeShape, share, square)
 SETAE_KEEP(WeighedShape, shape, area)
 SETAE_KEEP(WavelengthLimits, longest, shortest)
 SETAE_KEEP(SpectralParameters, rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, decade_C1D, area_shape)
-SETAE_KEEP(BeyondData, end, up_to, exponent, rms_slope, excess_area, elastic_energy_per_modulus)
+SETAE_KEEP(BeyondData, end, up_to, exponent, rms_height, rms_slope, excess_area, elastic_energy_per_modulus)
 SETAE_KEEP(ParameterSpread::Source, name, plus, minus)
 SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, left_out, sources)
 
@@ -224,7 +224,7 @@ SETAE_KEEP(SpectrumResult, curve, parameters, other_conversion, uncut_energy_per
 SETAE_KEEP(FittedSpectrum, band, wavevector, C_iso, log_C_iso_standard_error, C1D, log_C1D_standard_error, agreement,
            tips, stretch, C1D_along, C1D_across, rounds, converged)
 SETAE_KEEP(SurfaceResult, name, error, reconstructed, measurements, combined, method, average, likelihood, fitted,
-           likelihood_error, slope_shape, beyond_data, alerts)
+           likelihood_error, slope_shape, beyond_data, longer_waves, alerts)
 
 /// The bytes of a value: equal values, equal bytes.
 template <class T>

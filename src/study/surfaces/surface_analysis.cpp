@@ -127,36 +127,83 @@ void add_failure_alert(SurfaceResult& surface, const SurfaceAnalysisOptions& opt
          "mend the files, or take them out of the study"});
 }
 
+/// "12 % (10 to 14)" or "a factor of 2.5 (1.9 to 3.4)": a parameter with waves that are not measured over that of the
+/// band.
+std::string more(const Estimate& with, double within) {
+    const double lower = with.interval->lower / within, value = with.value / within,
+                 upper = with.interval->upper / within;
+    if (value >= 2.0) return fmt::format("a factor of {:.2g} ({:.2g} to {:.2g})", value, lower, upper);
+    return fmt::format("{:.2g} % ({:.2g} to {:.2g})", 100.0 * (value - 1.0), 100.0 * (lower - 1.0),
+                       100.0 * (upper - 1.0));
+}
+
+/// The spectrum continued to a wavevector; nothing where too few nodes say how it ends.
+std::optional<roughness::BeyondData> continued(const spectra::Spectrum& curve, double up_to) {
+    try {
+        return roughness::beyond_data(curve, up_to);
+    } catch (const UndefinedDataError&) {
+        return std::nullopt;
+    }
+}
+
 /// What waves shorter than the finest data would add, and an alert where that is much.
 void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& options) {
     constexpr double nearly_whole = 0.9, much = 0.05;
     const auto& curve = surface.used().curve;
     const double end =
         2.0 * pi / std::max(options.limits.shortest.value_or(0.0), options.likelihood.shortest_wavelength);
-    if (curve.band.upper > nearly_whole * end || curve.nodes == spectra::Nodes::modes) return;
-    try {
-        surface.beyond_data = roughness::beyond_data(curve, end);
-    } catch (const UndefinedDataError&) {
-        return;  // too few nodes to say how it ends
-    }
+    if (curve.band.upper > nearly_whole * end) return;
+    surface.beyond_data = continued(curve, end);
+    if (!surface.beyond_data) return;
     const auto& beyond = *surface.beyond_data;
     const auto& parameters = surface.used().parameters;
     const double area = roughness::gaussian_area_ratio(parameters.rms_slope) - 1.0;
     if (!(beyond.excess_area.value > (1.0 + much) * area)) return;
-    const auto more = [](const Estimate& with, double within) {
-        const auto percent = [within](double value) { return 100.0 * (value / within - 1.0); };
-        return fmt::format("{:.2g} % ({:.2g} to {:.2g})", percent(with.value), percent(with.interval->lower),
-                           percent(with.interval->upper));
-    };
     surface.alerts.push_back(
         {"WAVES_BEYOND_DATA", surface.name,
          fmt::format(
-             "waves from {:.3g} to {:.3g} nm are not in its numbers; if C_iso goes on as q^{:.2f}, they add {} to "
-             "the rms slope, {} to A_true/A_app − 1 and {} to U_el",
+             "waves from {:.3g} to {:.3g} nm are not in its numbers; if C_iso goes on as q^{:.2f}, they raise the rms "
+             "slope by {}, A_true/A_app − 1 by {} and U_el by {}",
              2e9 * pi / beyond.end, 2e9 * pi / beyond.up_to, beyond.exponent.value,
              more(beyond.rms_slope, parameters.rms_slope), more(beyond.excess_area, area),
              more(beyond.elastic_energy_per_modulus, parameters.elastic_energy_per_modulus)),
          "measure finer, or say where the surface's waves end (surface_shortest_wavelength)"});
+}
+
+/// What waves up to ten times as long as the longest would add, and an alert where that is much. A longest wavelength
+/// that was asked for leaves longer ones out on purpose.
+void look_at_longer_waves(SurfaceResult& surface, const SurfaceAnalysisOptions& options) {
+    constexpr double much = 0.05, times = 10.0;
+    if (options.limits.longest) return;
+    const auto& curve = surface.used().curve;
+    surface.longer_waves = continued(curve, curve.band.lower / times);
+    if (!surface.longer_waves) return;
+    const auto& longer = *surface.longer_waves;
+    const auto& parameters = surface.used().parameters;
+    const double height = longer.rms_height.value / parameters.rms_height,
+                 energy = longer.elastic_energy_per_modulus.value / parameters.elastic_energy_per_modulus;
+    if (!(std::max(height, energy) > 1.0 + much)) return;
+    surface.alerts.push_back(
+        {"BAND_LIMITED", surface.name,
+         fmt::format("waves longer than {} are not in its numbers; if the spectrum goes on as its first decade does, "
+                     "those up to {} raise h_rms by {} and U_el by {}",
+                     format_value(2.0 * pi / longer.end, "m"), format_value(2.0 * pi / longer.up_to, "m"),
+                     more(longer.rms_height, parameters.rms_height),
+                     more(longer.elastic_energy_per_modulus, parameters.elastic_energy_per_modulus)),
+         "measure a larger piece of it, by a stylus for instance; waves longer than the contact do not matter "
+         "(longest_wavelength)"});
+}
+
+/// One reading has no scatter between places.
+void look_for_one_place(SurfaceResult& surface) {
+    const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(),
+                                        [](const auto& m) { return !m.failed(); });
+    if (analysed != 1) return;
+    surface.alerts.push_back(
+        {"ONE_PLACE", surface.name,
+         "one measurement shows no scatter between places: its ± holds what other places would read if the surface is "
+         "alike everywhere",
+         "measure three places or more"});
 }
 
 /// What tells a measurement from others: the content of its file, or its place where that is unknown, and the channel.
@@ -216,6 +263,8 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             else add_likelihood(surface, std::move(prepared), options, threads);
             use_measured_slopes(surface);
             look_beyond_data(surface, options);
+            look_at_longer_waves(surface, options);
+            look_for_one_place(surface);
         }
         // a failure may be gone the next time
         if (std::none_of(surface.measurements.begin(), surface.measurements.end(),

@@ -72,6 +72,25 @@ TEST(Prediction, PropagatesEveryUncertainInputAsDrawsOfThemDo) {
     EXPECT_NEAR(pair.predicted_loss->standard_error / loss.deviation(), 1.0, 0.047);
 }
 
+// E_loss = W_int r π a² with a of (1) at W_app, no loop measured
+TEST(Prediction, OfAPairWithoutExperimentsHasItsLoop) {
+    auto study = uncertain_study();
+    study.published.clear();
+    auto& elastomer = study.elastomers.front();
+    elastomer.sphere_radius = 1.25e-3;
+    EXPECT_FALSE(run_study(study, {1}).pairs.at(0).predicted_loss) << "no force is given";
+    elastomer.preload = 1e-3;
+    const auto result = run_study(study, {1});
+    const auto& pair = result.pairs.at(0);
+    ASSERT_TRUE(pair.loop && pair.predicted_loss);
+    const double R = 1.25e-3, K = elastomer.youngs_modulus.value / 0.75, W = pair.modified->work.raw,
+                 pull = 3.0 * pi * R * W,
+                 a = std::cbrt(0.75 * R / K * (1e-3 + pull + std::sqrt(2.0 * pull * 1e-3 + pull * pull)));
+    EXPECT_NEAR(pair.loop->contact_radius.value, a, 1e-9 * a);
+    EXPECT_NEAR(pair.predicted_loss->value, 0.037 * pair.area_ratio * pi * a * a, 1e-9 * pair.predicted_loss->value);
+    EXPECT_GT(pair.predicted_loss->standard_error, 0.0);
+}
+
 TEST(Prediction, BudgetsItsVarianceByInput) {
     const auto result = run_study(uncertain_study(), {1});
     const auto& pair = result.pairs.at(0);

@@ -77,6 +77,7 @@ struct ElastomerInput {
     std::optional<double> interface_change;      ///< χ of γ1s2 − γ12 = χ (r − 1) [J/m²]
     std::optional<double> sphere_radius;         ///< [m]
     std::optional<double> sphere_height;         ///< [m]
+    std::optional<double> preload;               ///< largest force of the loops to be predicted [N]
     std::optional<double> crosslink_molar_mass;  ///< M_c [kg/mol]
     double density = 970.0;                      ///< [kg/m³], PDMS
     double temperature = 298.0;                  ///< [K]

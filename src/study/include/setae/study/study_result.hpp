@@ -8,6 +8,7 @@
 #include "setae/adhesion/balance_comparison.hpp"
 #include "setae/adhesion/contact_scales.hpp"
 #include "setae/adhesion/pair_fit.hpp"
+#include "setae/adhesion/predicted_loop.hpp"
 #include "setae/adhesion/prediction.hpp"
 #include "setae/adhesion/prediction_test.hpp"
 #include "setae/adhesion/scale_balance.hpp"
@@ -71,7 +72,10 @@ struct PairResult {
     std::optional<adhesion::PredictedWork> modified;             ///< (7)
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
-    std::optional<Estimate> predicted_loss;                      ///< (10) at W_int and the contact area [J]
+    std::optional<Estimate> predicted_loss;       ///< (10) at W_int and the contact area, measured or of `loop` [J]
+    std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and (7) conforms
+    /// W_app by (7) with waves beyond both ends of the surface's data [J/m²]
+    std::optional<Estimate> with_unmeasured_waves;
     std::optional<adhesion::ApparentWork> general;     ///< where the soft side has a law of its surface or interface
     std::optional<adhesion::PredictionBudget> budget;  ///< of `modified`
     std::optional<adhesion::ScaleBalance> scales;

@@ -98,8 +98,9 @@ struct SurfaceResult {
         likelihood;                        ///< fitted to all measurements at once, where it is wanted and can be had
     std::optional<FittedSpectrum> fitted;  ///< beside `likelihood`
     std::string likelihood_error;          ///< why a likelihood that was wanted gave no numbers
-    std::optional<roughness::SlopeShape> slope_shape;  ///< of its maps, by area
-    std::optional<roughness::BeyondData> beyond_data;  ///< where the surface's waves go on behind the finest data
+    std::optional<roughness::SlopeShape> slope_shape;   ///< of its maps, by area
+    std::optional<roughness::BeyondData> beyond_data;   ///< where the surface's waves go on behind the finest data
+    std::optional<roughness::BeyondData> longer_waves;  ///< those up to ten times as long as the longest
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }
