@@ -11,6 +11,7 @@
 #include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/table_file.hpp"
 
@@ -76,13 +77,64 @@ void drop_first_row(RawTable& table) {
     for (auto& column : table.columns) column.values = Array1D(column.values.tail(column.values.size() - 1));
 }
 
+/// Gives a column the unit that the command names; one that the header states stays, and must be the same.
+void give_unit(RawTable::RawColumn& column, const std::string& unit, const std::string& path) {
+    if (unit.empty() || column.unit == unit) return;
+    if (!column.unit.empty())
+        throw InvalidArgument(fmt::format("{}: column '{}' is in {} by its header, {} was given; leave the unit out",
+                                          path, column.name, column.unit, unit));
+    column.unit = unit;
+}
+
+bool is_density(const RawTable::RawColumn& column) {
+    return has_dimension(column.unit, dimension::power_spectrum_1d) ||
+           has_dimension(column.unit, dimension::power_spectrum_2d);
+}
+
+bool is_wavevector(const RawTable::RawColumn& column) {
+    return has_dimension(column.unit, dimension::wavevector) || has_dimension(column.unit, dimension::length);
+}
+
+/// Whole lines from the beginning of a file, enough for its header and some numbers.
+std::string first_lines(const bytes::Source& source) {
+    constexpr std::uint64_t enough = 16384;
+    const auto size = std::min(source.size, enough);
+    auto text = source.bytes(0, size);
+    if (size < source.size) text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
+    return text;
+}
+
 }  // namespace
 
-Table read_power_spectrum_table(const std::string& path) {
+SpectrumUnits SpectrumUnits::from_text(const std::string& text) {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+        throw InvalidArgument(
+            fmt::format("'{}' are no two units; expected those of wavevector and density, as in \"1/um, nm3\"", text));
+    const std::string_view all = text;
+    return {std::string(trimmed(all.substr(0, comma))), std::string(trimmed(all.substr(comma + 1)))};
+}
+
+bool is_power_spectrum_table(const bytes::Source& source) {
+    try {
+        const auto text = first_lines(source);
+        if (!bytes::looks_like_text(text)) return false;
+        const auto table = read_raw_table(bytes::memory_source(source.name, text));
+        return table.columns.size() >= 2 && is_wavevector(table.columns[0]) && is_density(table.columns[1]);
+    } catch (const Error&) {
+        return false;  // no table, and what it is others say
+    }
+}
+
+Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& units) {
     auto raw = read_raw_table(bytes::file_source(path));
     auto& columns = raw.columns;
     if (columns.size() < 2)
         throw FormatError(path, {}, fmt::format("{} column, expected wavevector and C1D", columns.size()));
+    give_unit(columns[0], units.wavevector, path);
+    give_unit(columns[1], units.density, path);
+    if (columns.size() > 2 && is_standard_error(columns[2].name) && columns[2].unit.empty())
+        columns[2].unit = columns[1].unit;
     Table table;
     table.metadata["file"] = path;
     const bool any_unit = std::any_of(columns.begin(), columns.end(), [](const auto& c) { return !c.unit.empty(); });

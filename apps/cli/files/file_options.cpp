@@ -12,14 +12,16 @@ void add_layout_option(Options& options, std::string& as) {
     options
         .add(
             "--as", as,
-            "how text of three columns is read: matrix, a narrow map, or columns, points x y z; default: from the numbers")
-        .one_of_unlisted({"matrix", "columns"});
+            "how text of three columns is read: matrix, a narrow map, or columns, points x y z; default: from the numbers; "
+            "spectrum: a table of a spectrum whose header does not say so")
+        .one_of_unlisted({"matrix", "columns", "spectrum"});
 }
 
 void FileOptions::add_to(Options& options) {
     options.add("--size", size, "extent where the file leaves it open: \"1 mm x 1 mm\" or \"2 mm\"");
-    options.add("--unit", unit,
-                "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights");
+    options.add(
+        "--unit", unit,
+        "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights; of a table of a spectrum \"1/um, nm3\"");
     add_layout_option(options, as);
     options.add("--channel", channel, "channel, counted from 0 as `setae info` lists them").between(0, 1000000);
 }
@@ -27,6 +29,10 @@ void FileOptions::add_to(Options& options) {
 formats::ReadOptions FileOptions::read_options() const {
     formats::ReadOptions options;
     if (!unit.empty()) options.unit = unit;
+    if (as == "spectrum")
+        throw InvalidArgument(
+            "--as spectrum: a table of a spectrum holds no heights; setae psd, params, adhesion and "
+            "synthesize take it");
     if (!as.empty()) options.layout = as == "matrix" ? formats::TextLayout::matrix : formats::TextLayout::columns;
     if (size.empty()) return options;
     std::vector<double> lengths;

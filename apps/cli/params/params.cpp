@@ -97,8 +97,8 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) return write_documentation(arguments.documentation);
     if (arguments.texture.asked()) return run_standard(arguments);
     const auto options = arguments.surface.analysis();
-    const auto [surface, map] =
-        study::analyse_surface(arguments.surface.surface(), options, {.previews = false}, arguments.common.workers());
+    const auto input = arguments.surface.surface();
+    const auto [surface, map] = study::analyse_surface(input, options, {.previews = false}, arguments.common.workers());
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     output::Json json = output::Json::array();
@@ -117,8 +117,8 @@ ExitCode run(const Arguments& arguments) {
     };
     for (const auto& m : surface.measurements)
         if (!m.failed()) emit(m.file, m.name, output::measurement_quantities(m));
-    emit(surface.measurements.size() == 1 ? surface.measurements.front().file : "combined", "",
-         spectral_quantities(surface, options.conversion));
+    const bool is_alone = surface.measurements.size() == 1 || input.power_spectrum;
+    emit(is_alone ? arguments.surface.files.front() : "combined", "", spectral_quantities(surface, options.conversion));
     if (arguments.common.json) print_json(json);
     show(alerts_of(surface));
     return code;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
@@ -13,6 +14,7 @@
 #include "setae/formats/netcdf.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/inverse_abel.hpp"
+#include "setae/tables/power_spectrum_table.hpp"
 #include "setae/tables/table_file.hpp"
 
 namespace setae::cli::psd_command {
@@ -35,6 +37,19 @@ struct Arguments {
     bool binned = false;
     std::string output;
 };
+
+/// A given spectrum in SI, with both densities.
+Table given(const study::SurfaceInput& input, const Arguments& arguments) {
+    if (arguments.abel || arguments.fit.wanted)
+        throw InvalidArgument(fmt::format("{}: --abel and --fit are for measurements, this is a table of a spectrum",
+                                          *input.power_spectrum));
+    auto table = tables::read_power_spectrum_table(*input.power_spectrum, input.spectrum_units);
+    if (const auto* C_iso = table.find("C_iso")) {
+        const auto& q = table.at("wavevector");
+        table.columns.push_back({"C1D", "m3", spectra::profile_from_isotropic(q, C_iso->values, q)});
+    }
+    return table;
+}
 
 /// Columns of the spectrum, in the order of printing.
 Table spectrum(const study::SurfaceResult& surface, const Arguments& arguments) {
@@ -108,12 +123,12 @@ ExitCode run(const Arguments& arguments) {
     auto options = arguments.surface.analysis();
     options.bootstrap_resamples = 0;
     const study::Wanted wanted{.previews = false, .parameters = false, .map = arguments.isotropic};
-    const auto [surface, map] =
-        study::analyse_surface(arguments.surface.surface(), options, wanted, arguments.common.workers());
+    const auto input = arguments.surface.surface();
+    const auto [surface, map] = study::analyse_surface(input, options, wanted, arguments.common.workers());
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
-    auto table = spectrum(surface, arguments);
-    if (arguments.isotropic) add_isotropic(table, map, arguments);
+    auto table = input.power_spectrum ? given(input, arguments) : spectrum(surface, arguments);
+    if (arguments.isotropic && table.find("C_iso") == nullptr) add_isotropic(table, map, arguments);
     if (arguments.abel) add_inverse_abel(table, surface);
     std::optional<spectra::SelfAffineFit> fit;
     if (arguments.fit.wanted) {

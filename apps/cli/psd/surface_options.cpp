@@ -3,15 +3,20 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "program/messages.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/study/pipeline_file.hpp"
+#include "setae/tables/power_spectrum_table.hpp"
 
 namespace setae::cli {
 
 void SurfaceOptions::add_measurements_to(Options& options) {
-    options.add("files", files, "measurements of one surface: files or containers").of_inputs();
+    options.add("files", files, "measurements of one surface: files or containers; or one table of its spectrum")
+        .of_inputs();
     file.add_to(options);
     processing.add_to(options);
     options.add("--instrument", instrument, "stylus, afm, tem or optical").one_of({"stylus", "afm", "tem", "optical"});
@@ -40,12 +45,31 @@ void SurfaceOptions::add_to(Options& options) {
         .between(0, 1000000);
 }
 
+bool SurfaceOptions::is_spectrum() const {
+    const auto is_table = [this](const std::string& path) {
+        return file.as == "spectrum" || tables::is_power_spectrum_table(bytes::file_source(path));
+    };
+    const auto table = std::find_if(files.begin(), files.end(), is_table);
+    if (table == files.end()) return false;
+    if (files.size() > 1)
+        throw InvalidArgument(
+            fmt::format("{}: a table of a spectrum stands for a whole surface; give it alone, without the {} other "
+                        "files",
+                        *table, files.size() - 1));
+    return true;
+}
+
 study::SurfaceInput SurfaceOptions::surface() const {
     if (files.empty()) throw InvalidArgument("no file; expected at least one measurement");
-    const auto read = file.read_options();
-    const auto steps = study::step_lines(processing.pipeline());
     study::SurfaceInput surface;
     surface.name = "surface";
+    if (is_spectrum()) {
+        surface.power_spectrum = files.front();
+        if (!file.unit.empty()) surface.spectrum_units = tables::SpectrumUnits::from_text(file.unit);
+        return surface;
+    }
+    const auto read = file.read_options();
+    const auto steps = study::step_lines(processing.pipeline());
     for (const auto& path : files) {
         study::MeasurementInput input;
         input.file = path;

@@ -25,7 +25,9 @@ struct SurfaceOptions {
     void add_to(Options& options);
     /// Only what says which measurements there are and how each is prepared.
     void add_measurements_to(Options& options);
-    /// @throws InvalidArgument for a malformed option.
+    /// Whether the one file is the table of a spectrum. @throws InvalidArgument for one among others.
+    [[nodiscard]] bool is_spectrum() const;
+    /// @throws InvalidArgument for a malformed option; as is_spectrum().
     [[nodiscard]] study::SurfaceInput surface() const;
     [[nodiscard]] study::SurfaceAnalysisOptions analysis() const;
 };

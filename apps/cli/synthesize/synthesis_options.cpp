@@ -92,7 +92,7 @@ void SynthesisOptions::add_to(Options& options) {
     options.add("--rms-slope", rms_slope, "of the spectrum").quantity(positive(dimension::none));
     options.add("--plateau", plateau, "C_iso below the roll-off, such as \"5e-27 m4\"")
         .quantity(positive(dimension::power_spectrum_2d));
-    options.add("--spectrum", spectrum, "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
+    options.add("--spectrum,table", spectrum, "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
     options.add("--pixels", pixels, "points along x and y, such as 1024x512; one number for both").default_shown();
     options.add("--size", size, "extent, such as \"5 um\" or \"5 um x 2 um\"");
     options.add("--window-of", window_of,

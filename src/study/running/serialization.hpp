@@ -134,6 +134,8 @@ namespace setae::tables {
 
 SETAE_KEEP(ForceCurveOptions, spring_constant, sensitivity)
 
+SETAE_KEEP(SpectrumUnits, wavevector, density)
+
 }  // namespace setae::tables
 
 namespace setae::loops {
@@ -214,7 +216,7 @@ SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
 SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, tip_half_angle, tip_file, foil_thickness,
            numerical_aperture, light_wavelength, resolution, trend, direction, references, unit, size, pipeline, steps)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
-SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, moments)
+SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, spectrum_units, moments)
 SETAE_KEEP(SurfaceAnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile,
            bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
 SETAE_KEEP(HeightPreview, positions, heights, map, size)

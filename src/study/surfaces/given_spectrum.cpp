@@ -73,12 +73,13 @@ void add_given_errors(roughness::ParameterSpread& spread, const spectra::Spectru
                       const SurfaceAnalysisOptions& options) {
     constexpr double most_freedom = 1e12;  // of a value without error
     constexpr int least_replicas = 40;
-    const Array1D freedom = (curve.density / errors).square().min(most_freedom);
+    const Array1D stated = errors.isNaN().select(0.0, errors);
+    const Array1D freedom = (curve.density / stated).square().min(most_freedom);
     spectra::MeasuredSpectrum given;
     given.wavevector = curve.wavevector;
     given.density = curve.density;
-    const Array2D drawn = spectra::parametric_noise(
-        given, freedom, std::max(options.bootstrap_resamples, least_replicas), options.seed);
+    const Array2D drawn =
+        spectra::parametric_noise(given, freedom, std::max(options.bootstrap_resamples, least_replicas), options.seed);
     auto replica = curve;
     for (Index r = 0; r < drawn.rows(); ++r) {
         replica.density = drawn.row(r).transpose();
@@ -90,19 +91,25 @@ void add_given_errors(roughness::ParameterSpread& spread, const spectra::Spectru
 
 }  // namespace
 
-void take_power_spectrum(SurfaceResult& surface, const std::string& file, const SurfaceAnalysisOptions& options) {
-    const auto table = tables::read_power_spectrum_table(file);
+void take_power_spectrum(SurfaceResult& surface, const SurfaceInput& input, const SurfaceAnalysisOptions& options) {
+    const auto& file = *input.power_spectrum;
+    const auto table = tables::read_power_spectrum_table(file, input.spectrum_units);
     const bool areal = table.find("C_iso") != nullptr;
     const auto& q = table.at("wavevector");
-    const spectra::Spectrum curve{q, table.at(areal ? "C_iso" : "C1D"), {q[0], q[q.size() - 1]},
+    const spectra::Spectrum curve{q,
+                                  table.at(areal ? "C_iso" : "C1D"),
+                                  {q[0], q[q.size() - 1]},
                                   areal ? spectra::Density::C_iso : spectra::Density::C1D};
     surface.average = spectrum_result(curve, options);
-    if (const auto* errors = table.find("standard_error"))
-        add_given_errors(surface.average.spread, curve, errors->values, options);
-    else
-        surface.alerts.push_back({"SPECTRUM_WITHOUT_ERROR", surface.name,
-                                  fmt::format("{} states no errors: ± of what follows from it leave the spectrum's out", file),
-                                  "add a third column, standard_error [m3]"});
+    const auto* errors = table.find("standard_error");
+    const Index without = errors != nullptr ? errors->values.isNaN().count() : q.size();
+    if (without < q.size()) add_given_errors(surface.average.spread, curve, errors->values, options);
+    if (without > 0)
+        surface.alerts.push_back(
+            {"SPECTRUM_WITHOUT_ERROR", surface.name,
+             fmt::format("{} states no errors of {} of its {} values: ± of what follows from them leave these out",
+                         file, without, q.size()),
+             "fill a third column, standard_error [m3]"});
     if (const auto units = table.metadata.find("units"); units != table.metadata.end())
         surface.alerts.push_back({"UNIT_GUESSED", surface.name, fmt::format("{}: units {}", file, units->second),
                                   "write them in the header as q [1/m], C1D [m3]"});

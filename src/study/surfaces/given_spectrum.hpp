@@ -11,8 +11,8 @@ namespace setae::study {
 /// @throws InvalidArgument for moments no such spectrum has.
 void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options);
 
-/// A table q, C1D as the spectrum of a surface.
+/// A table q, C1D as the spectrum of the surface that names it.
 /// @throws what reading it throws.
-void take_power_spectrum(SurfaceResult& surface, const std::string& file, const SurfaceAnalysisOptions& options);
+void take_power_spectrum(SurfaceResult& surface, const SurfaceInput& input, const SurfaceAnalysisOptions& options);
 
 }  // namespace setae::study

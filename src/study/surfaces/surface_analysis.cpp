@@ -252,7 +252,9 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
         if (input.moments) {
             take_moments(surface, *input.moments, options);
         } else if (input.power_spectrum) {
-            take_power_spectrum(surface, *input.power_spectrum, options);
+            take_power_spectrum(surface, input, options);
+            look_beyond_data(surface, options);
+            look_at_longer_waves(surface, options);
         } else {
             auto prepared = analyse_measurements(surface, input, options, run, threads, wanted);
             run.step_begins("surface", input.name);

@@ -6,7 +6,9 @@
 
 #include "error_message.hpp"
 #include "sample_files.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/mapping.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
@@ -129,6 +131,32 @@ TEST(PowerSpectrumTable, DialectOfTheFieldIsTakenAsSi) {
         EXPECT_DOUBLE_EQ(table.at("C1D")[0], 2.5e-12);
         EXPECT_EQ(table.metadata.at("units"), "assumed SI");
     }
+}
+
+TEST(PowerSpectrumTable, IsToldByItsUnits) {
+    const auto is = [](const std::string& text) { return is_power_spectrum_table(bytes::memory_source("a", text)); };
+    EXPECT_TRUE(is("q [1/um],C1D [nm3]\n1,2\n2,1\n"));
+    EXPECT_TRUE(is("frequency (1/um);C2D (nm4);err\n1,5;2;0\n2,5;1;0\n"));
+    EXPECT_TRUE(is("wavelength [um],C_iso [nm4]\n1,2\n2,1\n"));
+    EXPECT_FALSE(is("x [um],h [nm]\n1,2\n2,1\n"));
+    EXPECT_FALSE(is("q,C1D\n1,2\n2,1\n"));
+    EXPECT_FALSE(is("1 2\n2 1\n"));
+    EXPECT_FALSE(is(""));
+    EXPECT_FALSE(is(std::string(100, '\0')));
+    std::string text = "q [1/um],C1D [nm3]\n";
+    for (int i = 1; i < 5000; ++i) text += std::to_string(i) + ",1\n";
+    EXPECT_TRUE(is(text)) << "its beginning is enough";
+}
+
+TEST(PowerSpectrumTable, TakesUnitsThatTheHeaderLacks) {
+    const TemporaryFolder folder;
+    const auto bare = folder.write("p.csv", "f,psd,err\n1,2,0.5\n2,1,0.25\n");
+    const auto table = read_power_spectrum_table(bare, SpectrumUnits::from_text("1/um, nm3"));
+    EXPECT_DOUBLE_EQ(table.at("wavevector")[0], 2e6 * pi) << "its name says frequency";
+    EXPECT_DOUBLE_EQ(table.at("standard_error")[0], 0.5e-27);
+    const auto stated = folder.write("s.csv", "q [1/nm],C1D [nm3]\n1,2\n2,1\n");
+    EXPECT_THROW((void)read_power_spectrum_table(stated, {"1/um", "nm3"}), InvalidArgument);
+    EXPECT_THROW((void)SpectrumUnits::from_text("um"), InvalidArgument);
 }
 
 TEST(PowerSpectrumTable, UnitsOfTheHeaderAreApplied) {

@@ -15,6 +15,7 @@
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
 #include "setae/study/loop_models.hpp"
 #include "setae/study/loop_source.hpp"
+#include "setae/tables/power_spectrum_table.hpp"
 #include "setae/topography/detrend.hpp"
 
 namespace setae::study {
@@ -56,6 +57,7 @@ struct SurfaceInput {
     std::string description;
     std::vector<MeasurementInput> measurements;
     std::optional<std::string> power_spectrum;  ///< file with columns q, C1D
+    tables::SpectrumUnits spectrum_units = {};  ///< where its header has none
     std::optional<PublishedMoments> moments;
 };
 
