@@ -45,6 +45,15 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
     return result + line;
 }
 
+std::string wrapped_from(std::size_t column, std::string_view text, std::size_t width) {
+    std::string result;
+    for (const char c : wrapped(text, width > column ? width - column : 1)) {
+        result += c;
+        if (c == '\n') result.append(column, ' ');
+    }
+    return result;
+}
+
 std::string shortened(std::string_view text, std::size_t width) {
     if (display_width(text) <= width) return std::string(text);
     std::string result;

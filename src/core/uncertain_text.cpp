@@ -110,6 +110,10 @@ std::string format_interval(const Estimate& estimate, std::string_view si_unit) 
     return with_unit(estimate, si_unit, {.interval = true});
 }
 
+std::string format_full(const Estimate& estimate, std::string_view si_unit) {
+    return with_unit(estimate, si_unit, {.error = true, .interval = true});
+}
+
 std::string probability_text(double probability) {
     if (std::isnan(probability)) return "–";
     if (probability == 0.0 || probability >= 1e-3) return fmt::format("{:.2g}", probability);

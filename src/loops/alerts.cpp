@@ -120,13 +120,12 @@ void check_stiffness(AlertList& list, const LoopAnalysis& analysis, const Loop& 
     const double deflection = loop.displacement[range.last] - loop.displacement[range.first];
     const double contact = (range.force_last - range.force_first) / deflection;
     if (!(contact > limits.stiffness_ratio * machine)) return;
-    list.add(
-        "STIFFNESS_UNRESOLVED",
-        fmt::format(
-            "the contact is {:.0f} times stiffer than the machine ({:.3g} N/m against {:.3g} N/m): an error of 1 % "
-            "in the sensor's calibration changes the penetration by {:.0f} %",
-            contact / machine, contact, machine, contact / machine),
-        "E* is a lower bound; use a stiffer sensor or a softer sample");
+    list.add("STIFFNESS_UNRESOLVED",
+             fmt::format("the contact is {:.0f} times stiffer than the machine ({} against {}): an error of 1 % "
+                         "in the sensor's calibration changes the penetration by {:.0f} %",
+                         contact / machine, format_value(contact, "N/m", 3), format_value(machine, "N/m", 3),
+                         contact / machine),
+             "E* is a lower bound; use a stiffer sensor or a softer sample");
 }
 
 void check_loop(AlertList& list, const LoopAnalysis& analysis, const AlertLimits& limits) {

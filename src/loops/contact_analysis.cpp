@@ -15,6 +15,7 @@
 #include "setae/contact/jkr.hpp"
 #include "setae/contact/tabor.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/units.hpp"
 
 namespace setae::loops {
 namespace {
@@ -102,9 +103,9 @@ Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const
         2.0 * contact_modulus *
         contact::jkr::pull_off_at_fixed_grips({radius, contact_modulus, result.work_of_adhesion.value}).contact_radius;
     if (!(result.machine_stiffness >= stiff * contact_stiffness))
-        result.work_of_adhesion_fixed_grips = Outcome<Estimate>::missing(
-            fmt::format("the machine, {:.3g} N/m, is not {:.0f} times stiffer than the contact that parts, {:.3g} N/m",
-                        result.machine_stiffness, stiff, contact_stiffness));
+        result.work_of_adhesion_fixed_grips = Outcome<Estimate>::missing(fmt::format(
+            "the machine, {}, is not {:.0f} times stiffer than the contact that parts, {}",
+            format_value(result.machine_stiffness, "N/m", 3), stiff, format_value(contact_stiffness, "N/m", 3)));
     else if (!(result.last_force.value < 0.0))
         result.work_of_adhesion_fixed_grips = Outcome<Estimate>::missing("no sample shows the force before the jump");
     else result.work_of_adhesion_fixed_grips = {work(result.last_force, contact::jkr::Control::fixed_grips)};

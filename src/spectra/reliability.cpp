@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/spectra/reliability.hpp"
+#include "setae/core/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,17 +105,16 @@ Alert tip_alert(const topography::Metadata& metadata, double tip_radius, const T
                 double nyquist) {
     const std::string action = "use a sharper tip, or a finer instrument for these wavelengths";
     if (tip.status == CutoffStatus::nothing_reliable)
-        return {
-            "TIP_CUTOFF", topography::label(metadata),
-            fmt::format("the tip of {:.3g} m radius is blunter than the surface at every scale: nothing is reliable",
-                        tip_radius),
-            action};
+        return {"TIP_CUTOFF", topography::label(metadata),
+                fmt::format("the tip of {} radius is blunter than the surface at every scale: nothing is reliable",
+                            format_value(tip_radius, "m", 3)),
+                action};
     return {
         "TIP_CUTOFF", topography::label(metadata),
-        fmt::format(
-            "the tip of {:.3g} m radius hides wavelengths below {:.4g} m: the band ends at {:.3g} instead of {:.3g} 1/m, "
-            "{:.2g} decades less",
-            tip_radius, tip.value, band.upper, nyquist, std::log10(nyquist / band.upper)),
+        fmt::format("the tip of {} radius hides wavelengths below {}: the band ends at {} instead of {}, "
+                    "{:.2g} decades less",
+                    format_value(tip_radius, "m", 3), format_value(tip.value, "m"), format_value(band.upper, "1/m", 3),
+                    format_value(nyquist, "1/m", 3), std::log10(nyquist / band.upper)),
         action};
 }
 

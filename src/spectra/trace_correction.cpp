@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/constants.hpp"
+#include "setae/core/units.hpp"
 #include "setae/topography/trace_response.hpp"
 
 namespace setae::spectra {
@@ -51,11 +52,10 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
     spectrum.band.upper = end == 0 ? 0.0 : end == q.size() ? nyquist : std::min(nyquist, q[end - 1]);
     const std::string action = "take pictures of higher magnification or less noise for shorter waves";
     if (end == 0) {
-        spectrum.alerts.push_back(
-            {"TRACE_NOISE", topography::label(spectrum.metadata),
-             fmt::format("the trace's noise of C1D {:.3g} m3 hides every wave: nothing is reliable",
-                         response.noise_density),
-             action});
+        spectrum.alerts.push_back({"TRACE_NOISE", topography::label(spectrum.metadata),
+                                   fmt::format("the trace's noise of C1D {} hides every wave: nothing is reliable",
+                                               format_value(response.noise_density, "m3", 3)),
+                                   action});
         return;
     }
     const Index last = end - 1;
@@ -63,9 +63,10 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
         spectrum.alerts.push_back(
             {"TRACE_NOISE", topography::label(spectrum.metadata),
              fmt::format(
-                 "noise of the trace, C1D {:.3g} m3, was taken off; its blur and smoothing stay, as overhangs were made jumps, which they have not touched: the band ends at "
-                 "the wavelength {:.4g} m, where they take up to {:.0f} % of C1D",
-                 response.noise_density, 2.0 * pi / std::min(q[last], nyquist),
+                 "noise of the trace, C1D {}, was taken off; its blur and smoothing stay, as overhangs were made jumps, which they have not touched: the band ends at "
+                 "the wavelength {}, where they take up to {:.0f} % of C1D",
+                 format_value(response.noise_density, "m3", 3),
+                 format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
                  100.0 * (1.0 - topography::least_trace_power_with_jumps)),
              action});
         return;
@@ -73,9 +74,9 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
     spectrum.alerts.push_back(
         {"TRACE_NOISE", topography::label(spectrum.metadata),
          fmt::format(
-             "noise of the trace, C1D {:.3g} m3, was taken off and its blur and smoothing undone down to the wavelength {:.4g} m, where the "
+             "noise of the trace, C1D {}, was taken off and its blur and smoothing undone down to the wavelength {}, where the "
              "band ends: there noise was {:.0f} % of the traced C1D, and {:.0f} % of the curve's was left",
-             response.noise_density, 2.0 * pi / std::min(q[last], nyquist),
+             format_value(response.noise_density, "m3", 3), format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
              100.0 * floor[last] / (signal[last] + floor[last]), 100.0 * kept[last]),
          action});
 }

@@ -88,11 +88,17 @@ TidyTable without_silent_columns(const TidyTable& table) {
     };
     TidyTable kept{table.title, {}, std::vector<std::vector<TidyTable::Cell>>(table.rows.size())};
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        if (std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return silent(row[i]); })) continue;
+        if (std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return silent(row[i]); }))
+            continue;
         kept.columns.push_back(table.columns[i]);
         for (std::size_t r = 0; r < table.rows.size(); ++r) kept.rows[r].push_back(table.rows[r][i]);
     }
     return kept;
+}
+
+bool is_text(const TidyTable& table, std::size_t column) {
+    return std::all_of(table.rows.begin(), table.rows.end(),
+                       [column](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
 }
 
 std::string stacked(const TidyTable& table, const TextCells& cells) {
@@ -108,17 +114,28 @@ std::string stacked(const TidyTable& table, const TextCells& cells) {
     return text;
 }
 
-std::string aligned(const TidyTable& table, const TextCells& cells) {
+/// Characters that a row takes before its last cell, blanks between columns with them.
+std::size_t before_last(const TextCells& cells) {
+    return std::accumulate(cells.widths.begin(), cells.widths.end() - 1, 2 * cells.widths.size());
+}
+
+/// Lines of a table: columns as wide as their widest cell; a last cell that goes beyond `width` goes on below itself.
+std::string aligned(const TidyTable& table, const TextCells& cells, std::size_t width = std::string::npos) {
+    if (table.columns.empty()) return table.title.empty() ? "" : table.title + "\n";
+    const auto indent = before_last(cells);
     const auto line = [&](auto cell, auto right) {
         std::string text;
-        for (std::size_t i = 0; i < table.columns.size(); ++i) text += "  " + padded(cell(i), cells.widths[i], right(i));
+        const auto last = table.columns.size() - 1;
+        for (std::size_t i = 0; i < last; ++i) text += "  " + padded(cell(i), cells.widths[i], right(i));
+        if (indent + display_width(cell(last)) <= width)
+            text += "  " + padded(cell(last), cells.widths[last], right(last));
+        else text += "  " + wrapped_from(indent, cell(last), width);
         return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
     };
     std::string text = table.title.empty() ? "" : table.title + "\n";
-    text += line([&](std::size_t i) { return table.columns[i]; },
-                 [&](std::size_t i) {
-                     return !table.rows.empty() && std::holds_alternative<double>(table.rows.front()[i]);
-                 });
+    text += line(
+        [&](std::size_t i) { return table.columns[i]; },
+        [&](std::size_t i) { return !table.rows.empty() && std::holds_alternative<double>(table.rows.front()[i]); });
     for (std::size_t r = 0; r < cells.rows.size(); ++r)
         text += line([&](std::size_t i) { return cells.rows[r][i]; },
                      [&](std::size_t i) { return std::holds_alternative<double>(table.rows[r][i]); });
@@ -134,9 +151,13 @@ std::string as_text(const TidyTable& table, int significant_digits) {
 std::string as_text_within(const TidyTable& table, std::size_t width, int significant_digits) {
     const auto shown = without_silent_columns(table);
     const auto cells = text_cells(shown, significant_digits);
-    const auto needed =
-        std::accumulate(cells.widths.begin(), cells.widths.end(), 2 * cells.widths.size());
-    return needed <= width ? aligned(shown, cells) : stacked(shown, cells);
+    if (shown.columns.empty()) return stacked(shown, cells);
+    constexpr std::size_t least_for_text = 30;
+    const auto last = before_last(cells);
+    const bool fits = last + cells.widths.back() <= width;
+    const bool wraps =
+        last + least_for_text <= width && shown.columns.size() > 1 && is_text(shown, shown.columns.size() - 1);
+    return fits || wraps ? aligned(shown, cells, width) : stacked(shown, cells);
 }
 
 }  // namespace setae::tables

@@ -8,11 +8,13 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/adhesion/stored_energy.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/predicted_quantities.hpp"
+#include "setae/output/quantity_table.hpp"
 #include "setae/study/study_result.hpp"
 
 namespace setae::cli::adhesion_command {
@@ -132,7 +134,9 @@ ExitCode run(const Arguments& arguments) {
     alerts.insert(alerts.end(), pair.alerts.begin(), pair.alerts.end());
     if (!arguments.common.json) {
         print(output::adhesion_answer(result));
-        for (const auto& q : list) print(as_line(q));
+        // the answer says where a work of adhesion is floored
+        std::erase_if(list, [](const auto& q) { return q.quantity.ends_with("_floored"); });
+        print("\n" + output::quantity_table("", list, output_size().width));
         show(alerts);
         return code;
     }

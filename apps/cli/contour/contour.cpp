@@ -11,6 +11,7 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
@@ -232,7 +233,7 @@ ExitCode run(const Arguments& a) {
     if (batch && !a.output.empty())
         bytes::write_whole_file((fs::path(a.output) / "contours.csv").string(), tables::as_csv(table));
     if (a.common.json) print_json(batch ? json : json.front());
-    else if (batch || !a.output.empty()) print(tables::as_text(table));
+    else if (batch || !a.output.empty()) print(tables::as_text_within(table, output_size().width));
     else if (failed == 0)
         print(study::profile_text(*outcomes.front().picture,
                                   chosen_segments(a, outcomes.front().picture->profiles.size()).front(),

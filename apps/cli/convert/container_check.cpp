@@ -9,7 +9,9 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/layout.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/container_draft.hpp"
 
@@ -65,7 +67,7 @@ output::Json report_json(const std::string& file, const formats::ContainerReport
             {"differences", report.differences}};
 }
 
-std::string report_text(const std::string& file, const formats::ContainerReport& report) {
+std::string report_text(const std::string& file, const formats::ContainerReport& report, std::size_t width) {
     const auto& container = report.file.container;
     auto text =
         fmt::format("{}: generation {}, surfaces {}, measurements {}{}\n", file,
@@ -80,7 +82,8 @@ std::string report_text(const std::string& file, const formats::ContainerReport&
             text += fmt::format("    [{}] {}\n", index, channel_line(report.channels[index]));
     }
     for (const auto& alert : report.alerts)
-        text += fmt::format("  {}: {}: {}; {}\n", alert.code, alert.subject, alert.message, alert.action);
+        text += fmt::format("  {}:\n    ", alert.code) +
+                wrapped_from(4, fmt::format("{}: {}; {}", alert.subject, alert.message, alert.action), width) + "\n";
     for (const auto& difference : report.differences)
         text += fmt::format("  after writing and reading: {}\n", difference);
     return text + fmt::format("  differences after writing and reading: {}\n",
@@ -96,7 +99,7 @@ ExitCode run(const Arguments& arguments) {
         for (const auto& alert : report.alerts) fault = fault || is_fault(alert);
         fault = fault || !report.differences.empty();
         if (arguments.common.json) containers.push_back(report_json(file, report));
-        else print(report_text(file, report));
+        else print(report_text(file, report, output_size().width));
     });
     if (arguments.common.json && code != ExitCode::nothing_done) print_json({{"containers", containers}});
     return code == ExitCode::done && fault ? ExitCode::some_failed : code;

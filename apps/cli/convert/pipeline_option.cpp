@@ -7,6 +7,8 @@
 
 #include "program/markdown.hpp"
 #include "program/messages.hpp"
+#include "program/terminal.hpp"
+#include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
 #include "setae/processing/step_text.hpp"
 #include "setae/study/pipeline_file.hpp"
@@ -43,7 +45,7 @@ std::string as_line(const processing::StepRecord& record) {
                                               : format_value(number.estimate.value, number.unit, 5);
         numbers += fmt::format("{}{} {}", numbers.empty() ? "" : ", ", with_blanks(number.quantity), value);
     }
-    return fmt::format("  {:<22} {}\n", record.step, numbers);
+    return fmt::format("  {:<22} {}\n", record.step, wrapped_from(25, numbers, output_size().width));
 }
 
 std::string step_list() {

@@ -9,6 +9,7 @@
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/imaging/micrograph.hpp"
 #include "setae/tables/force_curve.hpp"
@@ -96,10 +97,11 @@ ExitCode run(const Arguments& arguments) {
     }
     const auto curves = as_table("force curves, for setae jkr", tables::force_curve_formats());
     const auto micrographs = as_table("micrographs, for setae contour", imaging::micrograph_formats());
+    const auto width = output_size().width;
     print(
-        tables::as_text(topographies_table()) +
+        tables::as_text_within(topographies_table(), width) +
         "\nreal files NO: made from the published layout, not tested on a file of an instrument: please send one\n\n" +
-        tables::as_text(curves) + "\n" + tables::as_text(micrographs) +
+        tables::as_text_within(curves, width) + "\n" + tables::as_text_within(micrographs, width) +
         "\nloops of force, displacement and contact radius: any table with units, workbooks (.xlsx), docs/reference/loop-format.md\n");
     return ExitCode::done;
 }

@@ -12,9 +12,11 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/quantity_table.hpp"
 #include "setae/study/pipeline_file.hpp"
 #include "setae/topography/blind_tip.hpp"
 #include "setae/topography/certainty.hpp"
@@ -73,9 +75,9 @@ ExitCode run(const Arguments& arguments) {
         certain.heights = (certainty.certain > 0).select(certain.heights, undefined);
         write_heights(arguments.reconstruction, certain);
     }
-    const Quantity quantities[] = {output::quantity("tip_radius", "R", topography::apex_radius(blind.tip), "m"),
-                                   output::quantity("tip_height", "t", t.maxCoeff(), "m"),
-                                   output::quantity("certain_share", "", certainty.share, "1")};
+    const std::vector<Quantity> quantities{output::quantity("tip_radius", "R", topography::apex_radius(blind.tip), "m"),
+                                           output::quantity("tip_height", "t", t.maxCoeff(), "m"),
+                                           output::quantity("certain_share", "", certainty.share, "1")};
     std::vector<Alert> alerts;
     if (!blind.converged)
         alerts.push_back({"TIP_NOT_CONVERGED", topography::label(map.metadata),
@@ -91,7 +93,7 @@ ExitCode run(const Arguments& arguments) {
         print_json(json);
         return ExitCode::done;
     }
-    for (const auto& q : quantities) print(as_line(q));
+    print(output::quantity_table("", quantities, output_size().width));
     show(alerts);
     return ExitCode::done;
 }

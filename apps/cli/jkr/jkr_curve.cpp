@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "program/messages.hpp"
+#include "program/terminal.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
@@ -105,7 +106,7 @@ void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit
                               fmt::format("{:.4g} … {:.4g}", 1e6 * fit.indentation_from, 1e6 * fit.indentation_to),
                               fmt::format("{}", fit.n), format_value(fit.rms_residual, "N", 3)});
     }
-    print(tables::as_text(table) + reasons);
+    print(tables::as_text_within(table, output_size().width) + reasons);
 }
 
 }  // namespace setae::cli

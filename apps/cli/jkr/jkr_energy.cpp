@@ -12,6 +12,7 @@
 #include "program/command_line.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -79,7 +80,7 @@ void print_ledger(const AnalysedLoop& loop) {
     add("retraction", ledger->retraction.energy, ledger->retraction.standard_error);
     if (ledger->jump_out) add("jump-out", ledger->jump_out->energy, ledger->jump_out->standard_error);
     add("free flight after", ledger->after_contact.energy, ledger->after_contact.standard_error);
-    std::string text = tables::as_text(table);
+    std::string text = tables::as_text_within(table, output_size().width);
     const auto line = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<34} {}\n", what, value);
     };

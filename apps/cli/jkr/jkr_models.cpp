@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "program/messages.hpp"
+#include "program/terminal.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
@@ -69,7 +70,7 @@ void print_models(const study::LoopModels& models) {
             if (model.fit) add_row(table, *model.fit, model.akaike_difference);
             else reasons += fmt::format("  {}: {}\n", to_string(model.model), model.fit.reason);
     }
-    if (!table.rows.empty()) text += tables::as_text(table);
+    if (!table.rows.empty()) text += tables::as_text_within(table, output_size().width);
     text += reasons;
     for (const auto& fit : models.fits) {
         for (const auto& sentence : fit.undetermined) text += "  " + sentence + '\n';
@@ -106,8 +107,9 @@ void print_shared(const loops::GlobalFit& fit) {
         table.rows.push_back({branch.name, cell(branch.contact_modulus, 1e-6), cell(branch.work_of_adhesion, 1e3),
                               cell(branch.separate.contact_modulus, 1e-6), cell(branch.separate.work_of_adhesion, 1e3),
                               fmt::format("{}", branch.n)});
-    print(tables::as_text(table) + fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n",
-                                               fit.sharing.f_ratio, fit.sharing.p_value));
+    print(tables::as_text_within(table, output_size().width) +
+          fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n", fit.sharing.f_ratio,
+                      fit.sharing.p_value));
 }
 
 }  // namespace setae::cli

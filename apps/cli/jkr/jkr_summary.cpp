@@ -10,6 +10,7 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
@@ -93,7 +94,7 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.figure.empty()) write_figure(arguments.figure, tables, figure);
     if (!arguments.output.empty()) write_folder(arguments.output, tables, model, json, figure);
     if (arguments.common.json) print_json(json);
-    else print(output::summary(tables.data, model));
+    else print(output::summary(tables.data, model, output_size().width));
     return tables.bad_rows.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 

@@ -117,13 +117,13 @@ std::string as_tsv(const std::vector<MeasuredTexture>& list) {
     return text;
 }
 
-std::string as_text(const MeasuredTexture& measured) {
+std::string as_text(const MeasuredTexture& measured, std::size_t width) {
     tables::TidyTable table{title(measured), {columns.begin(), columns.end()}, {}};
     for (const auto& row : measured.parameters) {
         const auto texts = cells(row);
         table.rows.emplace_back(texts.begin(), texts.end());
     }
-    return tables::as_text(table) + "\n";
+    return tables::as_text_within(table, width) + "\n";
 }
 
 constexpr std::string_view marker =
@@ -144,11 +144,13 @@ std::string rows_of(Standard standard) {
 
 }  // namespace
 
-std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::string& format) {
+std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::string& format, std::size_t width) {
     if (format == "tsv") return as_tsv(list);
     std::string text;
     for (const auto& measured : list)
-        text += format == "md" ? as_markdown(measured) : format == "latex" ? as_latex(measured) : as_text(measured);
+        text += format == "md"      ? as_markdown(measured)
+                : format == "latex" ? as_latex(measured)
+                                    : as_text(measured, width);
     return text;
 }
 

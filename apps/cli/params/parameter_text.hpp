@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,10 @@ struct MeasuredTexture {
     std::vector<texture::TextureParameter> parameters;
 };
 
-/// "md", "tsv", "latex" or "text". TSV holds SI numbers, the others numbers with prefixes for readers.
-[[nodiscard]] std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::string& format);
+/// "md", "tsv", "latex" or "text", whose lines have at most `width` characters. TSV holds SI numbers, the others
+/// numbers with prefixes for readers.
+[[nodiscard]] std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::string& format,
+                                         std::size_t width);
 
 [[nodiscard]] output::Json parameter_json(const std::vector<MeasuredTexture>& list);
 

@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -11,9 +14,11 @@
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/quantity_table.hpp"
 
 namespace setae::cli::params_command {
 namespace {
@@ -57,6 +62,36 @@ std::vector<Quantity> spectral_quantities(const study::SurfaceResult& surface, r
     return list;
 }
 
+struct Origin {
+    const char *suffix, *title;
+};
+
+/// The origin that a quantity's name ends with; nothing for what was measured from heights.
+std::optional<Origin> origin_of(const Quantity& quantity) {
+    constexpr Origin origins[]{{"_from_spectrum", ", from the spectrum"},
+                               {"_from_spectrum_eq11", ", from the spectrum by [D19] (11)"},
+                               {"_from_spectrum_exact", ", from the spectrum, exact"}};
+    for (const auto& origin : origins)
+        if (quantity.quantity.ends_with(origin.suffix)) return origin;
+    return std::nullopt;
+}
+
+/// Quantities for readers, a table an origin: its title says what the names need not repeat.
+std::string tables_of(const std::string& title, const std::vector<Quantity>& list, std::size_t width) {
+    std::vector<std::pair<std::string, std::vector<Quantity>>> parts;
+    for (auto quantity : list) {
+        const auto origin = origin_of(quantity);
+        const auto part_title = title + (origin ? origin->title : "");
+        if (origin) quantity.quantity.resize(quantity.quantity.size() - std::string_view(origin->suffix).size());
+        if (parts.empty() || parts.back().first != part_title) parts.push_back({part_title, {}});
+        parts.back().second.push_back(std::move(quantity));
+    }
+    std::string text;
+    for (const auto& [part_title, quantities] : parts)
+        text += output::quantity_table(part_title, quantities, width) + "\n";
+    return text;
+}
+
 /// Parameters of a standard, measurement by measurement.
 ExitCode run_standard(const Arguments& arguments) {
     std::vector<MeasuredTexture> list;
@@ -77,7 +112,7 @@ ExitCode run_standard(const Arguments& arguments) {
     }
     if (list.empty()) return ExitCode::nothing_done;
     if (arguments.common.json || arguments.texture.format == "json") print_json(parameter_json(list));
-    else print(parameter_text(list, arguments.texture.format));
+    else print(parameter_text(list, arguments.texture.format, output_size().width));
     for (const auto& measured : list)
         for (const auto& row : measured.parameters)
             for (const auto& alert : row.quantity.alerts)
@@ -102,13 +137,14 @@ ExitCode run(const Arguments& arguments) {
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     output::Json json = output::Json::array();
+    const auto width = output_size().width;
     const auto emit = [&](const std::string& file, const std::string& name, const std::vector<Quantity>& list) {
-        if (!arguments.common.json) print(file + (name.empty() || name == file ? "" : " (" + name + ")") + "\n");
+        if (!arguments.common.json) {
+            const auto title = file + (name.empty() || name == file ? "" : " (" + name + ")");
+            print(tables_of(title, list, width));
+            return;
+        }
         for (const auto& q : list) {
-            if (!arguments.common.json) {
-                print("  " + as_line(q));
-                continue;
-            }
             auto entry = output::to_json(q);
             entry["file"] = file;
             entry["measurement"] = name;

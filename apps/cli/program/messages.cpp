@@ -7,8 +7,6 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
-#include "setae/core/uncertain_text.hpp"
-#include "setae/core/units.hpp"
 
 namespace setae::cli {
 
@@ -43,21 +41,6 @@ ExitCode for_each_item(const std::vector<std::string>& items, const std::functio
     }
     if (failed == 0) return ExitCode::done;
     return failed < items.size() ? ExitCode::some_failed : ExitCode::nothing_done;
-}
-
-std::string as_line(const Quantity& q) {
-    const auto value = q.estimate.uncertain() ? format_uncertain(q.estimate, q.unit)
-                                              : format_value(q.estimate.value, q.unit, 5);
-    std::string line = fmt::format("{:<48} {:<16} {}", q.quantity, q.symbol, value);
-    if (q.band)
-        line +=
-            fmt::format("   [{} … {}]", format_value(q.band->lower, "1/m", 4), format_value(q.band->upper, "1/m", 4));
-    if (q.n) line += fmt::format("   n = {}", *q.n);
-    if (const auto interval = interval_of(q.estimate))
-        line +=
-            fmt::format("   {:.0f} %: {} … {} ({})", 100.0 * interval->level, format_value(interval->lower, q.unit, 4),
-                        format_value(interval->upper, q.unit, 4), q.estimate.method);
-    return line + "\n";
 }
 
 }  // namespace setae::cli

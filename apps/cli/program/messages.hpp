@@ -22,7 +22,4 @@ void show(const std::vector<Alert>& alerts);
 [[nodiscard]] ExitCode for_each_item(const std::vector<std::string>& items,
                                      const std::function<void(const std::string&)>& body);
 
-/// A quantity on one line for a reader: name, value with its unit and error, band.
-[[nodiscard]] std::string as_line(const Quantity& quantity);
-
 }  // namespace setae::cli

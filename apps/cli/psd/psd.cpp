@@ -8,10 +8,12 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "psd/psd_fit.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/netcdf.hpp"
+#include "setae/output/quantity_table.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/inverse_abel.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
@@ -149,8 +151,7 @@ ExitCode run(const Arguments& arguments) {
         return code;
     }
     if (arguments.output.empty()) print(tables::as_csv(table));
-    else if (fit)
-        for (const auto& q : parameters_of(*fit)) print(as_line(q));
+    else if (fit) print(output::quantity_table("", parameters_of(*fit), output_size().width));
     show(alerts_of(surface));
     if (fit) show(fit->alerts);
     return code;

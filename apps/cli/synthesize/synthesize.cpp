@@ -9,9 +9,11 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
+#include "setae/output/quantity_table.hpp"
 #include "setae/synthesis/random_surface.hpp"
 #include "synthesize/synthesis_options.hpp"
 
@@ -74,14 +76,15 @@ ExitCode run(const Arguments& arguments) {
     const auto made = std::holds_alternative<topography::HeightMap>(measurement)
                           ? measured(std::get<topography::HeightMap>(measurement))
                           : measured(std::get<topography::LineScan>(measurement));
-    const Quantity quantities[] = {output::quantity("rms_height_of_spectrum", "h_rms", expected.rms_height, "m"),
-                                   output::quantity("rms_slope_of_spectrum", "h'_rms", expected.rms_slope, "1"),
-                                   output::quantity("rms_height_made", "h_rms", made.rms_height, "m"),
-                                   output::quantity("rms_slope_made", "h'_rms", made.rms_slope, "1")};
+    const std::vector<Quantity> quantities{
+        output::quantity("rms_height_of_spectrum", "h_rms", expected.rms_height, "m"),
+        output::quantity("rms_slope_of_spectrum", "h'_rms", expected.rms_slope, "1"),
+        output::quantity("rms_height_made", "h_rms", made.rms_height, "m"),
+        output::quantity("rms_slope_made", "h'_rms", made.rms_slope, "1")};
     const auto points = topography::shape(measurement);
     if (!arguments.common.json) {
-        print(fmt::format("{}: {} x {} points\n", arguments.output, points[0], points[1]));
-        for (const auto& q : quantities) print("  " + as_line(q));
+        const auto title = fmt::format("{}: {} x {} points", arguments.output, points[0], points[1]);
+        print(output::quantity_table(title, quantities, output_size().width));
         return ExitCode::done;
     }
     output::Json json{

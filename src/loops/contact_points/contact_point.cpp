@@ -153,8 +153,8 @@ ContactPoints contact_points(const ContactPointInputs& inputs, const LensAndCoun
     const double penetration = deepest - points.contact_point.value;
     if (!(penetration > 0.0))
         throw UndefinedDataError(
-            fmt::format("the contact point {:.4g} m lies beyond the largest displacement of the loading, {:.4g} m",
-                        points.contact_point.value, deepest));
+            fmt::format("the contact point {} lies beyond the largest displacement of the loading, {}",
+                        format_value(points.contact_point.value, "m"), format_value(deepest, "m")));
     for (ContactPointEstimate& estimate : points.estimates)
         estimate.fit = estimate.contact_point
                            ? attempt([&] { return held_fit(inputs, bodies, estimate.contact_point->value); })

@@ -11,6 +11,7 @@
 #include "setae/contact/transition.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 
 namespace setae::loops {
 namespace {
@@ -170,9 +171,9 @@ Outcome<Estimate> work_estimate(const ModelCurve& curve, const LeastSquaresSolut
         return solution.estimate(work, square_standard_error(at[1], slot_standard_error, 1.0));
     if (slot_standard_error <= most_log_error) return solution.estimate(work, work * slot_standard_error);
     return Outcome<Estimate>::missing(
-        fmt::format("W = {:.2g} J/m² is known within a factor {:.2g} only: it follows λ; take forces down to "
+        fmt::format("W = {} is known within a factor {:.2g} only: it follows λ; take forces down to "
                     "pull-off into the fit or give the cohesive stress",
-                    work, std::exp(slot_standard_error)));
+                    format_value(work, "J/m2", 2), std::exp(slot_standard_error)));
 }
 
 void fill_estimates(ModelFit& fit, const PreparedFit& prepared, const FitSolution& solution,

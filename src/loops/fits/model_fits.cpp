@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/loops/model_fits.hpp"
+#include "setae/core/units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -81,9 +82,9 @@ void question_work(ModelFit& fit, const PreparedFit& prepared, const FitSolution
     const double here = fit.work_of_adhesion->value,
                  there = prepared.problem.curve().work_of_adhesion(other.at.head<3>());
     fit.work_of_adhesion = Outcome<Estimate>::missing(fmt::format(
-        "W = {:.3g} J/m² at the limit of λ and {:.3g} J/m² at λ = 0.7 fit alike: it follows the range of attraction; fit jkr or dmt, "
+        "W = {} at the limit of λ and {} at λ = 0.7 fit alike: it follows the range of attraction; fit jkr or dmt, "
         "or give the cohesive stress",
-        here, there));
+        format_value(here, "J/m2", 3), format_value(there, "J/m2", 3)));
     fit.undetermined.push_back(fit.work_of_adhesion.reason);
 }
 

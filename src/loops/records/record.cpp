@@ -8,6 +8,7 @@
 
 #include "baseline.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 
 namespace setae::loops {
 namespace {
@@ -88,10 +89,10 @@ Baseline find_baseline(const Loop& loop, const SegmentOptions& options) {
     constexpr double wander_over_noise = 2.0;
     if (baseline.force_scatter > wander_limit * range &&
         baseline.force_scatter > wander_over_noise * baseline.force_noise)
-        throw UndefinedDataError(fmt::format(
-            "the first {} samples are no free flight: their force wanders by {:.3g} N, {:.0f} % of the whole "
-            "range; shorten the baseline share or give the zero of force",
-            count, baseline.force_scatter, 100.0 * baseline.force_scatter / range));
+        throw UndefinedDataError(
+            fmt::format("the first {} samples are no free flight: their force wanders by {}, {:.0f} % of the whole "
+                        "range; shorten the baseline share or give the zero of force",
+                        count, format_value(baseline.force_scatter, "N", 3), 100.0 * baseline.force_scatter / range));
     return baseline;
 }
 
@@ -102,9 +103,9 @@ Record make_record(const Loop& loop, const Baseline& baseline, const SegmentOpti
     constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
     if (record.range <= range_of_noise * baseline.force_scatter)
         throw UndefinedDataError(
-            fmt::format("the force never leaves its noise: range {:.3g} N, scatter of free flight "
-                        "{:.3g} N; no contact to analyse",
-                        record.range, baseline.force_scatter));
+            fmt::format("the force never leaves its noise: range {}, scatter of free flight "
+                        "{}; no contact to analyse",
+                        format_value(record.range, "N", 3), format_value(baseline.force_scatter, "N", 3)));
     constexpr double rounding = 1e-9;  // of the range: what counts as zero in a record without noise
     constexpr double free_share = 0.01;
     record.feature = std::max(options.feature_factor * baseline.force_scatter, rounding * record.range);

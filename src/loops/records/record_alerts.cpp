@@ -74,20 +74,20 @@ void check_units(AlertList& list, const LoopAnalysis& analysis, const Loop& loop
     if (!(modulus >= limits.contact_modulus_least && modulus <= limits.contact_modulus_most)) {
         // E* ∝ F R^(−1/2) δ^(−3/2) or F R a^(−3)
         const bool by_radius = fit.method != "force_displacement" && loop.contact_radius.size() > 0;
-        implausible(
-            fmt::format(
-                "E* = {:.3g} Pa lies outside {:.0e} to {:.0e} Pa: the likely factor of the force is {}, or of the {} {}",
-                modulus, limits.contact_modulus_least, limits.contact_modulus_most,
-                times(likely_factor(modulus, usual_modulus, 1.0)), by_radius ? "contact radius" : "displacement",
-                times(likely_factor(modulus, usual_modulus, by_radius ? -3.0 : -1.5))),
-            "check the units of the columns and of the radius");
+        implausible(fmt::format("E* = {} lies outside {} to {}: the likely factor of the force is {}, or of the {} {}",
+                                format_value(modulus, "Pa", 3), format_value(limits.contact_modulus_least, "Pa", 1),
+                                format_value(limits.contact_modulus_most, "Pa", 1),
+                                times(likely_factor(modulus, usual_modulus, 1.0)),
+                                by_radius ? "contact radius" : "displacement",
+                                times(likely_factor(modulus, usual_modulus, by_radius ? -3.0 : -1.5))),
+                    "check the units of the columns and of the radius");
     }
     if (std::abs(work) > limits.work_of_adhesion_most)
         implausible(
-            fmt::format(
-                "W = {:.3g} J/m² exceeds {:.3g} J/m²: forces of {} are too large for this radius, the likely factor is {}",
-                work, limits.work_of_adhesion_most, format_value(1.5 * pi * bodies.radius * std::abs(work), "N"),
-                times(likely_factor(std::abs(work), usual_work, 1.0))),
+            fmt::format("W = {} exceeds {}: forces of {} are too large for this radius, the likely factor is {}",
+                        format_value(work, "J/m2", 3), format_value(limits.work_of_adhesion_most, "J/m2", 3),
+                        format_value(1.5 * pi * bodies.radius * std::abs(work), "N"),
+                        times(likely_factor(std::abs(work), usual_work, 1.0))),
             "check the units of force and radius");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/loops/segments.hpp"
+#include "setae/core/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -169,9 +170,9 @@ void require_adhesion(const Record& record, const Segments& segments) {
     for (const ContactSegments& contact : segments.contacts)
         if (contact.jump_in || contact.pull_off) return;
     throw UndefinedDataError(fmt::format(
-        "no adhesive contact: the force never falls below the baseline by more than {:.3g} N before or after its "
+        "no adhesive contact: the force never falls below the baseline by more than {} before or after its "
         "maximum, as it does at jump-in and pull-off; give the contact radius where adhesion is too weak to see",
-        record.feature));
+        format_value(record.feature, "N", 3)));
 }
 
 /// Free flight after the last contact, its first quarter left out: the sensor settles there.

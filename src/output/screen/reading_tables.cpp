@@ -42,7 +42,7 @@ std::string deviation_of(const StudyResult& result, const study::PairResult& pai
     if (!result.prediction_test) return "–";
     for (const auto& tested : result.prediction_test->pairs)
         if (tested.surface == pair.surface && tested.elastomer == pair.elastomer)
-            return fmt::format("{:.1f} σ", tested.standardised() + 0.0);
+            return fmt::format("{:.1f} σ", std::round(10.0 * tested.standardised()) / 10.0 + 0.0);  // −0.04 is 0.0
     return "–";
 }
 
@@ -68,7 +68,7 @@ void add_fit(tables::TidyTable& table, const std::string& balance, const adhesio
              const char* unit = "J/m2") {
     const auto& tested = fit.errors_in_both;
     table.rows.push_back({balance, number_with_interval(work_of(fit), mJ_per_m2), fmt::format("{:.3f}", fit.r_squared),
-                          !tested                        ? "–"
+                          !tested                       ? "–"
                           : tested->extra_scatter > 0.0 ? format_value(tested->extra_scatter, unit, 2)
                                                         : "none",
                           fmt::format("{}", fit.n)});
@@ -78,10 +78,10 @@ void add_fit(tables::TidyTable& table, const std::string& balance, const adhesio
 
 tables::TidyTable surfaces(const StudyResult& result, Spectra spectra) {
     const bool all = spectra == Spectra::all;
-    tables::TidyTable table{
-        "Surfaces",
-        {"surface", "h_rms [nm]", "h'_rms", "A_true/A_app", "U_el/(A E*) [nm]", all ? "h''_rms [1/nm]" : "", "spectrum"},
-        {}};
+    tables::TidyTable table{"Surfaces",
+                            {"surface", "h_rms [nm]", "h'_rms", "A_true/A_app", "U_el/(A E*) [nm]",
+                             all ? "h''_rms [1/nm]" : "", "spectrum"},
+                            {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) {
             table.rows.push_back(row_of_reason(table, surface.name, "failed: " + surface.error));
@@ -101,7 +101,8 @@ tables::TidyTable surfaces(const StudyResult& result, Spectra spectra) {
             };
             const auto by = interval_of(q[0].estimate) ? ", ± by " + q[0].estimate.method : std::string();
             table.rows.push_back({surface.name, cell(0, nm), cell(1, 1.0), cell(3, 1.0), cell(5, nm),
-                                  all ? cell(2, 1.0 / nm) : "", method + (method == q[0].estimate.method || !all ? "" : by)});
+                                  all ? cell(2, 1.0 / nm) : "",
+                                  method + (method == q[0].estimate.method || !all ? "" : by)});
         }
     }
     return table;
@@ -164,8 +165,8 @@ tables::TidyTable loops(const StudyResult& result) {
         const auto& a = *e.analysis;
         std::string note = e.input.excluded() ? "excluded: " + e.input.exclusion : "";
         if (!e.alerts.empty())
-            note += fmt::format("{}{} alert{}", note.empty() ? "" : ", ", e.alerts.size(),
-                                e.alerts.size() == 1 ? "" : "s");
+            note +=
+                fmt::format("{}{} alert{}", note.empty() ? "" : ", ", e.alerts.size(), e.alerts.size() == 1 ? "" : "s");
         table.rows.push_back({file, e.input.reference ? "(reference)" : e.input.surface, e.input.elastomer,
                               uncertain_number(a.loading.primary().contact_modulus, MPa),
                               uncertain_number(a.loading.primary().work_of_adhesion, mJ_per_m2),
@@ -208,14 +209,14 @@ tables::TidyTable all_pairs(const StudyResult& result) {
         for (const auto& p : conclusions->pairs) {
             const auto& surface = result.surface(p.surface);
             if ((!p.modified && !p.approach) || (conclusions->of_averages && !surface.likelihood)) continue;
-            table.rows.push_back(
-                {p.surface, p.elastomer, method_name(surface, conclusions->method_of(surface)),
-                 exact(result.elastomer(p.elastomer).contact_modulus.value, MPa), optional_number(p.approach, mJ_per_m2),
-                 work_by(p.modified), p.modified ? exact(p.modified->work.raw, mJ_per_m2) : "–",
-                 work_by(p.persson_tosatti),
-                 p.modified && p.approach ? uncertain_number(difference(*p.approach, floored(*p.modified)), mJ_per_m2)
-                                          : "–",
-                 note_of(p)});
+            table.rows.push_back({p.surface, p.elastomer, method_name(surface, conclusions->method_of(surface)),
+                                  exact(result.elastomer(p.elastomer).contact_modulus.value, MPa),
+                                  optional_number(p.approach, mJ_per_m2), work_by(p.modified),
+                                  p.modified ? exact(p.modified->work.raw, mJ_per_m2) : "–", work_by(p.persson_tosatti),
+                                  p.modified && p.approach
+                                      ? uncertain_number(difference(*p.approach, floored(*p.modified)), mJ_per_m2)
+                                      : "–",
+                                  note_of(p)});
         }
     return table;
 }

@@ -21,8 +21,7 @@ std::size_t lines_in(const std::string& text) {
 
 /// Equations stay on one line.
 std::string unbroken(std::string text) {
-    for (std::size_t at = 0; (at = text.find(" = ", at)) != std::string::npos;)
-        text.replace(at, 3, "\u00A0=\u00A0");
+    for (std::size_t at = 0; (at = text.find(" = ", at)) != std::string::npos;) text.replace(at, 3, "\u00A0=\u00A0");
     return text;
 }
 
@@ -44,8 +43,8 @@ std::string alert_lines(const std::vector<AlertGroup>& groups, std::size_t most,
     for (std::size_t i = 0; i < (cut ? most - 1 : groups.size()); ++i) {
         const auto& [code, alerts] = groups[i];
         const auto count = alerts.size() > 1 ? fmt::format(" ({})", alerts.size()) : std::string();
-        text += shortened(
-                    fmt::format("  {}{}  {}: {}", code, count, name_of(alerts.front()), alerts.front().message), width) +
+        text += shortened(fmt::format("  {}{}  {}: {}", code, count, name_of(alerts.front()), alerts.front().message),
+                          width) +
                 "\n";
     }
     if (cut) text += fmt::format("  and {} more kinds\n", groups.size() - (most - 1));
@@ -65,9 +64,14 @@ std::size_t lines_of_rows(const tables::TidyTable& table, std::size_t width) {
 /// A table whose rows take no more than so many lines, and how many rows more there are.
 std::string cut_table(tables::TidyTable table, std::size_t most, const char* file, std::size_t width) {
     const auto all = table.rows.size();
-    const auto shown = std::min(all, std::max<std::size_t>(most / lines_of_rows(table, width), 1));
-    table.rows.resize(shown);
-    auto text = tables::as_text_within(table, width);
+    auto shown = std::min(all, std::max<std::size_t>(most / lines_of_rows(table, width), 1));
+    constexpr std::size_t heads = 2;
+    auto text = std::string();
+    do {
+        table.rows.resize(shown);
+        text = tables::as_text_within(table, width);
+    } while (lines_in(text) > most + heads && shown-- > 1);
+    shown = table.rows.size();
     if (all > shown) text += fmt::format("  and {} more in {}\n", all - shown, file);
     return text + "\n";
 }
@@ -112,7 +116,8 @@ std::string screen(const StudyResult& result, const Screen& size, std::size_t re
     constexpr std::size_t most_kinds = 6;
     const auto said = verdict(result);
     const auto groups = grouped_alerts(result);
-    const auto head = title_and_answer(result, said.answer, size.width), alerts = alert_lines(groups, most_kinds, size.width);
+    const auto head = title_and_answer(result, said.answer, size.width),
+               alerts = alert_lines(groups, most_kinds, size.width);
     Shared shared;
     shared.add(reading::surfaces(result, reading::Spectra::used), "surfaces.csv", size.width);
     auto pairs = reading::pairs(result);
@@ -125,21 +130,23 @@ std::string screen(const StudyResult& result, const Screen& size, std::size_t re
 }
 
 std::string summary(const StudyResult& result, std::size_t width) {
-    auto text = result.study.title + "\n" + (result.study.description.empty() ? "" : result.study.description + "\n") + "\n";
+    auto text =
+        result.study.title + "\n" + (result.study.description.empty() ? "" : result.study.description + "\n") + "\n";
     const auto said = verdict(result);
     for (const auto& sentence : said.answer) text += wrapped(sentence, width) + "\n";
     for (const auto& sentence : said.limits) text += wrapped("- " + sentence, width, 2) + "\n";
     text += "\n";
-    for (const auto& table :
-         {reading::surfaces(result, reading::Spectra::all), reading::agreement(result), reading::elastomers(result),
-          reading::loops(result), reading::references(result), reading::all_pairs(result), reading::all_fits(result),
-          reading::cutoffs(result)})
+    for (const auto& table : {reading::surfaces(result, reading::Spectra::all), reading::agreement(result),
+                              reading::elastomers(result), reading::loops(result), reading::references(result),
+                              reading::all_pairs(result), reading::all_fits(result), reading::cutoffs(result)})
         if (!table.rows.empty()) text += tables::as_text_within(table, width) + "\n";
     if (const auto groups = grouped_alerts(result); !groups.empty()) {
         text += "Alerts\n";
         for (const auto& [code, alerts] : groups)
             for (const auto& alert : alerts)
-                text += wrapped(fmt::format("  {}: {}: {}; {}", code, alert.subject, alert.message, alert.action), width, 4) + "\n";
+                text += wrapped(fmt::format("  {}: {}: {}; {}", code, alert.subject, alert.message, alert.action),
+                                width, 4) +
+                        "\n";
         text += "\n";
     }
     return text + "± is one standard error, [ ] the 95 % interval.\n\n";

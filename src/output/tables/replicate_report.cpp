@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/core/uncertain_text.hpp"
 #include "setae/output/replicate_report.hpp"
+#include "setae/core/uncertain_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -171,7 +171,7 @@ tables::TidyTable replicate_mean_table(const ReplicateData& data, const MixedMod
     return table;
 }
 
-std::string summary(const ReplicateData& data, const MixedModel& model) {
+std::string summary(const ReplicateData& data, const MixedModel& model, std::size_t width) {
     const auto& unit = data.unit;
     const auto percent = [](double level) { return fmt::format("{:.0f} %", 100.0 * level); };
     tables::TidyTable means{
@@ -181,12 +181,13 @@ std::string summary(const ReplicateData& data, const MixedModel& model) {
     for (const auto& s : model.surfaces) {
         if (const auto interval = s.mean.interval) means.columns[4] = percent(interval->level) + " interval";
         means.rows.push_back({s.surface, fmt::format("{}", s.n), fmt::format("{}", s.excluded),
-                              format_uncertain(s.mean, unit), between(s.mean.interval, unit), between(s.prediction, unit),
+                              format_uncertain(s.mean, unit), between(s.mean.interval, unit),
+                              between(s.prediction, unit),
                               s.with_excluded ? format_uncertain(*s.with_excluded, unit) : "–",
                               s.heterogeneity ? percent(s.heterogeneity->I2) : "–",
                               s.heterogeneity ? fmt::format("{:.2g}", s.heterogeneity->probability) : "–"});
     }
-    std::string text = tables::as_text(means);
+    std::string text = tables::as_text_within(means, width);
     tables::TidyTable variances{
         "\nStandard deviations between", {"level", data.quantity, "degrees of freedom", data.levels[0]}, {}};
     std::string remarks;
@@ -202,29 +203,31 @@ std::string summary(const ReplicateData& data, const MixedModel& model) {
         for (const auto& sentence : fit.not_estimable)
             remarks += fmt::format("  {}{}\n", model.fits.size() == 1 ? "" : where + ": ", sentence);
     }
-    if (!variances.rows.empty()) text += tables::as_text(variances);
+    if (!variances.rows.empty()) text += tables::as_text_within(variances, width);
     if (!model.differences.empty()) {
         tables::TidyTable table{"\nDifferences", {"", data.quantity, "interval", "p"}, {}};
         for (const auto& d : model.differences)
             table.rows.push_back({d.later + " − " + d.earlier, format_uncertain(d.difference, unit),
                                   between(d.difference.interval, unit),
                                   std::isnan(d.probability) ? "–" : fmt::format("{:.2g}", d.probability)});
-        text += tables::as_text(table);
+        text += tables::as_text_within(table, width);
     }
     tables::TidyTable influence{"\nWithout one group", {data.levels[0], "without", data.quantity, "shift"}, {}};
     for (const auto& s : model.surfaces)
         for (const auto& i : s.influence)
-            influence.rows.push_back({s.surface, i.level + " " + i.group, i.mean ? format_uncertain(*i.mean, unit) : "–",
+            influence.rows.push_back({s.surface, i.level + " " + i.group,
+                                      i.mean ? format_uncertain(*i.mean, unit) : "–",
                                       std::isnan(i.shift) ? "–" : format_value(i.shift, unit, 3)});
-    if (!influence.rows.empty()) text += tables::as_text(influence);
+    if (!influence.rows.empty()) text += tables::as_text_within(influence, width);
     if (!data.exclusions.empty()) {
         tables::TidyTable table{"\nExcluded", {"row", data.levels[0], data.quantity, "reason"}, {}};
         for (const auto& e : data.exclusions)
             table.rows.push_back(
                 {data.rows[e.row].name, data.rows[e.row].groups[0],
-                 format_uncertain({.value = data.rows[e.row].value, .standard_error = data.rows[e.row].standard_error}, unit),
+                 format_uncertain({.value = data.rows[e.row].value, .standard_error = data.rows[e.row].standard_error},
+                                  unit),
                  e.reason});
-        text += tables::as_text(table);
+        text += tables::as_text_within(table, width);
     }
     for (const auto& s : model.surfaces)
         for (const auto& note : s.notes) remarks += fmt::format("  {}: {}\n", s.surface, note);

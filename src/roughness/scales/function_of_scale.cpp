@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/scales/function_of_scale.hpp"
+#include "setae/core/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,9 +68,10 @@ std::vector<Alert> coverage_gaps(const std::vector<Index>& bins, std::span<const
                    function.distance.maxCoeff() >= to * (1.0 - 1e-9);
         });
         if (bins[b] - bins[b - 1] > 1 && !spanned)
-            alerts.push_back({"COVERAGE_GAP", cut[0].quantity,
-                              fmt::format("no measurement between {:.4g} m and {:.4g} m", from, to),
-                              "measure these distances or read both sides by themselves"});
+            alerts.push_back(
+                {"COVERAGE_GAP", cut[0].quantity,
+                 fmt::format("no measurement between {} and {}", format_value(from, "m"), format_value(to, "m")),
+                 "measure these distances or read both sides by themselves"});
     }
     return alerts;
 }

@@ -29,6 +29,17 @@ TEST(TextOfATable, LeavesOutColumnsThatSayNothing) {
               "  longer   –              –\n");
 }
 
+TEST(TextOfATable, WrapsALastColumnOfText) {
+    const TidyTable wide{
+        "",
+        {"code", "what it says"},
+        {{std::string("A"), std::string("a reason of more words than one line of this width can hold")}}};
+    EXPECT_EQ(as_text_within(wide, 40),
+              "  code  what it says\n"
+              "  A     a reason of more words than one\n"
+              "        line of this width can hold\n");
+}
+
 TEST(TextOfATable, StacksRowsThatAreTooWide) {
     EXPECT_EQ(as_text_within(table, 20),
               "Surfaces\n"

@@ -14,6 +14,9 @@ namespace setae {
 /// word longer than a line stays whole. Without a line break at the end.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
+/// Text that begins behind so many characters, in lines of at most `width` characters that begin there, too.
+[[nodiscard]] std::string wrapped_from(std::size_t column, std::string_view text, std::size_t width);
+
 /// The beginning of a text that takes at most so many characters, with "…" where something is left out.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t width);
 

@@ -28,6 +28,9 @@ namespace setae {
 /// number_with_interval() likewise: "36.98 [36.67, 37.28] mJ/m²".
 [[nodiscard]] std::string format_interval(const Estimate& estimate, std::string_view si_unit);
 
+/// full_number() likewise: "37.0 ± 3.7 [29.7, 44.3] mJ/m²".
+[[nodiscard]] std::string format_full(const Estimate& estimate, std::string_view si_unit);
+
 /// A probability as it is printed in papers: "0.57", "1", "4·10⁻³³".
 [[nodiscard]] std::string probability_text(double probability);
 

@@ -20,6 +20,7 @@ namespace setae::output {
                                                      const statistics::MixedModel& model);
 
 /// Means, variances, differences, influence and exclusions as a terminal shows them.
-[[nodiscard]] std::string summary(const statistics::ReplicateData& data, const statistics::MixedModel& model);
+[[nodiscard]] std::string summary(const statistics::ReplicateData& data, const statistics::MixedModel& model,
+                                  std::size_t width = 100);
 
 }  // namespace setae::output

@@ -22,8 +22,9 @@ struct TidyTable {
 /// Aligned columns for a terminal, numbers with `significant_digits`, "–" for NaN.
 [[nodiscard]] std::string as_text(const TidyTable& table, int significant_digits = 4);
 
-/// The same without columns that say nothing ("" or "–" in every row); rows that do not fit into a width of so many
-/// characters are stacked: the first cell, then a line for each other one.
+/// The same without columns that say nothing ("" or "–" in every row). Where rows do not fit into a width of so many
+/// characters, texts of the last column go on below themselves where that leaves them room; else rows are stacked: the
+/// first cell, then a line for each other one.
 [[nodiscard]] std::string as_text_within(const TidyTable& table, std::size_t width, int significant_digits = 4);
 
 }  // namespace setae::tables
