@@ -69,8 +69,8 @@ def blocks_of(page):
 class Session:
     """One reader at one terminal with one notebook, in the working folder."""
 
-    def __init__(self, folder):
-        self.folder = folder
+    def __init__(self, folder, page):
+        self.folder, self.page = folder, page
         self.names = {"__name__": "__main__"}
         self.printed = None  # by the last block that was run, None if it was left out
 
@@ -92,7 +92,7 @@ class Session:
         print(f">>> block at line {block.line}", flush=True)
         output = io.StringIO()
         # empty lines in front, so that messages name lines of the page
-        code = compile("\n" * block.line + block.text, "page", "exec")
+        code = compile("\n" * block.line + block.text, self.page, "exec")
         with contextlib.redirect_stdout(output):
             exec(code, self.names)
         self.printed = output.getvalue()
@@ -175,7 +175,7 @@ def main():
         os.environ["SETAE_CACHE"] = f"{folder}/cache"
         os.chdir(folder)
         try:
-            run(blocks, Session(folder), given.write)
+            run(blocks, Session(folder, page), given.write)
             for file in given.expect:
                 if not os.path.isfile(file) or os.path.getsize(file) == 0:
                     raise Failure(f"missing: {file}")
