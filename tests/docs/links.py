@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""links.py: every link of a document leads somewhere: the file is there, and the section it names.
+"""links.py: every link of a document leads somewhere: the file is there, and the section it names; docs/README.md leads to every page.
 
 --measured PAGE    of this page, besides: every paragraph, item and row of a table has a link to a section that holds a table or a figure
 """
@@ -64,6 +64,19 @@ def broken(page):
                 yield f"{page}:{number}: {link}: no such section; there are {', '.join(name for name in sections(file) if name)}"
 
 
+def unlisted():
+    """Pages of docs that its list leads to neither itself nor by one page more."""
+    top = pathlib.Path("docs/README.md")
+    near = linked(top) | {page for first in linked(top) if first.suffix == ".md" for page in linked(first)}
+    for page in sorted(pathlib.Path("docs").glob("**/*.md")):
+        if page.resolve() not in near | {top.resolve()} and page.parts[1] != "adr":
+            yield f"{page}: docs/README.md does not lead to it"
+
+
+def linked(page):
+    return {target_of(page, link)[0] for link in LINK.findall(without_code(page.read_text(encoding="utf-8")))}
+
+
 def claims(page):
     """Paragraphs, items and rows of a page, each with the line where it begins."""
     lines = without_code(page.read_text(encoding="utf-8")).splitlines()
@@ -116,6 +129,7 @@ def main():
     given = parser.parse_args()
     pages = sorted({page for pattern in PAGES for page in pathlib.Path().glob(pattern)})
     problems = [problem for page in pages for problem in broken(page)]
+    problems += unlisted()
     problems += [problem for page in given.measured for problem in unmeasured(page)]
     print("\n".join(problems) or f"{len(pages)} pages")
     return 1 if problems or not pages else 0
