@@ -25,7 +25,8 @@ def integral(spectrum, power):
 def a_wave_has_its_closed_forms(user):
     """One line scan of a wave: C1D holds A² L/4 in one mode, and two verbs agree about the slope."""
     step = LENGTH / POINTS
-    lines = [f"{k * step * 1e9!r},{AMPLITUDE * 1e9 * math.cos(2 * math.pi * PERIODS * k / POINTS)!r}" for k in range(POINTS)]
+    heights = [AMPLITUDE * math.cos(2 * math.pi * PERIODS * k / POINTS) for k in range(POINTS)]
+    lines = [f"{k * step * 1e9!r},{height * 1e9!r}" for k, height in enumerate(heights)]
     (user.folder / "wave.csv").write_text("\n".join(["x [nm],h [nm]", *lines]) + "\n", encoding="utf-8")
     spectrum = user.reads("setae psd wave.csv --window none --trend mean")
     require(spectrum["units"]["wavevector"] == "1/m" and spectrum["units"]["C1D"] == "m3", f"units are {spectrum['units']}")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""real_files.py SETAE: a folder of real files, a container of three instruments and a sensor's loops, becomes figures in at most six commands.
+"""real_files.py SETAE: a container of three instruments and a sensor's loops become figures in at most six commands.
 
 Skipped where the files are missing; published numbers of them stand in the folder's own DATA.md.
 """
