@@ -45,17 +45,26 @@ bool has_dimension(const std::string& unit, const Dimension& dimension) {
     }
 }
 
+/// What the first column holds: as it is said, else by its unit and name.
+std::string quantity_of(const RawTable::RawColumn& column, const SpectrumUnits& units) {
+    if (!units.quantity.empty()) return units.quantity;
+    if (has_dimension(column.unit, dimension::length)) return "wavelength";
+    return says_frequency(column.name) ? "frequency" : "wavevector";
+}
+
 /// The first column as wavevectors; says what it was where it was none.
 Column wavevectors(const RawTable::RawColumn& raw, Table& table, const std::string& path) {
     constexpr const char* normalised = "; the density counts as that of both signs, h_rms^2 = int C(f) df over +-f";
-    if (has_dimension(raw.unit, dimension::length)) {
-        auto column = in_si(raw, "wavevector", dimension::length, path);
-        table.metadata["converted"] = fmt::format("column '{}' holds wavelengths: q = 2 pi/lambda", raw.name);
-        return {column.name, "1/m", 2.0 * pi / column.values};
+    const auto& quantity = table.metadata.at("quantity");
+    const auto name = raw.name.empty() ? std::string("the first column") : fmt::format("column '{}'", raw.name);
+    if (quantity == "wavelength") {
+        auto column = in_si(raw, "wavelength", dimension::length, path);
+        table.metadata["converted"] = name + " holds wavelengths: q = 2 pi/lambda";
+        return {"wavevector", "1/m", 2.0 * pi / column.values};
     }
     auto column = in_si(raw, "wavevector", dimension::wavevector, path);
-    if (!says_frequency(raw.name)) return column;
-    table.metadata["converted"] = fmt::format("column '{}' holds frequencies: q = 2 pi f{}", raw.name, normalised);
+    if (quantity == "wavevector") return column;
+    table.metadata["converted"] = fmt::format("{} holds frequencies: q = 2 pi f{}", name, normalised);
     return {column.name, column.unit, 2.0 * pi * column.values};
 }
 
@@ -110,9 +119,15 @@ SpectrumUnits SpectrumUnits::from_text(const std::string& text) {
     const auto comma = text.find(',');
     if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
         throw InvalidArgument(
-            fmt::format("'{}' are no two units; expected those of wavevector and density, as in \"1/um, nm3\"", text));
+            fmt::format("'{}' are no two units; expected those of wavevector and density, as in \"1/um, nm3\" or \"frequency 1/um, nm3\"", text));
     const std::string_view all = text;
-    return {std::string(trimmed(all.substr(0, comma))), std::string(trimmed(all.substr(comma + 1)))};
+    SpectrumUnits units{"", std::string(trimmed(all.substr(0, comma))), std::string(trimmed(all.substr(comma + 1)))};
+    for (const char* quantity : {"wavevector", "frequency", "wavelength"})
+        if (units.wavevector.starts_with(std::string(quantity) + " ")) {
+            units.quantity = quantity;
+            units.wavevector = std::string(trimmed(units.wavevector.substr(units.quantity.size())));
+        }
+    return units;
 }
 
 bool is_power_spectrum_table(const bytes::Source& source) {
@@ -149,6 +164,8 @@ Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& un
         table.metadata["units"] = "assumed SI";
         if (raw.separator == ';' && raw.decimal_point == ',' && raw.header.empty()) drop_first_row(raw);
     }
+    table.metadata["quantity"] = quantity_of(columns[0], units);
+    table.metadata["units_of_file"] = fmt::format("{}, {}", columns[0].unit, columns[1].unit);
     table.columns.push_back(wavevectors(columns[0], table, path));
     const bool areal = has_dimension(columns[1].unit, dimension::power_spectrum_2d);
     const auto& density = areal ? dimension::power_spectrum_2d : dimension::power_spectrum_1d;
@@ -159,6 +176,18 @@ Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& un
     if (!(table.columns[0].values > 0.0).any())
         throw FormatError(path, {}, fmt::format("no positive wavevector among {} rows", table.rows()));
     return table;
+}
+
+std::vector<Alert> alerts_of(const Table& power_spectrum, const std::string& subject) {
+    std::vector<Alert> alerts;
+    const auto& said = power_spectrum.metadata;
+    if (const auto units = said.find("units"); units != said.end())
+        alerts.push_back({"UNIT_GUESSED", subject, fmt::format("{}: units {}", said.at("file"), units->second),
+                          "write them in the header as q [1/m], C1D [m3]"});
+    if (const auto converted = said.find("converted"); converted != said.end())
+        alerts.push_back({"SPECTRUM_CONVERTED", subject, fmt::format("{}: {}", said.at("file"), converted->second),
+                          "name the column q where it holds wavevectors"});
+    return alerts;
 }
 
 }  // namespace setae::tables

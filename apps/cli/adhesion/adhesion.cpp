@@ -152,6 +152,8 @@ ExitCode run(const Arguments& arguments) {
         {"area_share", output::numbers(scales.area_share)},
         {"units",
          {{"wavevector", "1/m"}, {"gained", "J/m2"}, {"stored", "J/m2"}, {"stored_share", "1"}, {"area_share", "1"}}}};
+    if (const auto& measurements = result.surfaces.front().measurements; measurements.size() == 1)
+        if (const auto channel = measurements.front().channel) json["channel"] = *channel;
     json["alerts"] = output::to_json(alerts);
     print_json(json);
     return code;

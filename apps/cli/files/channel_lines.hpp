@@ -11,9 +11,6 @@ namespace setae::cli {
 /// unit.
 [[nodiscard]] std::string channel_line(const formats::ChannelInfo& info);
 
-/// Orientation, instrument, date and, in capitals, what is missing with the option to give it; each behind ", ".
-[[nodiscard]] std::string channel_remarks(const formats::ChannelInfo& info);
-
 /// "12 %", "0.34 %", "< 0.01 %".
 [[nodiscard]] std::string percent(double share);
 

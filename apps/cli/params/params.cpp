@@ -138,7 +138,8 @@ ExitCode run(const Arguments& arguments) {
     if (code == ExitCode::nothing_done) return code;
     output::Json json = output::Json::array();
     const auto width = output_size().width;
-    const auto emit = [&](const std::string& file, const std::string& name, const std::vector<Quantity>& list) {
+    const auto emit = [&](const std::string& file, const std::string& name, const std::vector<Quantity>& list,
+                          std::optional<std::size_t> channel) {
         if (!arguments.common.json) {
             const auto title = file + (name.empty() || name == file ? "" : " (" + name + ")");
             print(tables_of(title, list, width));
@@ -148,13 +149,16 @@ ExitCode run(const Arguments& arguments) {
             auto entry = output::to_json(q);
             entry["file"] = file;
             entry["measurement"] = name;
+            if (channel) entry["channel"] = *channel;
             json.push_back(std::move(entry));
         }
     };
     for (const auto& m : surface.measurements)
-        if (!m.failed()) emit(m.file, m.name, output::measurement_quantities(m));
+        if (!m.failed()) emit(m.file, m.name, output::measurement_quantities(m), m.channel);
     const bool is_alone = surface.measurements.size() == 1 || input.power_spectrum;
-    emit(is_alone ? arguments.surface.files.front() : "combined", "", spectral_quantities(surface, options.conversion));
+    const auto channel = surface.measurements.size() == 1 ? surface.measurements.front().channel : std::nullopt;
+    emit(is_alone ? arguments.surface.files.front() : "combined", "", spectral_quantities(surface, options.conversion),
+         channel);
     if (arguments.common.json) print_json(json);
     show(alerts_of(surface));
     return code;

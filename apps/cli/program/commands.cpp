@@ -30,6 +30,7 @@ namespace jkr_energy_command { Action declare(Options&); }
 namespace jkr_summary_command { Action declare(Options&); }
 namespace synthesize_command { Action declare(Options&); }
 namespace study_command { Action declare(Options&); }
+namespace study_init_command { Action declare(Options&); }
 namespace plot_command { Action declare(Options&); }
 namespace lab_make_command { Action declare(Options&); }
 namespace lab_closure_command { Action declare(Options&); }
@@ -52,7 +53,7 @@ constexpr CommandGroup groups[] = {
 };
 
 constexpr Command table[] = {
-    {"", "info", "what files hold: format, channels, shape, size, unit, heights, and what they leave open",
+    {"", "info", "what files and folders hold, which verb takes them, and what they leave open",
      info_command::declare},
     {"", "formats", "file formats setae reads and writes", formats_command::declare},
     {"", "convert", "write the heights of files in metres as .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv",
@@ -90,6 +91,8 @@ constexpr Command table[] = {
      jkr_summary_command::declare},
     {"", "synthesize", "make a random surface or line with a given power spectrum", synthesize_command::declare},
     {"", "study", "run a study: surfaces, elastomers, experiments → tables and fits", study_command::declare},
+    {"study", "init", "draft a study from what files in folders say; what it must be told is asked in its lines",
+     study_init_command::declare},
     {"", "plot", "draw one figure of a study: SVG, PDF, PNG or its numbers as CSV", plot_command::declare},
     {"lab", "make", "write what instruments would record on surfaces and loops of a recipe", lab_make_command::declare},
     {"lab", "closure", "make and study a recipe many times: bias and coverage of every quantity",

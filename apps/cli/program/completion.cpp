@@ -84,7 +84,8 @@ std::string fish(const std::vector<ProgramVerb>& verbs) {
         const auto next = fmt::format("{}not __fish_seen_subcommand_from {}",
                                       condition.empty() ? "" : condition + "; and ", joined(verb.verbs));
         for (std::size_t i = 0; i < verb.verbs.size(); ++i)
-            text += fmt::format("complete -c setae -n {} -f -a {} -d {}\n", shell_word(next), shell_word(verb.verbs[i]),
+            text += fmt::format("complete -c setae -n {}{} -a {} -d {}\n", shell_word(next),
+                                verb.positionals.empty() ? " -f" : "", shell_word(verb.verbs[i]),
                                 shell_word(verb.verb_descriptions[i]));
         for (const auto& option : verb.options) {
             std::string flags;

@@ -136,8 +136,8 @@ CLI::App& group_of(CLI::App& program, const Command& command) {
     const auto added_before =
         program.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == command.group; });
     if (!added_before.empty()) return *added_before.front();
-    const auto groups = command_groups();
-    const auto group = std::find_if(groups.begin(), groups.end(),
+    const auto declared = command_groups();
+    const auto group = std::find_if(declared.begin(), declared.end(),
                                     [&](const CommandGroup& g) { return std::string_view(g.name) == command.group; });
     auto* added = program.add_subcommand(group->name, group->description);
     added->require_subcommand(1);
@@ -154,7 +154,10 @@ std::unique_ptr<CLI::App> program_with_verbs(Action& chosen) {
     for (const auto& command : commands()) {
         auto* verb = group_of(*program, command).add_subcommand(command.name, command.description);
         Options options(*verb);
-        verb->callback([&chosen, action = command.declare(options)] { chosen = action; });
+        // of a verb with verbs of its own, such as study, the last one named is meant
+        verb->callback([&chosen, verb, action = command.declare(options)] {
+            if (verb->get_subcommands().empty()) chosen = action;
+        });
     }
     return program;
 }
@@ -222,7 +225,7 @@ std::string objection_to(const CLI::App& program, const CLI::ParseError& error) 
     const auto help = of_verb ? "`setae help " + path_of(verb) + "` says what it takes" : "`setae --help` lists the verbs";
     const auto words = program.remaining(true);
     std::string said = error.what();
-    if (!verb.get_subcommands(any).empty()) {
+    if (verb.get_require_subcommand_min() > 0) {
         said = words.empty() ? "expected a verb after it" : unknown_verb(verb, words);
     } else if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
         std::vector<std::string> flags;

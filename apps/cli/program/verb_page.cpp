@@ -57,7 +57,7 @@ std::string verb_page() {
     std::string sections;
     ProgramVerb any;
     for (const auto& verb : program_verbs()) {
-        if (!verb.verbs.empty()) continue;  // the program, or a group of verbs
+        if (!verb.verbs.empty() && verb.positionals.empty()) continue;  // the program, or a group of verbs
         text += row(fmt::format("[{}](#{})", verb.path, anchor(verb)), verb.description);
         sections += section(verb);
         any = verb;

@@ -109,14 +109,16 @@ output::Json as_json(const Table& table, const study::SurfaceResult& surface) {
     json["band"] = {
         {"lower", surface.average.curve.band.lower}, {"upper", surface.average.curve.band.upper}, {"unit", "1/m"}};
     json["measurements"] = output::Json::array();
-    for (const auto& m : surface.measurements)
-        if (!m.failed())
-            json["measurements"].push_back({{"file", m.file},
-                                            {"name", m.name},
-                                            {"q_min", m.spectrum.band.lower},
-                                            {"q_max", m.spectrum.band.upper},
-                                            {"window", m.spectrum.window},
-                                            {"processing", output::to_json(m.processing)}});
+    for (const auto& m : surface.measurements) {
+        if (m.failed()) continue;
+        json["measurements"].push_back({{"file", m.file},
+                                        {"name", m.name},
+                                        {"q_min", m.spectrum.band.lower},
+                                        {"q_max", m.spectrum.band.upper},
+                                        {"window", m.spectrum.window},
+                                        {"processing", output::to_json(m.processing)}});
+        if (m.channel) json["measurements"].back()["channel"] = *m.channel;
+    }
     json["alerts"] = output::to_json(alerts_of(surface));
     return json;
 }

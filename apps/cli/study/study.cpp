@@ -20,6 +20,7 @@
 #include "setae/output/screen.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/report/report.hpp"
+#include "setae/study/study_gaps.hpp"
 #include "setae/study_figures/write_figures.hpp"
 #include "study/interruption.hpp"
 #include "study/run_arguments.hpp"
@@ -80,7 +81,13 @@ study::Study study_of(const Arguments& arguments) {
     return study;
 }
 
-/// What a run would do, and what it would take from the store.
+/// What the study's file leaves open, by its lines.
+void print_gaps(const std::vector<study::StudyGap>& gaps, const std::string& file) {
+    if (!gaps.empty()) print("\nMissing\n");
+    for (const auto& gap : gaps) print(fmt::format("  {}:{}: {}: {}\n", file, gap.line, gap.item, gap.message));
+}
+
+/// What a run would do, what it would take from the store, and what the study leaves open.
 ExitCode show_plan(const Arguments& arguments) {
     const auto study = study_of(arguments);
     const auto store = arguments.run.store();
@@ -88,6 +95,7 @@ ExitCode show_plan(const Arguments& arguments) {
     options.threads = arguments.common.workers();
     options.store = &store;
     const auto steps = study::planned_steps(study, options);
+    const auto gaps = study::study_gaps(study);
     const auto state = [](const study::PlannedStep& step) {
         return !step.error.empty() ? "fails" : step.cached ? "kept" : "to do";
     };
@@ -98,11 +106,14 @@ ExitCode show_plan(const Arguments& arguments) {
         output::Json json{{"study", study.path},
                           {"output", study.output},
                           {"cache", store.folder()},
-                          {"steps", output::Json::array()}};
+                          {"steps", output::Json::array()},
+                          {"missing", output::Json::array()}};
         for (const auto& step : steps) {
             json["steps"].push_back({{"stage", step.stage}, {"item", step.item}, {"state", state(step)}});
             if (!step.error.empty()) json["steps"].back()["error"] = step.error;
         }
+        for (const auto& gap : gaps)
+            json["missing"].push_back({{"line", gap.line}, {"item", gap.item}, {"message", gap.message}});
         print_json(json);
     } else {
         for (const auto& step : steps)
@@ -110,6 +121,7 @@ ExitCode show_plan(const Arguments& arguments) {
                 fmt::format("{:<6} {:<12} {}\n", state(step), step.stage, step.error.empty() ? step.item : step.error));
         print(fmt::format("{} steps: {} to do, {} kept from earlier runs, {} will fail; results would go to {}\n",
                           steps.size(), count("to do"), count("kept"), count("fails"), study.output));
+        print_gaps(gaps, arguments.file);
     }
     return count("fails") == 0 ? ExitCode::done : ExitCode::some_failed;
 }
@@ -206,13 +218,13 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("file", arguments->file, "TOML file of the study").of_inputs();
+    options.add("file", arguments->file, "TOML file of the study; one called init is told as ./init").of_inputs();
     options.add("--output", arguments->output, "folder of the results; default: beside the study");
     options.flag("--all", arguments->all, "print every table and alert, not one screen");
     options.flag("--no-figures", arguments->no_figures, "write no files of figures; the report draws its own");
     arguments->run.add_to(options);
     options.flag("--dry-run", arguments->dry_run,
-                 "list the steps and what of them is kept from earlier runs, then stop");
+                 "list the steps, what of them is kept from earlier runs, and what the study leaves open, then stop");
     options.add("--documentation", arguments->documentation,
                 "write the pages on keys, alerts and figures of studies to this folder");
     return action(options, arguments, explanation, run);

@@ -56,8 +56,7 @@ spectra::SpectralDensity without_longer(spectra::SpectralDensity density, double
 }
 
 /// C_iso or C1D from columns q, C.
-spectra::SpectralDensity from_table(const std::string& path, bool line) {
-    const auto table = tables::read_power_spectrum_table(path);
+spectra::SpectralDensity from_table(const Table& table, bool line) {
     const auto& q = table.at("wavevector");
     if (const auto* C_iso = table.find("C_iso")) {
         auto density = spectra::tabulated_density(q, C_iso->values);
@@ -93,6 +92,8 @@ void SynthesisOptions::add_to(Options& options) {
     options.add("--plateau", plateau, "C_iso below the roll-off, such as \"5e-27 m4\"")
         .quantity(positive(dimension::power_spectrum_2d));
     options.add("--spectrum,table", spectrum, "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
+    options.add("--unit", spectrum_unit,
+                "of the table's columns where its header has none, such as \"1/um, nm3\" or \"frequency 1/um, nm3\"");
     options.add("--pixels", pixels, "points along x and y, such as 1024x512; one number for both").default_shown();
     options.add("--size", size, "extent, such as \"5 um\" or \"5 um x 2 um\"");
     options.add("--window-of", window_of,
@@ -140,7 +141,15 @@ SynthesisPlan SynthesisOptions::plan(parallel::Threads threads) const {
         if (line) throw InvalidArgument("--skewness and --kurtosis are for surfaces; leave them out with --line");
         plan.heights = synthesis::johnson_heights({skewness.value_or(0.0), kurtosis.value_or(3.0)});
     }
-    plan.density = spectrum.empty() ? self_affine(plan.grid) : from_table(spectrum, line);
+    if (spectrum.empty()) {
+        if (!spectrum_unit.empty()) throw InvalidArgument("--unit is that of a table's columns; expected --spectrum with it");
+        plan.density = self_affine(plan.grid);
+    } else {
+        const auto table = tables::read_power_spectrum_table(
+            spectrum, spectrum_unit.empty() ? tables::SpectrumUnits{} : tables::SpectrumUnits::from_text(spectrum_unit));
+        plan.density = from_table(table, line);
+        plan.alerts = tables::alerts_of(table, spectrum);
+    }
     if (exact_rms)
         plan.options.exact_rms_height =
             rms_height.empty() ? plan.expected().rms_height : parse_quantity(rms_height, dimension::length);

@@ -4,8 +4,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "program/options.hpp"
+#include "setae/core/quantity.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/synthesis/transformed_heights.hpp"
 
@@ -19,6 +21,7 @@ struct SynthesisPlan {
     bool line = false;
     synthesis::HeightTransform heights;          ///< of their distribution; empty: Gaussian
     std::optional<std::array<Index, 2>> window;  ///< points of it, from the surface's first point on
+    std::vector<Alert> alerts;                   ///< of the table its spectrum is from
 
     /// What the spectrum gives on the grid.
     [[nodiscard]] synthesis::ExpectedRoughness expected() const;
@@ -29,7 +32,7 @@ struct SynthesisPlan {
 struct SynthesisOptions {
     std::optional<double> hurst;
     std::string rolloff, short_cutoff, long_cutoff, rms_height, rms_slope, plateau, spectrum;
-    std::string pixels = "1024", size, window_of;
+    std::string spectrum_unit, pixels = "1024", size, window_of;
     std::uint64_t seed = 0;
     bool line = false, exact_rms = false;
     std::string amplitudes = "gaussian";

@@ -85,6 +85,7 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.common.json) {
         const auto title = fmt::format("{}: {} x {} points", arguments.output, points[0], points[1]);
         print(output::quantity_table(title, quantities, output_size().width));
+        show(plan.alerts);
         return ExitCode::done;
     }
     output::Json json{
@@ -92,6 +93,7 @@ ExitCode run(const Arguments& arguments) {
     if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) json["size"] = map->size;
     else json["size"] = std::get<topography::LineScan>(measurement).size;
     for (const auto& q : quantities) json["quantities"].push_back(output::to_json(q));
+    if (!plan.alerts.empty()) json["alerts"] = output::to_json(plan.alerts);
     print_json(json);
     return ExitCode::done;
 }

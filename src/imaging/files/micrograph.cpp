@@ -36,13 +36,13 @@ Kind kind_of(std::string_view head) {
     return is_hdf5(head) ? Kind::emd : Kind::none;
 }
 
-constexpr std::uint64_t head_bytes = 2048;
-
 }  // namespace
+
+bool is_micrograph(std::string_view head) { return kind_of(head) != Kind::none; }
 
 Micrograph read_micrograph_file(const bytes::Source& file, const MicrographOptions& options) {
     auto micrograph = [&] {
-        switch (kind_of(file.up_to(0, head_bytes))) {
+        switch (kind_of(file.head(picture_head_bytes))) {
             case Kind::dm: return read_digital_micrograph(file, options);
             case Kind::tiff: return read_tiff(file, options);
             case Kind::picture: return read_plain_picture(file, options);
@@ -71,7 +71,7 @@ Micrograph read_micrograph(const std::string& path, const MicrographOptions& opt
 
 std::vector<std::string> micrographs_in(const std::string& folder) {
     auto paths =
-        files_in(folder, [](const bytes::Source& file) { return kind_of(file.up_to(0, head_bytes)) != Kind::none; });
+        files_in(folder, [](const bytes::Source& file) { return is_micrograph(file.head(picture_head_bytes)); });
     if (paths.empty())
         throw FormatError(folder, {}, "no pictures; expected DM3, DM4, TIFF, PNG, JPEG, BMP, SER, EMD or MRC files");
     return paths;

@@ -127,6 +127,7 @@ Json measurement_json(const study::MeasurementResult& m) {
     const auto& instrument = m.spectrum.metadata.instrument;
     json["instrument"] = instrument.type.empty() ? instrument.name : instrument.type;
     json["format"] = m.spectrum.metadata.format;
+    if (m.channel) json["channel"] = *m.channel;
     if (!m.processing.empty()) json["processing"] = to_json(m.processing);
     json["trend_removed"] = topography::name(m.trend);
     json["window"] = m.spectrum.window;

@@ -121,7 +121,14 @@ const Keys<SurfaceInput>& surface_keys() {
                          surface.measurements.push_back(measurement_keys().from(std::move(inner)));
                      });
                  })
-            .file("power_spectrum", &Input::power_spectrum, "a table q, C1D in place of measurements")
+            .file("power_spectrum", &Input::power_spectrum,
+                  "a table of C1D, or of C_iso, against wavevector, frequency or wavelength in place of measurements")
+            .parsed(
+                "power_spectrum_unit", "two units such as `1/um, nm3`",
+                [](Input& input, const std::string& text) {
+                    input.spectrum_units = tables::SpectrumUnits::from_text(text);
+                },
+                "of its columns where its header has none; `frequency 1/um, nm3` says what the first one holds")
             .add({"pipeline", "file", "", "", "processing steps of all measurements that name none of their own"},
                  [](TomlReader& reader, Input& surface) {
                      MeasurementInput of_all;

@@ -134,7 +134,7 @@ namespace setae::tables {
 
 SETAE_KEEP(ForceCurveOptions, spring_constant, sensitivity)
 
-SETAE_KEEP(SpectrumUnits, wavevector, density)
+SETAE_KEEP(SpectrumUnits, quantity, wavevector, density)
 
 }  // namespace setae::tables
 
@@ -220,7 +220,7 @@ SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, spectr
 SETAE_KEEP(SurfaceAnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile,
            bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
 SETAE_KEEP(HeightPreview, positions, heights, map, size)
-SETAE_KEEP(MeasurementResult, file, name, error, trend, processing, spectrum, real_space, arithmetic_height,
+SETAE_KEEP(MeasurementResult, file, name, error, channel, trend, processing, spectrum, real_space, arithmetic_height,
            bands_of_uncertain_tip, slopes, triangulated, slope_shape, waves_energy_per_modulus, preview, alerts)
 SETAE_KEEP(SpectrumResult, curve, parameters, other_conversion, uncut_energy_per_modulus, spread)
 SETAE_KEEP(FittedSpectrum, band, wavevector, C_iso, log_C_iso_standard_error, C1D, log_C1D_standard_error, agreement,

@@ -110,12 +110,8 @@ void take_power_spectrum(SurfaceResult& surface, const SurfaceInput& input, cons
              fmt::format("{} states no errors of {} of its {} values: ± of what follows from them leave these out",
                          file, without, q.size()),
              "fill a third column, standard_error [m3]"});
-    if (const auto units = table.metadata.find("units"); units != table.metadata.end())
-        surface.alerts.push_back({"UNIT_GUESSED", surface.name, fmt::format("{}: units {}", file, units->second),
-                                  "write them in the header as q [1/m], C1D [m3]"});
-    if (const auto converted = table.metadata.find("converted"); converted != table.metadata.end())
-        surface.alerts.push_back({"SPECTRUM_CONVERTED", surface.name, fmt::format("{}: {}", file, converted->second),
-                                  "name the column q where it holds wavevectors"});
+    const auto alerts = tables::alerts_of(table, surface.name);
+    surface.alerts.insert(surface.alerts.end(), alerts.begin(), alerts.end());
 }
 
 }  // namespace setae::study

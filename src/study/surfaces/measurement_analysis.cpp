@@ -115,6 +115,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     const auto& measurement = prepared.measurement;
     MeasurementResult result;
     describe(result, topography::metadata(measurement), prepared.trend, prepared.alerts);
+    result.channel = prepared.channel;
     result.processing = prepared.processing;
     if (wanted.previews) result.preview = height_preview(measurement);
     if (wanted.parameters) {
@@ -165,6 +166,7 @@ MeasurementResult analyse_tiled_map(const TiledMeasurement& large, const Surface
     const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(options.largest_map));
     MeasurementResult result;
     describe(result, metadata, large.trend, large.alerts);
+    result.channel = large.channel;
     result.alerts.push_back(tiled_map_alert(metadata, large.map, options.largest_map));
     const auto levelled = topography::detrended(large.map, large.trend, lines_together, threads);
     if (wanted.previews) result.preview = preview_of(levelled, lines_together);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "foil_alert.hpp"
+#include "setae/bytes/expand.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/formats/channel.hpp"
@@ -144,13 +145,14 @@ topography::Trend trend_of(const formats::Channel& channel, const MeasurementInp
     return input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(metadata.instrument.type)));
 }
 
-std::optional<TiledMeasurement> tiled_measurement(const formats::Channel& channel, const MeasurementInput& input) {
+std::optional<TiledMeasurement> tiled_measurement(const formats::Channel& channel, const MeasurementInput& input,
+                                                  std::optional<std::size_t> taken) {
     if (!input.steps.empty()) return {};  // steps look at the whole map
     auto map = formats::tiled(channel);
     if (!map) return {};
     apply_instrument(map->metadata.instrument, input);
     const auto trend = trend_of(channel, input, map->metadata);
-    return TiledMeasurement{std::move(*map), trend, channel.info.alerts};
+    return TiledMeasurement{std::move(*map), trend, channel.info.alerts, taken};
 }
 
 /// Whether a pipeline takes more than the mean height away, so that no trend need be removed behind it.
@@ -177,8 +179,9 @@ double step_along_x(const topography::Measurement& measurement) {
 }
 
 PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementInput& input,
-                            const formats::ReadOptions& options) {
+                            const formats::ReadOptions& options, std::optional<std::size_t> taken) {
     PreparedMeasurement prepared;
+    prepared.channel = taken;
     prepared.alerts = channel.info.alerts;
     prepared.direction = input.direction;
     prepared.optics = optics_of(input);
@@ -205,14 +208,42 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     return prepared;
 }
 
+/// "0 'Height (trace)', 1 'Height (retrace)'": the channels of heights.
+std::string height_channels(const std::vector<formats::Channel>& channels) {
+    std::string list;
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        if (const auto& info = channels[i].info; info.is_height)
+            list += fmt::format("{}{} '{}'", list.empty() ? "" : ", ", i, info.name);
+    return list;
+}
+
+/// Says that the first of several channels of heights was taken.
+Alert choice_alert(const std::string& file, const std::vector<formats::Channel>& channels, std::size_t taken) {
+    return {"CHANNEL_CHOSEN", file,
+            fmt::format("its channel {} '{}' was taken, of those that hold heights: {}", taken,
+                        channels[taken].info.name, height_channels(channels)),
+            "choose another by --channel, in a study by channel = 1"};
+}
+
 }  // namespace
 
 std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input) {
     const formats::ReadOptions options{input.size, input.unit};
+    const auto source = bytes::unpacked(bytes::file_source(input.file));
+    const auto& format = formats::detect_format(source);
+    auto channels = formats::open(source, format, options);
+    const bool several = std::count_if(channels.begin(), channels.end(), [](const auto& c) { return c.info.is_height; }) > 1;
     std::vector<MeasurementSource> found;
-    for (const auto& channel : formats::open_chosen(input.file, input.channel, options))
-        found.push_back({[channel, input, options] { return prepare(channel, input, options); },
-                         tiled_measurement(channel, input)});
+    for (const auto i : formats::chosen_channels(input.file, channels, input.channel, format.is_container)) {
+        std::optional<std::size_t> taken;
+        if (several && !input.channel && !format.is_container) {
+            taken = i;
+            channels[i].info.alerts.push_back(choice_alert(input.file, channels, i));
+        }
+        const auto& channel = channels[i];
+        found.push_back({[channel, input, options, taken] { return prepare(channel, input, options, taken); },
+                         tiled_measurement(channel, input, taken)});
+    }
     return found;
 }
 

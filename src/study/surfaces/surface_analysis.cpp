@@ -308,7 +308,13 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceA
             steps.push_back({"measurement", measurement.file, reason_of(error, measurement.file), false});
         }
     }
-    steps.push_back({"surface", input.name, {}, whole});
+    PlannedStep last{"surface", input.name, {}, whole};
+    try {
+        if (input.power_spectrum) (void)tables::read_power_spectrum_table(*input.power_spectrum, input.spectrum_units);
+    } catch (const std::exception& error) {
+        last.error = reason_of(error, *input.power_spectrum);
+    }
+    steps.push_back(std::move(last));
     return steps;
 }
 

@@ -155,8 +155,38 @@ TEST(PowerSpectrumTable, TakesUnitsThatTheHeaderLacks) {
     EXPECT_DOUBLE_EQ(table.at("wavevector")[0], 2e6 * pi) << "its name says frequency";
     EXPECT_DOUBLE_EQ(table.at("standard_error")[0], 0.5e-27);
     const auto stated = folder.write("s.csv", "q [1/nm],C1D [nm3]\n1,2\n2,1\n");
-    EXPECT_THROW((void)read_power_spectrum_table(stated, {"1/um", "nm3"}), InvalidArgument);
+    EXPECT_THROW((void)read_power_spectrum_table(stated, {.wavevector = "1/um", .density = "nm3"}), InvalidArgument);
     EXPECT_THROW((void)SpectrumUnits::from_text("um"), InvalidArgument);
+}
+
+TEST(PowerSpectrumTable, TakesWhatItsFirstColumnIsSaidToBe) {
+    const TemporaryFolder folder;
+    const auto bare = folder.write("p.txt", "1 2\n2 1\n");
+    const auto q = [&](const std::string& path, const char* units) {
+        return read_power_spectrum_table(path, SpectrumUnits::from_text(units)).at("wavevector")[0];
+    };
+    EXPECT_DOUBLE_EQ(q(bare, "1/um, nm3"), 1e6);
+    EXPECT_DOUBLE_EQ(q(bare, "wavevector 1/um, nm3"), 1e6);
+    EXPECT_DOUBLE_EQ(q(bare, "frequency 1/um, nm4"), 2e6 * pi);
+    EXPECT_DOUBLE_EQ(q(bare, "wavelength um, nm3"), 1e6 * pi);
+    EXPECT_DOUBLE_EQ(q(folder.write("f.csv", "f [1/um],C1D [nm3]\n1,2\n2,1\n"), "wavevector 1/um, nm3"), 1e6)
+        << "what is said goes before a name";
+    EXPECT_THROW((void)q(bare, "wavelength 1/um, nm3"), FormatError);
+    EXPECT_EQ(read_power_spectrum_table(bare).metadata.at("quantity"), "wavevector");
+    EXPECT_EQ(read_power_spectrum_table(bare).metadata.at("units_of_file"), "1/m, m3");
+}
+
+TEST(PowerSpectrumTable, SaysWhatAReaderShouldKnow) {
+    const TemporaryFolder folder;
+    const auto bare = folder.write("p.txt", "1 2\n2 1\n");
+    const auto codes = [&](const Table& table) {
+        std::string list;
+        for (const auto& alert : alerts_of(table, "s")) list += alert.subject + " " + alert.code + "; ";
+        return list;
+    };
+    EXPECT_EQ(codes(read_power_spectrum_table(bare)), "s UNIT_GUESSED; ");
+    EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("frequency 1/um, nm4"))), "s SPECTRUM_CONVERTED; ");
+    EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("1/um, nm4"))), "");
 }
 
 TEST(PowerSpectrumTable, UnitsOfTheHeaderAreApplied) {

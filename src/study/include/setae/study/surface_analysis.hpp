@@ -30,6 +30,7 @@ struct MeasurementResult {
     std::string file;
     std::string name;
     std::string error;  ///< empty where the measurement was analysed
+    std::optional<std::size_t> channel;  ///< that was taken where the file has several of heights and nobody chose
     topography::Trend trend = topography::Trend::none;
     std::vector<processing::StepRecord>
         processing;  ///< what each step of the pipeline did before the trend was removed
@@ -133,6 +134,7 @@ struct PreparedMeasurement {
     std::optional<spectral_fit::OpticalTransfer> optics = {};
     processing::Untouched untouched = {};  ///< of its waves by the pipeline before
     std::vector<processing::StepRecord> processing = {};
+    std::optional<std::size_t> channel = {};  ///< as MeasurementResult has it
     std::vector<Alert> alerts = {};
 };
 
@@ -141,6 +143,7 @@ struct TiledMeasurement {
     topography::TiledMap map;
     topography::Trend trend = topography::Trend::none;  ///< to be removed
     std::vector<Alert> alerts;
+    std::optional<std::size_t> channel = {};  ///< as MeasurementResult has it
 };
 
 /// A measurement not yet read.

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "files/channel_lines.hpp"
+#include "files/listed_file.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/layout.hpp"
+#include "setae/core/units.hpp"
+#include "setae/tables/tidy_table.hpp"
+
+namespace setae::cli::info_command {
+namespace {
+
+namespace fs = std::filesystem;
+using study::FileKind;
+using tables::TidyTable;
+
+constexpr int digits = 3;
+
+/// Values with their unit once where they share its prefix: "5.00 × 5.00 µm", "-90.1 nm … 1.20 µm". Zero has any.
+std::string joined_values(const std::vector<double>& values, const char* unit, const char* separator) {
+    std::vector<std::string> numbers, texts;
+    std::string shared;
+    bool same = true;
+    for (const double value : values) {
+        texts.push_back(value == 0.0 ? "0" : format_value(value, unit, digits));
+        const auto blank = texts.back().rfind(' ');
+        numbers.push_back(texts.back().substr(0, blank));
+        if (blank == std::string::npos) continue;
+        same = same && (shared.empty() || texts.back().substr(blank) == shared);
+        shared = texts.back().substr(blank);
+    }
+    return same ? fmt::format("{}{}", fmt::join(numbers, separator), shared)
+                : fmt::format("{}", fmt::join(texts, separator));
+}
+
+std::string shape_text(const std::vector<Index>& shape) { return fmt::format("{}", fmt::join(shape, " × ")); }
+
+std::string bytes_for_readers(std::uint64_t bytes) {
+    const auto value = static_cast<double>(bytes);
+    return bytes >= 1'000'000'000 ? fmt::format("{:.1f} GB", 1e-9 * value) : fmt::format("{:.0f} MB", 1e-6 * value);
+}
+
+/// The range of a channel's heights, or why there is none.
+std::string heights_text(const ListedFile& file, const ListedChannel& channel) {
+    const auto& heights = channel.heights;
+    if (!heights.error.empty() || channel.info.format.empty()) return "unreadable";
+    if (!channel.info.is_height) return "no heights";
+    if (heights.read) return joined_values({heights.least, heights.greatest}, "m", " … ");
+    if (!can_be_read(channel.info) || !file.too_large) return "";
+    return fmt::format("not read: {}, --heights", bytes_for_readers(file.bytes));
+}
+
+/// What a channel of heights does not say; when it was measured is told where all is.
+std::string missing_text(const formats::ChannelInfo& info, Detail detail) {
+    if (!info.is_height) return "";
+    auto names = formats::missing(info);
+    if (detail == Detail::usual) std::erase(names, "date");
+    if (!info.metadata.instrument.type.empty()) std::erase(names, "instrument");
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Names of channels and instruments may be as long as they like.
+std::string name_text(const std::string& name, Detail detail) {
+    constexpr std::size_t longest = 22;
+    return detail == Detail::all ? name : shortened(name, longest);
+}
+
+std::string instrument_text(const topography::Instrument& instrument) {
+    return instrument.name.empty() ? instrument.type : instrument.name;
+}
+
+/// Files of one kind, and what to call them for a reader.
+struct Listing {
+    std::vector<const ListedFile*> files;
+    std::function<std::string(const std::string&)> shown;  ///< a path as the tables have it
+    Detail detail;
+};
+
+void add_channel(TidyTable& table, const Listing& listing, const ListedFile& file, const ListedChannel& channel) {
+    const auto& info = channel.info;
+    const auto& heights = channel.heights;
+    std::vector<TidyTable::Cell> row{
+        listing.shown(file.content.file),
+        info.format,
+        name_text(fmt::format("{} {}", channel.index, info.name), listing.detail),
+        shape_text(info.shape),
+        info.size.empty() ? "" : joined_values(info.size, "m", " × "),
+        heights_text(file, channel),
+        heights.read && heights.undefined_count > 0 ? percent(heights.undefined_share()) : "",
+        name_text(instrument_text(info.metadata.instrument), listing.detail),
+        missing_text(info, listing.detail)};
+    if (listing.detail == Detail::all) {
+        row.emplace_back(heights.read ? format_value(heights.standard_deviation, "m", 5) : "");
+        row.emplace_back(info.unit);
+        row.emplace_back(info.metadata.acquisition_time);
+        row.emplace_back(info.orientation);
+    }
+    table.rows.push_back(std::move(row));
+}
+
+/// Channels of heights, and of a file without any its first.
+bool is_shown(const ListedFile& file, const ListedChannel& channel, Detail detail) {
+    const auto holds_heights = [](const ListedChannel& c) { return c.info.is_height; };
+    return detail == Detail::all || channel.info.is_height ||
+           (&channel == &file.channels.front() &&
+            std::none_of(file.channels.begin(), file.channels.end(), holds_heights));
+}
+
+TidyTable table_of_channels(const Listing& listing) {
+    TidyTable table{"", {"file", "format", "channel", "points", "size", "heights", "undefined", "instrument", "missing"}, {}};
+    if (listing.detail == Detail::all)
+        for (const char* column : {"rms", "unit of the file", "date", "orientation"}) table.columns.emplace_back(column);
+    for (const auto* file : listing.files)
+        for (const auto& channel : file->channels)
+            if (is_shown(*file, channel, listing.detail)) add_channel(table, listing, *file, channel);
+    return table;
+}
+
+TidyTable table_of_pictures(const Listing& listing) {
+    TidyTable table{"", {"file", "format", "pixels", "frames", "pixel size", "size", "instrument", "missing"}, {}};
+    if (listing.detail == Detail::all) table.columns.emplace_back("date");
+    for (const auto* file : listing.files) {
+        const auto& picture = *file->content.picture;
+        const auto& pixel = picture.pixel_size;
+        constexpr double as_good_as_square = 1e-3;
+        const bool square = pixel && std::abs(pixel->x / pixel->y - 1.0) < as_good_as_square;
+        std::vector<TidyTable::Cell> row{
+            listing.shown(file->content.file),
+            picture.format,
+            fmt::format("{} × {}", picture.width, picture.height),
+            picture.frames > 1 ? fmt::format("{}", picture.frames) : "",
+            !pixel   ? ""
+            : square ? format_value(pixel->x, "m", digits)
+                     : joined_values({pixel->x, pixel->y}, "m", " × "),
+            pixel ? joined_values({pixel->x * static_cast<double>(picture.width), pixel->y * static_cast<double>(picture.height)}, "m", " × ")
+                  : "",
+            name_text(picture.instrument, listing.detail),
+            pixel ? "" : picture.frames > 1 ? "--pixel" : "--pixel or --scale-bar"};
+        if (listing.detail == Detail::all) row.emplace_back(picture.acquisition_time);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+/// Least and greatest value of a column; nothing where it has none.
+std::vector<double> range_of(const Table& table, const char* name) {
+    const auto* column = table.find(name);
+    if (column == nullptr || column->values.isNaN().all()) return {};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {column->values.isNaN().select(infinity, column->values).minCoeff(),
+            column->values.isNaN().select(-infinity, column->values).maxCoeff()};
+}
+
+std::string range_text(const Table& table, const char* name) {
+    const auto range = range_of(table, name);
+    return range.empty() ? "" : joined_values(range, table.find(name)->unit.c_str(), " … ");
+}
+
+std::string largest_text(const Table& table, const char* name) {
+    const auto range = range_of(table, name);
+    return range.empty() ? "" : format_value(range.back(), table.find(name)->unit, digits);
+}
+
+std::string column_names(const Table& table, Detail detail) {
+    constexpr std::size_t longest = 40;
+    std::vector<std::string> names;
+    for (const auto& column : table.columns) names.push_back(column.name);
+    const auto text = fmt::format("{}", fmt::join(names, ", "));
+    return detail == Detail::all ? text : shortened(text, longest);
+}
+
+/// The options that give what fits need beside the file.
+std::string missing_text(const study::FileContent& content) {
+    std::string text;
+    for (const auto& name : content.missing) {
+        const char* option = name == "sphere_radius"     ? "--radius"
+                             : name == "spring_constant" ? "--spring-constant"
+                             : name == "sensitivity"     ? "--sensitivity"
+                                                         : "--map";
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", option);
+    }
+    return text;
+}
+
+TidyTable table_of_loops(const Listing& listing) {
+    TidyTable table{"", {"file", "format", "samples", "force", "displacement", "radius up to", "columns", "missing"}, {}};
+    for (const auto* file : listing.files) {
+        const auto& content = file->content;
+        const auto& record = *content.table;
+        const bool foreign = std::find(content.missing.begin(), content.missing.end(), "columns") != content.missing.end();
+        table.rows.push_back({listing.shown(content.file), content.format, fmt::format("{}", record.rows()),
+                              range_text(record, "force"), range_text(record, "displacement"), largest_text(record, "contact_radius"),
+                              foreign || listing.detail == Detail::all ? column_names(record, listing.detail) : "", missing_text(content)});
+    }
+    return table;
+}
+
+/// Which of the three a table's first column is, and how it becomes the other.
+std::string convention_text(const std::string& quantity) {
+    if (quantity == "frequency") return "frequency, q = 2π f";
+    return quantity == "wavelength" ? "wavelength, q = 2π/λ" : "wavevector q";
+}
+
+TidyTable table_of_spectra(const Listing& listing) {
+    TidyTable table{"", {"file", "density", "units", "first column", "points", "wavelengths", "errors"}, {}};
+    for (const auto* file : listing.files) {
+        const auto& spectrum = *file->content.table;
+        const auto& q = spectrum.at("wavevector");
+        const double shortest = 2.0 * pi / q[q.size() - 1], longest = q[0] > 0.0 ? 2.0 * pi / q[0] : undefined;
+        table.rows.push_back(
+            {listing.shown(file->content.file), spectrum.columns[1].name,
+             spectrum.metadata.at("units_of_file") + (spectrum.metadata.contains("units") ? " (assumed)" : ""),
+             convention_text(spectrum.metadata.at("quantity")), fmt::format("{}", spectrum.rows()),
+             joined_values({shortest, longest}, "m", " … "), spectrum.find("standard_error") != nullptr ? "yes" : "no"});
+    }
+    return table;
+}
+
+TidyTable table_of_studies(const Listing& listing) {
+    TidyTable table{"", {"file", "title", "surfaces", "elastomers", "experiments"}, {}};
+    for (const auto* file : listing.files) {
+        const auto& study = *file->content.study;
+        table.rows.push_back({listing.shown(file->content.file), name_text(study.title, listing.detail),
+                              fmt::format("{}", study.surfaces.size()), fmt::format("{}", study.elastomers.size()),
+                              fmt::format("{}", study.experiments.size())});
+    }
+    return table;
+}
+
+TidyTable table_of_names(const Listing& listing) {
+    TidyTable table{"", {"file"}, {}};
+    for (const auto* file : listing.files) table.rows.push_back({listing.shown(file->content.file)});
+    return table;
+}
+
+/// A kind of file: what its table is called, and what makes it.
+struct Kind {
+    FileKind kind;
+    const char* title;
+    TidyTable (*table)(const Listing&);
+};
+constexpr Kind kinds[] = {{FileKind::topography, "Topographies", table_of_channels},
+                          {FileKind::container, "Containers", table_of_channels},
+                          {FileKind::micrograph, "Micrographs", table_of_pictures},
+                          {FileKind::recording, "Recordings", table_of_pictures},
+                          {FileKind::loop, "Loops", table_of_loops},
+                          {FileKind::force_curve, "Force curves", table_of_loops},
+                          {FileKind::spectrum, "Spectra", table_of_spectra},
+                          {FileKind::study, "Studies", table_of_studies},
+                          {FileKind::recipe, "Recipes", table_of_names},
+                          {FileKind::mapping, "Mappings", table_of_names},
+                          {FileKind::pipeline, "Processing", table_of_names}};
+
+/// "Loops: setae jkr fit, jkr energy".
+std::string heading(const Kind& kind) {
+    std::string verbs;
+    for (const auto& verb : study::verbs_for(kind.kind))
+        verbs += verbs.empty() ? verb : ", " + verb.substr(std::string_view("setae ").size());
+    return fmt::format("{}: {}", kind.title, verbs);
+}
+
+/// The folder that holds all files; empty where that is the current one.
+fs::path common_folder(const std::vector<ListedFile>& files) {
+    auto common = fs::path(files.front().content.file).parent_path();
+    for (const auto& file : files) {
+        const auto folder = fs::path(file.content.file).parent_path();
+        const auto [end, ignored] = std::mismatch(common.begin(), common.end(), folder.begin(), folder.end());
+        fs::path shared;
+        for (auto part = common.begin(); part != end; ++part) shared /= *part;
+        common = shared;
+    }
+    return common;
+}
+
+/// The beginning and the end of a name that takes at most so many characters, "…" between them.
+std::string middle_cut(const std::string& name, std::size_t width) {
+    if (display_width(name) <= width) return name;
+    const auto end = name.size() - std::min(name.size(), width / 2);
+    auto from = end;
+    while (from < name.size() && (static_cast<unsigned char>(name[from]) & 0xc0) == 0x80) ++from;  // within a character
+    return shortened(name, width - display_width(name.substr(from))) + name.substr(from);
+}
+
+/// A table in a width: where it is too wide, names of files give way as long as they can be told, then rows are stacked.
+std::string fitted(TidyTable table, std::size_t width) {
+    constexpr std::size_t least_name = 22, any_width = 100000;
+    auto untitled = table;
+    untitled.title.clear();
+    std::size_t needed = 0, longest = 0;
+    const auto text = tables::as_text_within(untitled, any_width);
+    for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
+        needed = std::max(needed, display_width(text.substr(at, text.find('\n', at) - at)));
+    for (const auto& row : table.rows) longest = std::max(longest, display_width(std::get<std::string>(row.front())));
+    if (needed > width && longest >= needed - width + least_name)
+        for (auto& row : table.rows)
+            row.front() = middle_cut(std::get<std::string>(row.front()), longest - (needed - width));
+    return tables::as_text_within(table, width);
+}
+
+/// What gives size and unit where a channel lacks them, and how to see channels that are not listed.
+std::string hint(const Listing& listing) {
+    std::size_t hidden = 0;
+    bool open = false;
+    for (const auto* file : listing.files)
+        for (const auto& channel : file->channels) {
+            hidden += is_shown(*file, channel, listing.detail) ? 0 : 1;
+            open = open || (channel.info.is_height && !channel.info.format.empty() && !can_be_read(channel.info));
+        }
+    return (open ? "  --size and --unit give what a file leaves open, in a study size and unit\n" : std::string()) +
+           (hidden > 0 ? fmt::format("  and {} channel{} without heights, which --long lists\n", hidden, hidden == 1 ? "" : "s")
+                       : std::string());
+}
+
+}  // namespace
+
+std::string file_tables(const std::vector<ListedFile>& files, Detail detail, std::size_t width) {
+    if (files.empty()) return "";
+    const auto folder = common_folder(files);
+    std::string text = folder.empty() ? "" : fmt::format("In {}\n", folder.string());
+    const auto shown = [&folder](const std::string& path) {
+        return folder.empty() ? path : fs::path(path).lexically_relative(folder).string();
+    };
+    for (const auto& kind : kinds) {
+        Listing listing{{}, shown, detail};
+        for (const auto& file : files)
+            if (file.content.kind == kind.kind) listing.files.push_back(&file);
+        if (listing.files.empty()) continue;
+        auto table = kind.table(listing);
+        table.title = heading(kind);
+        text += (text.empty() ? "" : "\n") +
+                (detail == Detail::all ? tables::as_text_within(table, width) : fitted(std::move(table), width)) +
+                hint(listing);
+    }
+    return text;
+}
+
+}  // namespace setae::cli::info_command

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/study/study_draft.hpp"
+
+namespace setae::cli::study_init_command {
+namespace {
+
+constexpr const char* explanation =
+    "surfaces     the files of a folder measured one; a folder named after an instrument belongs to the folder around it\n"
+    "instruments  as the files say, else by a word of the name: stylus, afm, tem, confocal, … ; the remark says which\n"
+    "experiments  loops and force curves, in comments: elastomer and rough solid need what no file says\n"
+    "left open    lines with \"?\" in comments; `setae study FILE --dry-run` lists them with what follows from each\n"
+    "a study file that is called init is run by `setae study ./init`\n";
+
+struct Arguments {
+    Common common;
+    std::vector<std::string> paths;
+    std::string output = "study.toml";
+    bool force = false;
+};
+
+std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+void print_summary(const study::StudyDraft& draft, const std::string& file) {
+    print(fmt::format("{}: {} with {}, {}, {}; {} left out\n", file, counted(draft.surfaces, "surface"),
+                      counted(draft.measurements, "measurement"), counted(draft.loops, "loop"),
+                      counted(draft.micrographs, "micrograph"), counted(draft.left_out.size(), "file")));
+    print(fmt::format("setae study {} --dry-run lists what it leaves open\n", shell_word(file)));
+}
+
+output::Json json_of(const study::StudyDraft& draft, const std::string& file) {
+    output::Json json{{"study", file},
+                      {"surfaces", draft.surfaces},
+                      {"measurements", draft.measurements},
+                      {"loops", draft.loops},
+                      {"micrographs", draft.micrographs},
+                      {"left_out", output::Json::array()}};
+    for (const auto& left : draft.left_out) json["left_out"].push_back({{"file", left.path}, {"reason", left.reason}});
+    return json;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.paths.empty()) throw InvalidArgument("no folder; expected at least one with measurements or loops");
+    if (!arguments.force && std::filesystem::exists(arguments.output))
+        throw InvalidArgument(
+            fmt::format("{}: is there already and stays as it is; name another file by -o, or replace it by --force",
+                        arguments.output));
+    const auto draft = study::draft_study(arguments.paths, arguments.output);
+    if (draft.surfaces + draft.loops + draft.micrographs == 0) {
+        for (const auto& left : draft.left_out) complain(left.reason);
+        throw InvalidArgument("no measurement, loop, spectrum or micrograph found; nothing was written");
+    }
+    bytes::write_whole_file(arguments.output, draft.text);
+    if (arguments.common.json) print_json(json_of(draft, arguments.output));
+    else print_summary(draft, arguments.output);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("folders", arguments->paths, "folders of measurements, micrographs and loops, or files").of_inputs();
+    options.add("-o,--output", arguments->output, "study file to be written; its paths are relative to its folder")
+        .default_shown();
+    options.flag("--force", arguments->force, "replace a file that is there");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::study_init_command
