@@ -118,8 +118,9 @@ std::string first_lines(const bytes::Source& source) {
 SpectrumUnits SpectrumUnits::from_text(const std::string& text) {
     const auto comma = text.find(',');
     if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-        throw InvalidArgument(
-            fmt::format("'{}' are no two units; expected those of wavevector and density, as in \"1/um, nm3\" or \"frequency 1/um, nm3\"", text));
+        throw InvalidArgument(fmt::format(
+            "'{}' are no two units; expected those of wavevector and density, as in \"1/um, nm3\" or \"frequency 1/um, nm3\"",
+            text));
     const std::string_view all = text;
     SpectrumUnits units{"", std::string(trimmed(all.substr(0, comma))), std::string(trimmed(all.substr(comma + 1)))};
     for (const char* quantity : {"wavevector", "frequency", "wavelength"})

@@ -14,7 +14,8 @@ output::Json optional_number(const std::optional<double>& value) {
 void add_picture(output::Json& json, const imaging::PictureContent& picture) {
     json["shape"] = {picture.width, picture.height};
     json["frames"] = picture.frames;
-    json["pixel_size"] = picture.pixel_size ? output::Json{picture.pixel_size->x, picture.pixel_size->y} : output::Json(nullptr);
+    json["pixel_size"] =
+        picture.pixel_size ? output::Json{picture.pixel_size->x, picture.pixel_size->y} : output::Json(nullptr);
     json["frame_rate"] = optional_number(picture.frame_rate);
     json["instrument"] = picture.instrument;
     json["acquisition_time"] = picture.acquisition_time;

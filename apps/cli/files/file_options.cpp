@@ -21,7 +21,7 @@ void FileOptions::add_to(Options& options) {
     options.add("--size", size, "extent where the file leaves it open: \"1 mm x 1 mm\" or \"2 mm\"");
     options.add(
         "--unit", unit,
-        "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights; of a table of a spectrum \"1/um, nm3\"");
+        "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights; of a table of a spectrum \"1/um, nm3\" or \"frequency 1/um, nm3\"");
     add_layout_option(options, as);
     options.add("--channel", channel, "channel, counted from 0 as `setae info` lists them").between(0, 1000000);
 }

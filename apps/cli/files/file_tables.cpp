@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -62,15 +64,15 @@ std::string heights_text(const ListedFile& file, const ListedChannel& channel) {
 std::string missing_text(const formats::ChannelInfo& info, Detail detail) {
     if (!info.is_height) return "";
     auto names = formats::missing(info);
-    if (detail == Detail::usual) std::erase(names, "date");
-    if (!info.metadata.instrument.type.empty()) std::erase(names, "instrument");
+    if (detail != Detail::all) std::erase(names, "date");
+    if (detail == Detail::little || !info.metadata.instrument.type.empty()) std::erase(names, "instrument");
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// Names of channels and instruments may be as long as they like.
 std::string name_text(const std::string& name, Detail detail) {
-    constexpr std::size_t longest = 22;
-    return detail == Detail::all ? name : shortened(name, longest);
+    constexpr std::size_t longest = 22, longest_of_little = 16;
+    return detail == Detail::all ? name : shortened(name, detail == Detail::usual ? longest : longest_of_little);
 }
 
 std::string instrument_text(const topography::Instrument& instrument) {
@@ -115,9 +117,11 @@ bool is_shown(const ListedFile& file, const ListedChannel& channel, Detail detai
 }
 
 TidyTable table_of_channels(const Listing& listing) {
-    TidyTable table{"", {"file", "format", "channel", "points", "size", "heights", "undefined", "instrument", "missing"}, {}};
+    TidyTable table{
+        "", {"file", "format", "channel", "points", "size", "heights", "undefined", "instrument", "missing"}, {}};
     if (listing.detail == Detail::all)
-        for (const char* column : {"rms", "unit of the file", "date", "orientation"}) table.columns.emplace_back(column);
+        for (const char* column : {"rms", "unit of the file", "date", "orientation"})
+            table.columns.emplace_back(column);
     for (const auto* file : listing.files)
         for (const auto& channel : file->channels)
             if (is_shown(*file, channel, listing.detail)) add_channel(table, listing, *file, channel);
@@ -132,18 +136,21 @@ TidyTable table_of_pictures(const Listing& listing) {
         const auto& pixel = picture.pixel_size;
         constexpr double as_good_as_square = 1e-3;
         const bool square = pixel && std::abs(pixel->x / pixel->y - 1.0) < as_good_as_square;
-        std::vector<TidyTable::Cell> row{
-            listing.shown(file->content.file),
-            picture.format,
-            fmt::format("{} × {}", picture.width, picture.height),
-            picture.frames > 1 ? fmt::format("{}", picture.frames) : "",
-            !pixel   ? ""
-            : square ? format_value(pixel->x, "m", digits)
-                     : joined_values({pixel->x, pixel->y}, "m", " × "),
-            pixel ? joined_values({pixel->x * static_cast<double>(picture.width), pixel->y * static_cast<double>(picture.height)}, "m", " × ")
-                  : "",
-            name_text(picture.instrument, listing.detail),
-            pixel ? "" : picture.frames > 1 ? "--pixel" : "--pixel or --scale-bar"};
+        std::vector<TidyTable::Cell> row{listing.shown(file->content.file),
+                                         picture.format,
+                                         fmt::format("{} × {}", picture.width, picture.height),
+                                         picture.frames > 1 ? fmt::format("{}", picture.frames) : "",
+                                         !pixel   ? ""
+                                         : square ? format_value(pixel->x, "m", digits)
+                                                  : joined_values({pixel->x, pixel->y}, "m", " × "),
+                                         pixel ? joined_values({pixel->x * static_cast<double>(picture.width),
+                                                                pixel->y * static_cast<double>(picture.height)},
+                                                               "m", " × ")
+                                               : "",
+                                         name_text(picture.instrument, listing.detail),
+                                         pixel                ? ""
+                                         : picture.frames > 1 ? "--pixel"
+                                                              : "--pixel or --scale-bar"};
         if (listing.detail == Detail::all) row.emplace_back(picture.acquisition_time);
         table.rows.push_back(std::move(row));
     }
@@ -191,14 +198,18 @@ std::string missing_text(const study::FileContent& content) {
 }
 
 TidyTable table_of_loops(const Listing& listing) {
-    TidyTable table{"", {"file", "format", "samples", "force", "displacement", "radius up to", "columns", "missing"}, {}};
+    TidyTable table{
+        "", {"file", "format", "samples", "force", "displacement", "radius up to", "columns", "missing"}, {}};
     for (const auto* file : listing.files) {
         const auto& content = file->content;
         const auto& record = *content.table;
-        const bool foreign = std::find(content.missing.begin(), content.missing.end(), "columns") != content.missing.end();
+        const bool foreign =
+            std::find(content.missing.begin(), content.missing.end(), "columns") != content.missing.end();
         table.rows.push_back({listing.shown(content.file), content.format, fmt::format("{}", record.rows()),
-                              range_text(record, "force"), range_text(record, "displacement"), largest_text(record, "contact_radius"),
-                              foreign || listing.detail == Detail::all ? column_names(record, listing.detail) : "", missing_text(content)});
+                              range_text(record, "force"), range_text(record, "displacement"),
+                              largest_text(record, "contact_radius"),
+                              foreign || listing.detail == Detail::all ? column_names(record, listing.detail) : "",
+                              missing_text(content)});
     }
     return table;
 }
@@ -219,7 +230,8 @@ TidyTable table_of_spectra(const Listing& listing) {
             {listing.shown(file->content.file), spectrum.columns[1].name,
              spectrum.metadata.at("units_of_file") + (spectrum.metadata.contains("units") ? " (assumed)" : ""),
              convention_text(spectrum.metadata.at("quantity")), fmt::format("{}", spectrum.rows()),
-             joined_values({shortest, longest}, "m", " … "), spectrum.find("standard_error") != nullptr ? "yes" : "no"});
+             joined_values({shortest, longest}, "m", " … "),
+             spectrum.find("standard_error") != nullptr ? "yes" : "no"});
     }
     return table;
 }
@@ -289,34 +301,74 @@ std::string middle_cut(const std::string& name, std::size_t width) {
     return shortened(name, width - display_width(name.substr(from))) + name.substr(from);
 }
 
-/// A table in a width: where it is too wide, names of files give way as long as they can be told, then rows are stacked.
-std::string fitted(TidyTable table, std::size_t width) {
-    constexpr std::size_t least_name = 22, any_width = 100000;
-    auto untitled = table;
-    untitled.title.clear();
-    std::size_t needed = 0, longest = 0;
-    const auto text = tables::as_text_within(untitled, any_width);
+/// Characters of a table's widest line.
+std::size_t width_of(TidyTable table) {
+    constexpr std::size_t any_width = 100000;
+    table.title.clear();
+    const auto text = tables::as_text_within(table, any_width);
+    std::size_t width = 0;
     for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
-        needed = std::max(needed, display_width(text.substr(at, text.find('\n', at) - at)));
+        width = std::max(width, display_width(text.substr(at, text.find('\n', at) - at)));
+    return width;
+}
+
+/// The table with names of files cut so far that it fits into a width; nothing where they would no more be told.
+std::optional<TidyTable> with_shorter_names(TidyTable table, std::size_t width) {
+    constexpr std::size_t least_name = 18;
+    const auto needed = width_of(table);
+    if (needed <= width) return table;
+    std::size_t longest = 0;
     for (const auto& row : table.rows) longest = std::max(longest, display_width(std::get<std::string>(row.front())));
-    if (needed > width && longest >= needed - width + least_name)
-        for (auto& row : table.rows)
-            row.front() = middle_cut(std::get<std::string>(row.front()), longest - (needed - width));
-    return tables::as_text_within(table, width);
+    if (longest < needed - width + least_name) return std::nullopt;
+    for (auto& row : table.rows)
+        row.front() = middle_cut(std::get<std::string>(row.front()), longest - (needed - width));
+    return table;
+}
+
+/// Columns that give way where little is said.
+TidyTable with_little(const TidyTable& table) {
+    static const std::set<std::string> dispensable{"format", "frames", "undefined", "instrument", "radius up to"};
+    TidyTable kept{table.title, {}, std::vector<std::vector<TidyTable::Cell>>(table.rows.size())};
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        if (dispensable.contains(table.columns[i])) continue;
+        kept.columns.push_back(table.columns[i]);
+        for (std::size_t r = 0; r < table.rows.size(); ++r) kept.rows[r].push_back(table.rows[r][i]);
+    }
+    return kept;
 }
 
 /// What gives size and unit where a channel lacks them, and how to see channels that are not listed.
 std::string hint(const Listing& listing) {
     std::size_t hidden = 0;
     bool open = false;
-    for (const auto* file : listing.files)
+    for (const auto* file : listing.files) {
+        if (file->content.table) continue;
         for (const auto& channel : file->channels) {
             hidden += is_shown(*file, channel, listing.detail) ? 0 : 1;
             open = open || (channel.info.is_height && !channel.info.format.empty() && !can_be_read(channel.info));
         }
+    }
     return (open ? "  --size and --unit give what a file leaves open, in a study size and unit\n" : std::string()) +
-           (hidden > 0 ? fmt::format("  and {} channel{} without heights, which --long lists\n", hidden, hidden == 1 ? "" : "s")
+           (hidden > 0 ? fmt::format("  and {} channel{} without heights, which --long lists\n", hidden,
+                                     hidden == 1 ? "" : "s")
                        : std::string());
+}
+
+/// The table of a kind as it fits best, with what a reader should know of it.
+std::string text_of(Listing listing, const Kind& kind, std::size_t width) {
+    const auto made = [&](Detail detail) {
+        listing.detail = detail;
+        auto table = kind.table(listing);
+        table.title = heading(kind);
+        return table;
+    };
+    if (listing.detail == Detail::all) return tables::as_text_within(made(Detail::all), width) + hint(listing);
+    const auto usual = made(Detail::usual);
+    const auto notes = hint(listing);
+    if (const auto fitting = with_shorter_names(usual, width)) return tables::as_text_within(*fitting, width) + notes;
+    if (const auto fitting = with_shorter_names(with_little(made(Detail::little)), width))
+        return tables::as_text_within(*fitting, width) + notes + "  --long says format and instrument, too\n";
+    return tables::as_text_within(usual, width) + notes;
 }
 
 }  // namespace
@@ -332,12 +384,7 @@ std::string file_tables(const std::vector<ListedFile>& files, Detail detail, std
         Listing listing{{}, shown, detail};
         for (const auto& file : files)
             if (file.content.kind == kind.kind) listing.files.push_back(&file);
-        if (listing.files.empty()) continue;
-        auto table = kind.table(listing);
-        table.title = heading(kind);
-        text += (text.empty() ? "" : "\n") +
-                (detail == Detail::all ? tables::as_text_within(table, width) : fitted(std::move(table), width)) +
-                hint(listing);
+        if (!listing.files.empty()) text += (text.empty() ? "" : "\n") + text_of(listing, kind, width);
     }
     return text;
 }

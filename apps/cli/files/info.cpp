@@ -98,7 +98,8 @@ void show_remarks(Inventory& inventory, bool json) {
 }
 
 output::Json json_of(const Inventory& inventory) {
-    output::Json json{{"channels", output::Json::array()}, {"files", output::Json::array()}, {"failed", output::Json::array()}};
+    output::Json json{
+        {"channels", output::Json::array()}, {"files", output::Json::array()}, {"failed", output::Json::array()}};
     for (const auto& file : inventory.files) {
         json["files"].push_back(file_json(file));
         for (const auto& channel : file.channels) json["channels"].push_back(channel_json(file.content.file, channel));

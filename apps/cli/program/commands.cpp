@@ -53,8 +53,7 @@ constexpr CommandGroup groups[] = {
 };
 
 constexpr Command table[] = {
-    {"", "info", "what files and folders hold, which verb takes them, and what they leave open",
-     info_command::declare},
+    {"", "info", "what files and folders hold, which verb takes them, and what they leave open", info_command::declare},
     {"", "formats", "file formats setae reads and writes", formats_command::declare},
     {"", "convert", "write the heights of files in metres as .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv",
      convert_command::declare},

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "program/messages.hpp"
 #include "program/program_tree.hpp"
@@ -169,8 +169,7 @@ std::string unknown_verb(const CLI::App& program, const std::vector<std::string>
     for (const auto* verb : program.get_subcommands(any)) verbs.push_back(verb->get_name());
     if (std::find(verbs.begin(), verbs.end(), words.front()) != verbs.end()) return {};
     const auto nearest = nearest_match(words.front(), verbs);
-    return "unknown verb '" + words.front() + "'" +
-           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+    return "unknown verb '" + words.front() + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
 ProgramOption described(const CLI::Option& option) {
@@ -222,7 +221,8 @@ std::string path_of(const CLI::App& verb) {
 std::string objection_to(const CLI::App& program, const CLI::ParseError& error) {
     const auto& verb = named_verb(program);
     const bool of_verb = &verb != &program;
-    const auto help = of_verb ? "`setae help " + path_of(verb) + "` says what it takes" : "`setae --help` lists the verbs";
+    const auto help =
+        of_verb ? "`setae help " + path_of(verb) + "` says what it takes" : "`setae --help` lists the verbs";
     const auto words = program.remaining(true);
     std::string said = error.what();
     if (verb.get_require_subcommand_min() > 0) {

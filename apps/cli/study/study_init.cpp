@@ -41,12 +41,8 @@ void print_summary(const study::StudyDraft& draft, const std::string& file) {
 }
 
 output::Json json_of(const study::StudyDraft& draft, const std::string& file) {
-    output::Json json{{"study", file},
-                      {"surfaces", draft.surfaces},
-                      {"measurements", draft.measurements},
-                      {"loops", draft.loops},
-                      {"micrographs", draft.micrographs},
-                      {"left_out", output::Json::array()}};
+    output::Json json{{"study", file},        {"surfaces", draft.surfaces},       {"measurements", draft.measurements},
+                      {"loops", draft.loops}, {"micrographs", draft.micrographs}, {"left_out", output::Json::array()}};
     for (const auto& left : draft.left_out) json["left_out"].push_back({{"file", left.path}, {"reason", left.reason}});
     return json;
 }

@@ -91,7 +91,8 @@ void SynthesisOptions::add_to(Options& options) {
     options.add("--rms-slope", rms_slope, "of the spectrum").quantity(positive(dimension::none));
     options.add("--plateau", plateau, "C_iso below the roll-off, such as \"5e-27 m4\"")
         .quantity(positive(dimension::power_spectrum_2d));
-    options.add("--spectrum,table", spectrum, "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
+    options.add("--spectrum,table", spectrum,
+                "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
     options.add("--unit", spectrum_unit,
                 "of the table's columns where its header has none, such as \"1/um, nm3\" or \"frequency 1/um, nm3\"");
     options.add("--pixels", pixels, "points along x and y, such as 1024x512; one number for both").default_shown();
@@ -142,11 +143,13 @@ SynthesisPlan SynthesisOptions::plan(parallel::Threads threads) const {
         plan.heights = synthesis::johnson_heights({skewness.value_or(0.0), kurtosis.value_or(3.0)});
     }
     if (spectrum.empty()) {
-        if (!spectrum_unit.empty()) throw InvalidArgument("--unit is that of a table's columns; expected --spectrum with it");
+        if (!spectrum_unit.empty())
+            throw InvalidArgument("--unit is that of a table's columns; expected --spectrum with it");
         plan.density = self_affine(plan.grid);
     } else {
         const auto table = tables::read_power_spectrum_table(
-            spectrum, spectrum_unit.empty() ? tables::SpectrumUnits{} : tables::SpectrumUnits::from_text(spectrum_unit));
+            spectrum,
+            spectrum_unit.empty() ? tables::SpectrumUnits{} : tables::SpectrumUnits::from_text(spectrum_unit));
         plan.density = from_table(table, line);
         plan.alerts = tables::alerts_of(table, spectrum);
     }

@@ -2,10 +2,10 @@
 #include "setae/imaging/picture_content.hpp"
 
 #include "avi_file.hpp"
+#include "micrograph_file.hpp"
 #include "picture.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/imaging/micrograph.hpp"
-#include "micrograph_file.hpp"
 #include "tiff_stack.hpp"
 
 namespace setae::imaging {

@@ -8,7 +8,8 @@
 namespace setae::study {
 
 std::string believed_without_probe(const formats::ChannelInfo& info) {
-    if (info.size.empty() || info.shape.empty() || !(info.shape.front() > 1)) return "waves down to two steps are believed";
+    if (info.size.empty() || info.shape.empty() || !(info.shape.front() > 1))
+        return "waves down to two steps are believed";
     const double step = info.size.front() / static_cast<double>(info.shape.front());
     return fmt::format("waves down to {} are believed", format_value(2.0 * step, "m", 3));
 }

@@ -22,7 +22,9 @@ struct RecognisedLoop {
     std::string sphere_radius;  ///< as the file states it
 };
 
-bool is_part(char c) { return static_cast<unsigned char>(c) >= 0x80 || std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool is_part(char c) {
+    return static_cast<unsigned char>(c) >= 0x80 || std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
 
 /// Parts of a name between what is neither letter nor digit, in lower case.
 std::vector<std::string> parts_of(const std::string& name) {
@@ -48,7 +50,8 @@ bool take(std::vector<std::string>& parts, const std::string& name) {
 
 /// The surface whose name is in a loop's, the longest first; what is left of the parts may name the elastomer.
 std::string surface_in(std::vector<std::string>& parts, std::vector<std::string> surfaces) {
-    std::stable_sort(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    std::stable_sort(surfaces.begin(), surfaces.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
     for (const auto& surface : surfaces)
         if (take(parts, surface)) return surface;
     return "";
@@ -59,7 +62,8 @@ std::string elastomer_in(const std::vector<std::string>& parts) {
     static const std::set<std::string> others{"loop", "jkr", "force", "curve", "run", "test", "measurement"};
     std::string name;
     for (const auto& part : parts)
-        if (!others.contains(part) && !std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isdigit(c) != 0; }))
+        if (!others.contains(part) &&
+            !std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isdigit(c) != 0; }))
             name += (name.empty() ? "" : "_") + part;
     return name;
 }
@@ -98,20 +102,23 @@ RecognisedLoop recognised(const DraftLoop& loop, const std::vector<std::string>&
 
 std::string experiment_text(const RecognisedLoop& loop) {
     const auto& content = *loop.loop->content;
-    std::string text = "[[experiments]]\n" +
-                       draft_line("file", loop.loop->file, fmt::format("{} samples", content.table->rows()));
+    std::string text =
+        "[[experiments]]\n" + draft_line("file", loop.loop->file, fmt::format("{} samples", content.table->rows()));
     if (loop.reference) {
         text += draft_line("role", "reference", "on a smooth standard");
         if (!loop.stage.empty()) text += draft_line("stage", loop.stage, "the rough loops");
     } else {
-        text += draft_line("surface", loop.surface.empty() ? "?" : loop.surface, loop.surface.empty() ? "one of the surfaces above" : loop.surface_remark);
+        text += draft_line("surface", loop.surface.empty() ? "?" : loop.surface,
+                           loop.surface.empty() ? "one of the surfaces above" : loop.surface_remark);
     }
     text += draft_line("elastomer", loop.elastomer, loop.elastomer_remark);
     for (const auto& missing : content.missing) {
-        if (missing == "spring_constant") text += draft_line("spring_constant", "?", "of the cantilever, such as \"0.05 N/m\"");
+        if (missing == "spring_constant")
+            text += draft_line("spring_constant", "?", "of the cantilever, such as \"0.05 N/m\"");
         if (missing == "sensitivity") text += draft_line("sensitivity", "?", "of its deflection, such as \"55 nm/V\"");
         if (missing == "columns")
-            text += draft_line("mapping", "?", "a file that names its columns, see `setae jkr import`: " + content.note);
+            text +=
+                draft_line("mapping", "?", "a file that names its columns, see `setae jkr import`: " + content.note);
     }
     return text;
 }
@@ -167,8 +174,9 @@ std::string draft_contact(const std::vector<DraftLoop>& loops, const std::vector
                           const std::vector<std::string>& surfaces) {
     std::string text = "\n" + draft_rule("Contact: elastomers and experiments");
     for (const auto& file : recordings)
-        text += fmt::format("# {}: frames of a contact, a loop's camera = {{ file = … }}; `setae jkr radius` reads them\n",
-                            comment_line(file));
+        text +=
+            fmt::format("# {}: frames of a contact, a loop's camera = {{ file = … }}; `setae jkr radius` reads them\n",
+                        comment_line(file));
     if (loops.empty()) return text + example;
     std::vector<RecognisedLoop> found;
     std::vector<std::string> elastomers;
@@ -177,7 +185,8 @@ std::string draft_contact(const std::vector<DraftLoop>& loops, const std::vector
         if (std::find(elastomers.begin(), elastomers.end(), found.back().elastomer) == elastomers.end())
             elastomers.push_back(found.back().elastomer);
     }
-    text += "\n# Take the \"# \" in front of all lines below away once their \"?\" are answered.\n" + commented(rough_solid_text());
+    text += "\n# Take the \"# \" in front of all lines below away once their \"?\" are answered.\n" +
+            commented(rough_solid_text());
     for (const auto& name : elastomers) text += "#\n" + commented(elastomer_text(name, found));
     for (const auto& loop : found) text += "#\n" + commented(experiment_text(loop));
     return text;

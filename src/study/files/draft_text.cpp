@@ -46,7 +46,8 @@ std::string probe_lines(const std::string& type, const formats::ChannelInfo& inf
     const auto believed = believed_without_probe(info);
     if (instrument.tip_radius)
         return draft_line("tip_radius", format_value(*instrument.tip_radius, "m"), "as the file says, without its ±");
-    if (instrument.resolution) return draft_line("resolution", format_value(*instrument.resolution, "m"), "as the file says");
+    if (instrument.resolution)
+        return draft_line("resolution", format_value(*instrument.resolution, "m"), "as the file says");
     if (type == "afm") return draft_question("tip_radius", "such as \"10 ± 3 nm\"; without it " + believed);
     if (type == "stylus") return draft_question("tip_radius", "such as \"5 ± 1 um\"; without it " + believed);
     if (type == "optical")
@@ -90,18 +91,19 @@ std::string measurement_text(const std::string& surface, const DraftMeasurement&
     const auto& info = *measurement.info;
     std::string points, size;
     for (const auto n : info.shape) points += fmt::format("{}{}", points.empty() ? "" : " × ", n);
-    for (const double length : info.size) size += fmt::format("{}{}", size.empty() ? ", " : " × ", format_value(length, "m"));
+    for (const double length : info.size)
+        size += fmt::format("{}{}", size.empty() ? ", " : " × ", format_value(length, "m"));
     auto text = fmt::format("[[surfaces.{}.measurements]]\n", draft_key(surface)) +
                 draft_line("file", measurement.file, fmt::format("{} points{}", points, size));
-    if (measurement.channel)
-        text += remarked(fmt::format("channel = {}", *measurement.channel), measurement.channels);
+    if (measurement.channel) text += remarked(fmt::format("channel = {}", *measurement.channel), measurement.channels);
     const auto instrument = instrument_of(measurement);
     text += instrument.type.empty() ? draft_question("instrument", "stylus, afm, tem or optical" + instrument.remark)
                                     : draft_line("instrument", instrument.type, instrument.remark);
     text += probe_lines(instrument.type, info);
     if (info.unit.empty()) text += draft_question("unit", "of lengths and heights, such as \"um\"; needed");
     if (info.size.empty())
-        text += remarked(info.shape.size() == 2 ? "# size = [\"?\", \"?\"]" : "# size = [\"?\"]", "extent, such as \"5 um\"; needed");
+        text += remarked(info.shape.size() == 2 ? "# size = [\"?\", \"?\"]" : "# size = [\"?\"]",
+                         "extent, such as \"5 um\"; needed");
     return text;
 }
 
@@ -116,7 +118,7 @@ std::string spectrum_remark(const Table& spectrum) {
 std::string contour_command(const std::string& picture, bool ask_pixel_size) {
     const auto profile = std::filesystem::path(picture).replace_extension(".csv").generic_string();
     return comment_line(fmt::format("setae contour {} -o {}{}", shell_word(picture), shell_word(profile),
-                                    ask_pixel_size ? " --pixel \"0.1 nm\"   # the file does not say it" : ""));
+                                    ask_pixel_size ? " --pixel \"?\"" : ""));
 }
 
 }  // namespace setae::study

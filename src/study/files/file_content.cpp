@@ -124,7 +124,8 @@ NamedColumns named_columns(const bytes::Source& source, const std::string& file)
         };
         const bool text = std::any_of(guess.columns.begin(), guess.columns.end(),
                                       [](const auto& column) { return column.note.starts_with("text"); });
-        named = {has("force", 0.0), has("displacement", by_word), has("contact_radius", 0.5), has("time", by_word), text};
+        named = {has("force", 0.0), has("displacement", by_word), has("contact_radius", 0.5), has("time", by_word),
+                 text};
     } catch (const Error&) {  // no table, and what it is others say
     }
     return named;
@@ -173,6 +174,18 @@ FileContent content_of_heights(const std::string& file, const formats::ReadOptio
             .channels = formats::open(source, format, options)};
 }
 
+/// NT-MDT's text has no header: three columns of numbers may as well be heights, which are kept beside the curve.
+std::optional<FileContent> content_of_guessed_curve(const std::string& file, const bytes::Source& source,
+                                                    const formats::ReadOptions& options) {
+    if (options.layout || options.size || options.unit) return std::nullopt;  // whoever says that means heights
+    auto content = content_of_force_curve(file, source, "nt-mdt");
+    try {
+        content.channels = content_of_heights(file, options).channels;
+    } catch (const Error&) {  // no heights then
+    }
+    return content;
+}
+
 /// Whether the first channel says its size and unit: a text then says what its columns are.
 bool is_certain(const FileContent& content) {
     const auto& info = content.channels.front().info;
@@ -203,9 +216,8 @@ FileContent content_of_measurement(const std::string& file, const bytes::Source&
             throw;
         }
     }
-    return content_of_foreign_loop(file, named.force
-                                             ? "no column of displacement or contact radius"
-                                             : "no column of force; a mapping says how the others make one");
+    return content_of_foreign_loop(file, named.force ? "no column of displacement or contact radius"
+                                                     : "no column of force; a mapping says how the others make one");
 }
 
 bool ends_with_any(const std::string& file, std::initializer_list<const char*> endings) {
@@ -240,8 +252,7 @@ std::vector<std::string> verbs_for(FileKind kind) {
         case FileKind::recording: return {"setae jkr radius"};
         case FileKind::loop: return {"setae jkr fit", "setae jkr energy", "setae jkr import"};
         case FileKind::force_curve: return {"setae jkr fit", "setae jkr import"};
-        case FileKind::spectrum:
-            return {"setae psd", "setae params", "setae adhesion", "setae synthesize --spectrum"};
+        case FileKind::spectrum: return {"setae psd", "setae params", "setae adhesion", "setae synthesize --spectrum"};
         case FileKind::study: return {"setae study", "setae plot"};
         case FileKind::recipe: return {"setae lab make", "setae lab closure"};
         case FileKind::mapping: return {"setae jkr fit --map", "setae jkr import --map"};
@@ -259,8 +270,10 @@ FileContent file_content(const std::string& file, const FileQuestions& questions
         return {.file = file, .kind = FileKind::pipeline, .format = "yaml"};
     }
     if (tables::is_loop_file(source)) return content_of_loop(file);
-    if (auto format = tables::force_curve_format(source))
-        return content_of_force_curve(file, source, std::move(*format));
+    if (auto format = tables::force_curve_format(source)) {
+        if (*format != "nt-mdt") return content_of_force_curve(file, source, std::move(*format));
+        if (auto curve = content_of_guessed_curve(file, source, questions.heights)) return std::move(*curve);
+    }
     if (tables::is_power_spectrum_table(source)) return content_of_spectrum(file, questions);
     return content_of_measurement(file, source, questions);
 }

@@ -20,11 +20,21 @@ std::vector<std::string> words_in_name(std::string_view name) {
 }
 
 std::string instrument_of_word(std::string_view word) {
-    static const std::map<std::string_view, const char*> words{
-        {"stylus", "stylus"},          {"dektak", "stylus"},         {"profilometer", "stylus"}, {"afm", "afm"},
-        {"sfm", "afm"},                {"spm", "afm"},               {"tem", "tem"},             {"stem", "tem"},
-        {"hrtem", "tem"},              {"optical", "optical"},       {"confocal", "optical"},    {"interferometer", "optical"},
-        {"interferometry", "optical"}, {"wli", "optical"},           {"csi", "optical"}};
+    static const std::map<std::string_view, const char*> words{{"stylus", "stylus"},
+                                                               {"dektak", "stylus"},
+                                                               {"profilometer", "stylus"},
+                                                               {"afm", "afm"},
+                                                               {"sfm", "afm"},
+                                                               {"spm", "afm"},
+                                                               {"tem", "tem"},
+                                                               {"stem", "tem"},
+                                                               {"hrtem", "tem"},
+                                                               {"optical", "optical"},
+                                                               {"confocal", "optical"},
+                                                               {"interferometer", "optical"},
+                                                               {"interferometry", "optical"},
+                                                               {"wli", "optical"},
+                                                               {"csi", "optical"}};
     const auto found = words.find(word);
     return found == words.end() ? "" : found->second;
 }

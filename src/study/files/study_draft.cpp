@@ -11,7 +11,6 @@
 
 #include "draft_text.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/formats/container.hpp"
 #include "setae/study/instrument_words.hpp"
@@ -30,7 +29,7 @@ struct SurfaceFiles {
 
 fs::path whole_path(const fs::path& path) {
     std::error_code ignored;
-    return fs::weakly_canonical(path, ignored);
+    return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
 }
 
 /// Whether a folder holds what a study left behind.
@@ -109,7 +108,8 @@ private:
     }
 
     SurfaceFiles& surface(const std::string& name) {
-        const auto known = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const auto& s) { return s.name == name; });
+        const auto known =
+            std::find_if(surfaces_.begin(), surfaces_.end(), [&](const auto& s) { return s.name == name; });
         if (known != surfaces_.end()) return *known;
         surfaces_.push_back({name, {}, {}, {}});
         return surfaces_.back();
@@ -146,7 +146,9 @@ private:
         DraftMeasurement measurement{relative(content.file), &content.channels[heights.front()].info, {}, {}};
         if (heights.size() > 1) {
             measurement.channel = heights.front();
-            for (const auto i : heights) measurement.channels += fmt::format("{}{} '{}'", i == heights.front() ? "" : ", ", i, content.channels[i].info.name);
+            for (const auto i : heights)
+                measurement.channels +=
+                    fmt::format("{}{} '{}'", i == heights.front() ? "" : ", ", i, content.channels[i].info.name);
         }
         surface_of(content.file).measurements.push_back(std::move(measurement));
     }
@@ -158,7 +160,9 @@ private:
             auto& of_index = surface(inner.name.empty() ? fs::path(content.file).stem().string() : inner.name);
             for (std::size_t i = 0; i < inner.topographies.size(); ++i, ++channel) {
                 const auto& info = content.channels.at(channel).info;
-                if (info.format.empty()) draft_.left_out.push_back({content.file, fmt::format("{}: channel {} cannot be read", content.file, channel)});
+                if (info.format.empty())
+                    draft_.left_out.push_back(
+                        {content.file, fmt::format("{}: channel {} cannot be read", content.file, channel)});
                 else of_index.measurements.push_back({relative(content.file), &info, channel, info.name});
             }
         }
@@ -184,22 +188,23 @@ private:
         if (!surface.measurements.empty())
             return "# " + draft_line("power_spectrum", file, "in place of the measurements: " + remark);
         ++draft_.surfaces;
-        const auto name = surface.spectra.size() == 1 ? surface.name
-                                                      : surface.name + "/" + fs::path(spectrum.file).stem().string();
+        const auto name =
+            surface.spectra.size() == 1 ? surface.name : surface.name + "/" + fs::path(spectrum.file).stem().string();
         return fmt::format("[surfaces.{}]\n", draft_key(name)) + draft_line("power_spectrum", file, remark);
     }
 
     std::string micrographs_text(const SurfaceFiles& surface) const {
         std::string text =
             "# Micrographs. These commands, typed in this file's folder, trace their edges; the profiles are then\n"
-            "# measurements with instrument = \"tem\".\n";
+            "# measurements with instrument = \"tem\". Where a file does not say the size of a pixel, --pixel or --scale-bar does.\n";
         for (const auto* micrograph : surface.micrographs)
             text += "#   " + contour_command(relative(micrograph->file), !micrograph->picture->pixel_size) + "\n";
         return text;
     }
 
     /// Loops, with the surface and elastomer their files or names tell.
-    [[nodiscard]] std::string contact_text(const std::vector<DraftLoop>& loops, const std::vector<std::string>& recordings) {
+    [[nodiscard]] std::string contact_text(const std::vector<DraftLoop>& loops,
+                                           const std::vector<std::string>& recordings) {
         std::vector<std::string> names;
         for (const auto& surface : surfaces_)
             if (!surface.measurements.empty() || !surface.spectra.empty()) names.push_back(surface.name);

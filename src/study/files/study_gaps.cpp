@@ -52,7 +52,8 @@ public:
 
     /// The first line below one, within its table, that asks for one of some keys; the line itself where none does.
     [[nodiscard]] std::size_t asking(std::size_t line, const std::vector<std::string>& keys) const {
-        for (auto i = line; i < lines_.size() && !heads_table(lines_[i]) && lines_[i].find('{') == std::string::npos; ++i)
+        for (auto i = line; i < lines_.size() && !heads_table(lines_[i]) && lines_[i].find('{') == std::string::npos;
+             ++i)
             if (const auto asked = asked_in(lines_[i]); std::find(keys.begin(), keys.end(), asked) != keys.end())
                 return i + 1;
         return line;
@@ -93,7 +94,8 @@ private:
         if (!trimmed(line).starts_with('#')) return "";
         const auto text = content_of(line);
         const auto equals = text.find('=');
-        if (equals == std::string_view::npos || text.substr(equals, text.find('#', equals) - equals).find("\"?\"") == std::string_view::npos)
+        if (equals == std::string_view::npos ||
+            text.substr(equals, text.find('#', equals) - equals).find("\"?\"") == std::string_view::npos)
             return "";
         return std::string(trimmed(text.substr(0, equals)));
     }
@@ -149,7 +151,8 @@ private:
         try_to_open(line, *surface.power_spectrum, [&] {
             const auto spectrum = tables::read_power_spectrum_table(*surface.power_spectrum, surface.spectrum_units);
             if (spectrum.metadata.contains("units"))
-                add(line, shown(*surface.power_spectrum), "no units: taken as q [1/m] and C1D [m3]; power_spectrum_unit says them");
+                add(line, shown(*surface.power_spectrum),
+                    "no units: taken as q [1/m] and C1D [m3]; power_spectrum_unit says them");
             if (spectrum.find("standard_error") == nullptr)
                 add(line, shown(*surface.power_spectrum), "no errors: ± of what follows from it leave its own out");
         });
@@ -168,7 +171,8 @@ private:
     void look_at(const MeasurementInput& input, const formats::ChannelInfo& info, std::size_t line) {
         const bool member = info.metadata.attributes.contains("member");
         const auto item = shown(input.file) + (member ? fmt::format(" ({})", info.name) : "");
-        if (info.unit.empty()) add(lines_.asking(line, {"unit"}), item, "no unit of its heights: it cannot be read without");
+        if (info.unit.empty())
+            add(lines_.asking(line, {"unit"}), item, "no unit of its heights: it cannot be read without");
         if (info.size.empty()) add(lines_.asking(line, {"size"}), item, "no size: it cannot be read without");
         const auto& stated = info.metadata.instrument;
         const bool probe = input.tip_radius || input.tip_file || input.resolution || input.numerical_aperture ||
@@ -187,9 +191,8 @@ private:
 
     void look_at(const ElastomerInput& elastomer) {
         if (elastomer.youngs_modulus.value > 0.0) return;
-        const bool loops = std::any_of(study_.experiments.begin(), study_.experiments.end(), [&](const auto& e) {
-            return e.elastomer == elastomer.name && !e.excluded();
-        });
+        const bool loops = std::any_of(study_.experiments.begin(), study_.experiments.end(),
+                                       [&](const auto& e) { return e.elastomer == elastomer.name && !e.excluded(); });
         const auto line = StudyLines::line_of(lines_.at("elastomers", elastomer.name));
         if (!loops)
             add(lines_.asking(line, {"youngs_modulus"}), "elastomer " + elastomer.name,
@@ -199,7 +202,8 @@ private:
     void look_at(const ExperimentInput& experiment, std::size_t line) {
         if (!experiment.sphere_radius && !study_.elastomer(experiment.elastomer)->sphere_radius)
             add(lines_.asking(line, {"sphere_radius"}), shown(experiment.file),
-                fmt::format("no sphere_radius, neither of the experiment nor of elastomer '{}': it cannot be fitted", experiment.elastomer));
+                fmt::format("no sphere_radius, neither of the experiment nor of elastomer '{}': it cannot be fitted",
+                            experiment.elastomer));
         // contact radii in pictures take minutes to find
         if (experiment.camera)
             try_to_open(line, experiment.camera->file, [&] {

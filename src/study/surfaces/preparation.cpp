@@ -232,7 +232,8 @@ std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input
     const auto source = bytes::unpacked(bytes::file_source(input.file));
     const auto& format = formats::detect_format(source);
     auto channels = formats::open(source, format, options);
-    const bool several = std::count_if(channels.begin(), channels.end(), [](const auto& c) { return c.info.is_height; }) > 1;
+    const bool several =
+        std::count_if(channels.begin(), channels.end(), [](const auto& c) { return c.info.is_height; }) > 1;
     std::vector<MeasurementSource> found;
     for (const auto i : formats::chosen_channels(input.file, channels, input.channel, format.is_container)) {
         std::optional<std::size_t> taken;

@@ -185,7 +185,8 @@ TEST(PowerSpectrumTable, SaysWhatAReaderShouldKnow) {
         return list;
     };
     EXPECT_EQ(codes(read_power_spectrum_table(bare)), "s UNIT_GUESSED; ");
-    EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("frequency 1/um, nm4"))), "s SPECTRUM_CONVERTED; ");
+    EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("frequency 1/um, nm4"))),
+              "s SPECTRUM_CONVERTED; ");
     EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("1/um, nm4"))), "");
 }
 
@@ -201,7 +202,8 @@ TEST(PowerSpectrumTable, UnitsOfTheHeaderAreApplied) {
 
 TEST(PowerSpectrumTable, FrequenciesAndWavelengthsBecomeWavevectors) {
     const TemporaryFolder folder;
-    const auto by_frequency = read_power_spectrum_table(folder.write("f.csv", "frequency [1/um],PSD [nm3]\n1,2\n2,1\n"));
+    const auto by_frequency =
+        read_power_spectrum_table(folder.write("f.csv", "frequency [1/um],PSD [nm3]\n1,2\n2,1\n"));
     EXPECT_DOUBLE_EQ(by_frequency.at("wavevector")[0], 2e6 * pi);
     EXPECT_DOUBLE_EQ(by_frequency.at("C1D")[0], 2e-27);
     EXPECT_NE(by_frequency.metadata.at("converted").find("frequencies: q = 2 pi f"), std::string::npos);
@@ -210,8 +212,9 @@ TEST(PowerSpectrumTable, FrequenciesAndWavelengthsBecomeWavevectors) {
     EXPECT_DOUBLE_EQ(by_wavelength.at("wavevector")[0], 0.5e6 * pi) << "ascending";
     EXPECT_DOUBLE_EQ(by_wavelength.at("C1D")[0], 3e-27);
     EXPECT_DOUBLE_EQ(by_wavelength.at("standard_error")[0], 0.2e-27);
-    EXPECT_EQ(read_power_spectrum_table(folder.write("q.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n")).metadata.count("converted"),
-              0u);
+    EXPECT_EQ(
+        read_power_spectrum_table(folder.write("q.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n")).metadata.count("converted"),
+        0u);
 }
 
 TEST(PowerSpectrumTable, AnArealDensityIsToldByItsUnit) {

@@ -26,14 +26,17 @@ TEST(FileContent, TellsFilesByWhatTheyHold) {
     EXPECT_EQ(kind("line.csv", line_scan), FileKind::topography);
     EXPECT_EQ(kind("map.txt", "1 2 3 4\n2 3 4 5\n3 4 5 6\n5 6 7 8\n"), FileKind::topography);
     EXPECT_EQ(kind("loop.csv", loop), FileKind::loop);
-    EXPECT_EQ(kind("own.csv", "# format: setae loop\n# version: 1\n# sphere_radius: 1 mm\nforce [N],displacement [m]\n0,0\n1,1\n"),
+    EXPECT_EQ(kind("own.csv",
+                   "# format: setae loop\n# version: 1\n# sphere_radius: 1 mm\nforce [N],displacement [m]\n0,0\n1,1\n"),
               FileKind::loop);
     EXPECT_EQ(kind("camera.txt", "time [s],load [mN],contact radius [um]\n0,0,0\n1,1,2\n2,2,3\n"), FileKind::loop);
     EXPECT_EQ(kind("spectrum.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n"), FileKind::spectrum);
-    EXPECT_EQ(kind("study.toml", "title = \"t\"\n[surfaces.A]\nmeasurements = [{ file = \"a.txt\" }]\n"), FileKind::study);
+    EXPECT_EQ(kind("study.toml", "title = \"t\"\n[surfaces.A]\nmeasurements = [{ file = \"a.txt\" }]\n"),
+              FileKind::study);
     EXPECT_EQ(kind("recipe.toml", "seed = 7\n[protocols.short]\n[surfaces.A]\n"), FileKind::recipe);
-    EXPECT_EQ(kind("map.toml", "[columns.load]\nposition = 1\nunit = \"mN\"\n[columns.way]\nposition = 2\nunit = \"um\"\n"
-                               "[table]\nforce = \"load\"\ndisplacement = \"way\"\n"),
+    EXPECT_EQ(kind("map.toml",
+                   "[columns.load]\nposition = 1\nunit = \"mN\"\n[columns.way]\nposition = 2\nunit = \"um\"\n"
+                   "[table]\nforce = \"load\"\ndisplacement = \"way\"\n"),
               FileKind::mapping);
     EXPECT_EQ(kind("steps.toml", "[[steps]]\nstep = \"level_plane\"\n"), FileKind::pipeline);
     EXPECT_EQ(kind("steps.yml", "steps:\n  - step: level_plane\n"), FileKind::pipeline);
@@ -45,8 +48,9 @@ TEST(FileContent, ALoopSaysWhatAFitNeedsBesideIt) {
     EXPECT_EQ(plain.missing, std::vector<std::string>{"sphere_radius"});
     EXPECT_EQ(plain.table->rows(), 4);
     EXPECT_DOUBLE_EQ(plain.table->at("force")[2], 2e-3);
-    const auto own = file_content(
-        folder.write("own.csv", "# format: setae loop\n# version: 1\n# sphere_radius: 1 mm\nforce [N],displacement [m]\n0,0\n1,1\n"));
+    const auto own = file_content(folder.write(
+        "own.csv",
+        "# format: setae loop\n# version: 1\n# sphere_radius: 1 mm\nforce [N],displacement [m]\n0,0\n1,1\n"));
     EXPECT_TRUE(own.missing.empty());
 }
 
@@ -57,6 +61,16 @@ TEST(FileContent, ARecordWithoutForceIsALoopThatNeedsAMapping) {
     EXPECT_EQ(content.kind, FileKind::loop);
     EXPECT_EQ(content.missing, std::vector<std::string>{"columns"});
     EXPECT_NE(content.note.find("force"), std::string::npos);
+}
+
+TEST(FileContent, ThreeColumnsWithoutAHeaderAreACurveUnlessHeightsAreMeant) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("curve.txt", "1 0.1 0.2\n2 0.1 0.2\n3 0.2 0.3\n4 0.5 0.6\n5 0.9 0.9\n6 1.2 1.1\n");
+    const auto curve = file_content(file);
+    EXPECT_EQ(curve.kind, FileKind::force_curve);
+    EXPECT_EQ(curve.format, "nt-mdt");
+    EXPECT_EQ(curve.channels.size(), 1u) << "for those who take it for a map";
+    EXPECT_EQ(file_content(file, {.heights = {.size = {}, .unit = "um"}}).kind, FileKind::topography);
 }
 
 TEST(FileContent, ASpectrumSaysWhatItsFirstColumnWasTakenFor) {
@@ -75,11 +89,17 @@ TEST(FileContent, ASpectrumSaysWhatItsFirstColumnWasTakenFor) {
 
 TEST(FileContent, WhatIsNothingIsRefusedWithItsReason) {
     const TemporaryFolder folder;
-    EXPECT_NE(message_of([&] { (void)file_content(folder.write("notes.md", "# Notes\nnone\n")); }).find("text without a row of numbers"),
+    EXPECT_NE(message_of([&] {
+                  (void)file_content(folder.write("notes.md", "# Notes\nnone\n"));
+              }).find("text without a row of numbers"),
               std::string::npos);
-    EXPECT_NE(message_of([&] { (void)file_content(folder.write("other.toml", "a = 1\n")); }).find("TOML without a key that setae knows"),
+    EXPECT_NE(message_of([&] {
+                  (void)file_content(folder.write("other.toml", "a = 1\n"));
+              }).find("TOML without a key that setae knows"),
               std::string::npos);
-    EXPECT_NE(message_of([&] { (void)file_content(folder.write("study.toml", "[surfaces.A]\nmeasurments = []\n")); }).find("measurements"),
+    EXPECT_NE(message_of([&] {
+                  (void)file_content(folder.write("study.toml", "[surfaces.A]\nmeasurments = []\n"));
+              }).find("measurements"),
               std::string::npos);
     EXPECT_NE(message_of([&] { (void)file_content(folder.path("none.csv")); }).find("none.csv"), std::string::npos);
 }
@@ -117,9 +137,9 @@ TEST(FoundFiles, ThoseOfFoldersInOrderWithoutHiddenOnesAndLinkedFolders) {
     fs::create_symlink(elsewhere.path("far.txt"), folder.path("z.txt"));
     const auto root = fs::path(folder.path("a.txt")).parent_path().string();
     const auto found = found_files({root, "single.csv"});
-    EXPECT_EQ(found.files, (std::vector<std::string>{folder.path("a.txt"), folder.path("b.txt"), folder.path("z.txt"),
-                                                     folder.path("inner/c.txt"), folder.path("inner/deeper/d.txt"),
-                                                     "single.csv"}));
+    EXPECT_EQ(found.files,
+              (std::vector<std::string>{folder.path("a.txt"), folder.path("b.txt"), folder.path("z.txt"),
+                                        folder.path("inner/c.txt"), folder.path("inner/deeper/d.txt"), "single.csv"}));
     EXPECT_TRUE(found.unreadable.empty());
 }
 

@@ -57,7 +57,10 @@ TEST_F(StudyDrafts, AskForWhatNoFileSays) {
     write("A/afm_1.csv", line_scan);
     write("A/plain.txt", "1 2 3 4\n2 3 4 5\n3 4 5 6\n5 6 7 8\n");
     const auto text = draft().text;
-    EXPECT_TRUE(std::regex_search(text, std::regex(R"(\n# tip_radius = "\?" +# such as "10 ± 3 nm"; without it waves down to 2.00 µm are believed\n)"))) << text;
+    EXPECT_TRUE(std::regex_search(
+        text,
+        std::regex(R"(\n# tip_radius = "\?" +# such as "10 ± 3 nm"; without it waves down to 2.00 µm are believed\n)")))
+        << text;
     EXPECT_NE(text.find("\n# instrument = \"?\""), std::string::npos);
     EXPECT_NE(text.find("\n# unit = \"?\""), std::string::npos);
     EXPECT_NE(text.find("\n# size = [\"?\", \"?\"]"), std::string::npos);
@@ -71,8 +74,10 @@ TEST_F(StudyDrafts, TellSurfaceAndElastomerOfLoopsByTheirNames) {
     EXPECT_EQ(made.loops, 2u);
     EXPECT_TRUE(read(made.text).experiments.empty());
     // the lines below the heading count once they are no comment and answered
-    auto text = std::regex_replace(made.text, std::regex("(^|\n)# (\\[|youngs|poisson|surface|sphere|file|role|stage|elastomer)"), "$1$2");
-    text = std::regex_replace(text, std::regex("(^|\n)# (\\[|youngs|poisson|surface|sphere|file|role|stage|elastomer)"), "$1$2");
+    auto text = std::regex_replace(
+        made.text, std::regex("(^|\n)# (\\[|youngs|poisson|surface|sphere|file|role|stage|elastomer)"), "$1$2");
+    text = std::regex_replace(text, std::regex("(^|\n)# (\\[|youngs|poisson|surface|sphere|file|role|stage|elastomer)"),
+                              "$1$2");
     text = std::regex_replace(text, std::regex("youngs_modulus = \"\\?\""), "youngs_modulus = \"1 GPa\"");
     text = std::regex_replace(text, std::regex("poisson_ratio = \"\\?\""), "poisson_ratio = \"0.06\"");
     text = std::regex_replace(text, std::regex("surface_energy = \"\\?\""), "surface_energy = \"25 ± 1 mJ/m2\"");
@@ -95,6 +100,27 @@ TEST_F(StudyDrafts, ATableOfASpectrumIsASurfaceOrAChoice) {
     EXPECT_EQ(study.surfaces[0].name, "given");
     EXPECT_TRUE(study.surfaces[0].power_spectrum.has_value());
     EXPECT_EQ(study.surfaces[1].measurements.size(), 1u);
+}
+
+TEST_F(StudyDrafts, NameFilesFromTheFolderOfTheStudy) {
+    write("A/afm_1.csv", line_scan);
+    EXPECT_NE(draft().text.find("file = \"A/afm_1.csv\""), std::string::npos);
+    const auto elsewhere = draft_study({root()}, "a_study_that_is_not_there.toml").text;
+    EXPECT_EQ(elsewhere.find("file = \"/"), std::string::npos) << elsewhere;
+    EXPECT_NE(elsewhere.find("/A/afm_1.csv\""), std::string::npos);
+}
+
+TEST_F(StudyDrafts, TellHowMicrographsBecomeProfiles) {
+    std::string header("BM\x46\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\x18\0\0\0\0\0\x10\0\0\0",
+                       38);
+    header.resize(54, '\0');
+    write("A/tem/picture.bmp", header + std::string("\0\0\0\xff\xff\xff\0\0\xff\xff\xff\0\0\0\0\0", 16));
+    const auto made = draft();
+    EXPECT_EQ(made.micrographs, 1u);
+    EXPECT_NE(made.text.find("\n#   setae contour A/tem/picture.bmp -o A/tem/picture.csv --pixel \"?\"\n"),
+              std::string::npos)
+        << made.text;
+    EXPECT_TRUE(read(made.text).surfaces.empty());
 }
 
 TEST_F(StudyDrafts, LeaveResultsAndWhatTheyDoNotKnowOut) {
@@ -138,25 +164,31 @@ class StudyGaps : public StudyDrafts {
 protected:
     [[nodiscard]] std::vector<std::string> gaps(const std::string& text) const {
         std::vector<std::string> lines;
-        for (const auto& gap : study_gaps(read(text))) lines.push_back(std::to_string(gap.line) + " " + gap.item + ": " + gap.message);
+        for (const auto& gap : study_gaps(read(text)))
+            lines.push_back(std::to_string(gap.line) + " " + gap.item + ": " + gap.message);
         return lines;
     }
 };
 
 TEST_F(StudyGaps, NameTheLineThatAsks) {
     write("afm.csv", line_scan);
-    EXPECT_EQ(gaps("[[surfaces.A.measurements]]\nfile = \"afm.csv\"\ninstrument = \"afm\"\n# tip_radius = \"?\"  # such as\n"),
-              std::vector<std::string>{"4 afm.csv: no tip_radius of the afm: waves down to 2.00 µm are believed"});
+    EXPECT_EQ(
+        gaps(
+            "[[surfaces.A.measurements]]\nfile = \"afm.csv\"\ninstrument = \"afm\"\n# tip_radius = \"?\"  # such as\n"),
+        std::vector<std::string>{"4 afm.csv: no tip_radius of the afm: waves down to 2.00 µm are believed"});
     EXPECT_EQ(gaps("[[surfaces.A.measurements]]\nfile = \"afm.csv\"\ninstrument = \"afm\"\ntip_radius = \"10 nm\"\n"),
               std::vector<std::string>{});
-    EXPECT_EQ(gaps("[surfaces.A]\nmeasurements = [\n  { file = \"afm.csv\", instrument = \"tem\" },\n  { file = \"afm.csv\" },\n]\n"),
-              std::vector<std::string>{"4 afm.csv: no instrument: waves down to 2.00 µm are believed"});
+    EXPECT_EQ(
+        gaps(
+            "[surfaces.A]\nmeasurements = [\n  { file = \"afm.csv\", instrument = \"tem\" },\n  { file = \"afm.csv\" },\n]\n"),
+        std::vector<std::string>{"4 afm.csv: no instrument: waves down to 2.00 µm are believed"});
 }
 
 TEST_F(StudyGaps, TellFilesThatCannotBeRead) {
     write("plain.txt", "1 2 3 4\n2 3 4 5\n3 4 5 6\n5 6 7 8\n");
-    const auto lines = gaps("[surfaces.A]\nmeasurements = [\n  { file = \"plain.txt\", instrument = \"tem\" },\n  { file = \"none.csv\" },\n]\n"
-                            "[surfaces.B]\npower_spectrum = \"plain.txt\"\n");
+    const auto lines = gaps(
+        "[surfaces.A]\nmeasurements = [\n  { file = \"plain.txt\", instrument = \"tem\" },\n  { file = \"none.csv\" },\n]\n"
+        "[surfaces.B]\npower_spectrum = \"plain.txt\"\n");
     ASSERT_EQ(lines.size(), 4u);
     EXPECT_EQ(lines[0], "3 plain.txt: no unit of its heights: it cannot be read without");
     EXPECT_EQ(lines[1], "3 plain.txt: no size: it cannot be read without");
@@ -169,18 +201,24 @@ TEST_F(StudyGaps, TellWhatExperimentsNeed) {
     write("loop.csv", loop);
     const std::string start =
         "[rough_solid]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0.1\n[surfaces.A]\nmeasurements = [{ file = \"afm.csv\", instrument = \"tem\" }]\n";
-    const auto lines = gaps(start + "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n[elastomers.hard]\nsurface_energy = \"25 mJ/m2\"\n"
-                                    "[[experiments]]\nfile = \"loop.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n");
+    const auto lines =
+        gaps(start +
+             "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n[elastomers.hard]\nsurface_energy = \"25 mJ/m2\"\n"
+             "[[experiments]]\nfile = \"loop.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n");
     ASSERT_EQ(lines.size(), 2u);
-    EXPECT_EQ(lines[0], "8 elastomer hard: no modulus, neither youngs_modulus nor a loop on it: nothing is predicted of it");
-    EXPECT_EQ(lines[1], "11 loop.csv: no sphere_radius, neither of the experiment nor of elastomer 'soft': it cannot be fitted");
+    EXPECT_EQ(lines[0],
+              "8 elastomer hard: no modulus, neither youngs_modulus nor a loop on it: nothing is predicted of it");
+    EXPECT_EQ(lines[1],
+              "11 loop.csv: no sphere_radius, neither of the experiment nor of elastomer 'soft': it cannot be fitted");
 }
 
 TEST_F(StudyGaps, TellWhatTablesInCommentsAsk) {
     write("afm.csv", line_scan);
-    EXPECT_EQ(gaps("[[surfaces.A.measurements]]\nfile = \"afm.csv\"\ninstrument = \"tem\"\n# tip_radius = \"?\"\n\n"
-                   "# [elastomers.soft]\n# surface_energy = \"?\"   # such as \"25 mJ/m2\"\n# sphere_radius = \"1 mm\"  # or \"?\"\n"),
-              std::vector<std::string>{"7 [elastomers.soft]: no surface_energy yet; the line is a comment"});
+    EXPECT_EQ(
+        gaps(
+            "[[surfaces.A.measurements]]\nfile = \"afm.csv\"\ninstrument = \"tem\"\n# tip_radius = \"?\"\n\n"
+            "# [elastomers.soft]\n# surface_energy = \"?\"   # such as \"25 mJ/m2\"\n# sphere_radius = \"1 mm\"  # or \"?\"\n"),
+        std::vector<std::string>{"7 [elastomers.soft]: no surface_energy yet; the line is a comment"});
 }
 
 TEST(StudyDraft, OfRealContainersHasAnEntryAMember) {

@@ -29,7 +29,7 @@ namespace setae::study {
 struct MeasurementResult {
     std::string file;
     std::string name;
-    std::string error;  ///< empty where the measurement was analysed
+    std::string error;                   ///< empty where the measurement was analysed
     std::optional<std::size_t> channel;  ///< that was taken where the file has several of heights and nobody chose
     topography::Trend trend = topography::Trend::none;
     std::vector<processing::StepRecord>

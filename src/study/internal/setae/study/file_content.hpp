@@ -36,10 +36,10 @@ enum class FileKind {
 struct FileContent {
     std::string file;
     FileKind kind = FileKind::topography;
-    std::string format;                              ///< identifier in the lists of formats; empty where there is but one
-    std::vector<formats::Channel> channels = {};     ///< of topographies and containers
+    std::string format;                           ///< identifier in the lists of formats; empty where there is but one
+    std::vector<formats::Channel> channels = {};  ///< of topographies and containers, and of curves that may be heights
     std::optional<imaging::PictureContent> picture = {};  ///< of micrographs and recordings
-    std::optional<Table> table = {};                 ///< of loops, force curves and spectra, in SI
+    std::optional<Table> table = {};                      ///< of loops, force curves and spectra, in SI
     std::optional<Study> study = {};
     std::vector<std::string> missing = {};  ///< what loops and force curves do not say and fits need: "sphere_radius" …
     std::string note = {};                  ///< what else a reader should know
