@@ -292,6 +292,24 @@ fs::path common_folder(const std::vector<ListedFile>& files) {
     return common;
 }
 
+/// Rows under a row for each folder they are in, where any is in one.
+TidyTable by_folder(TidyTable table) {
+    std::vector<std::vector<TidyTable::Cell>> rows;
+    std::string last;
+    for (auto& row : table.rows) {
+        const fs::path path(std::get<std::string>(row.front()));
+        if (const auto folder = path.parent_path().string(); folder != last) {
+            rows.emplace_back(row.size(), std::string());
+            rows.back().front() = (folder.empty() ? "." : folder) + "/";
+            last = folder;
+        }
+        if (!last.empty()) row.front() = "  " + path.filename().string();
+        rows.push_back(std::move(row));
+    }
+    table.rows = std::move(rows);
+    return table;
+}
+
 /// The beginning and the end of a name that takes at most so many characters, "…" between them.
 std::string middle_cut(const std::string& name, std::size_t width) {
     if (display_width(name) <= width) return name;
@@ -358,7 +376,7 @@ std::string hint(const Listing& listing) {
 std::string text_of(Listing listing, const Kind& kind, std::size_t width) {
     const auto made = [&](Detail detail) {
         listing.detail = detail;
-        auto table = kind.table(listing);
+        auto table = by_folder(kind.table(listing));
         table.title = heading(kind);
         return table;
     };

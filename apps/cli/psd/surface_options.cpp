@@ -47,7 +47,12 @@ void SurfaceOptions::add_to(Options& options) {
 
 bool SurfaceOptions::is_spectrum() const {
     const auto is_table = [this](const std::string& path) {
-        return file.as == "spectrum" || tables::is_power_spectrum_table(bytes::file_source(path));
+        if (file.as == "spectrum") return true;
+        try {
+            return tables::is_power_spectrum_table(bytes::file_source(path));
+        } catch (const FileError&) {  // whoever reads it says why, and the others are done
+            return false;
+        }
     };
     const auto table = std::find_if(files.begin(), files.end(), is_table);
     if (table == files.end()) return false;
