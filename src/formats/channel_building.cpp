@@ -169,8 +169,8 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
 Channel incomplete_channel(ChannelInfo info, const bytes::Source& source) {
     const auto message =
         info.unit.empty() && info.size.empty()
-            ? fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit m", source.name,
-                          size_example(info))
+            ? fmt::format("{}: the file states neither size nor unit; give them, as in {} --unit {}", source.name,
+                          size_example(info), info.format == "npy" ? "m" : "um")
         : info.unit.empty()
             ? fmt::format("{}: the file states no unit; give it, as in --unit um", source.name)
             : fmt::format("{}: the file states no size; give it, as in {}", source.name, size_example(info));

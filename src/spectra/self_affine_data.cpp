@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -134,14 +137,15 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
     return fit_self_affine(std::array<FittedValues, 1>{std::move(data)}, options);
 }
 
-SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options) {
+namespace {
+
+/// Modes of one measurement in groups, and what they are expected to be; nothing where none is in its reliable band.
+std::optional<FittedValues> values_of(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options) {
     // whether sampling folds shorter waves back or the instrument averages them away shows above that; who asks for
     // more gets aliases
     const double q_max = options.range ? spectrum.band.upper : undistorted(spectrum).band.upper;
     auto groups = groups_of(spectrum, q_max);
-    if (groups.empty())
-        throw InvalidArgument(
-            fmt::format("{}: no wavevector lies inside its reliable band", topography::label(spectrum.metadata)));
+    if (groups.empty()) return std::nullopt;
     const auto count = static_cast<Index>(groups.size());
     FittedValues data{Array1D(count), Array1D(count), Array1D(count), {}};
     const double own = spectrum.window == "none" ? 1.0 : share_under_hann;
@@ -157,7 +161,38 @@ SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffine
         if (!(data.values[g] > 0.0)) data.values[g] = 1.0;  // left out
     }
     data.expected = ModeExpectation(spectrum, std::move(groups));
-    return fit_self_affine(std::array<FittedValues, 1>{std::move(data)}, options);
+    return data;
+}
+
+/// The combined spectrum of what of the measurements is undistorted, where every bin of it has a scatter.
+std::optional<CombinedSpectrum> combined_with_scatter(std::span<const MeasuredSpectrum> spectra) {
+    std::vector<MeasuredSpectrum> parts;
+    for (const auto& spectrum : spectra) {
+        auto part = undistorted(spectrum);
+        if (part.band.upper > part.band.lower) parts.push_back(std::move(part));
+    }
+    if (parts.size() < 2) return std::nullopt;
+    auto combined = combine(parts);
+    if (!(relative_variances(combined) > 0.0).all()) return std::nullopt;
+    return combined;
+}
+
+}  // namespace
+
+SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options) {
+    return fit_self_affine(std::span(&spectrum, 1), options);
+}
+
+SelfAffineFit fit_self_affine(std::span<const MeasuredSpectrum> spectra, const SelfAffineFitOptions& options) {
+    if (spectra.empty()) throw InvalidArgument("no spectrum; expected at least one to fit");
+    if (const auto combined = combined_with_scatter(spectra)) return fit_self_affine(*combined, options);
+    std::vector<FittedValues> data;
+    for (const auto& spectrum : spectra)
+        if (auto values = values_of(spectrum, options)) data.push_back(std::move(*values));
+    if (data.empty())
+        throw InvalidArgument(fmt::format("{}: no wavevector lies inside its reliable band",
+                                          topography::label(spectra.front().metadata)));
+    return fit_self_affine(data, options);
 }
 
 }  // namespace setae::spectra

@@ -90,6 +90,10 @@ Measurement detrended(Measurement measurement, Trend trend, parallel::Threads th
 Trend trend_from_name(const std::string& name) {
     for (const auto& [trend, known] : trend_names)
         if (name == known) return trend;
+    // the steps of processing that remove the same
+    if (name == "level_mean") return Trend::mean;
+    if (name == "level_plane") return Trend::tilt;
+    if (name == "level_polynomial") return Trend::parabola;
     throw InvalidArgument(fmt::format("'{}' is not a trend; expected none, mean, tilt or parabola", name));
 }
 

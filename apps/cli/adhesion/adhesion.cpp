@@ -180,6 +180,10 @@ Action declare(Options& options) {
     options.add("--preload", arguments->preload, "its largest force, such as 1mN")
         .quantity(non_negative(dimension::force));
     options.add("--rough-nu", arguments->rough_poisson_ratio, "its Poisson ratio").within(domain::poisson_ratio);
+    options.example("setae adhesion stylus.csv afm.ibw --E \"0.7 ± 0.02 MPa\" --w \"37 ± 3.7 mJ/m2\" --gamma 25mJ/m2",
+                    "work of adhesion of a soft solid on the measured surface");
+    options.example("setae adhesion spectrum.csv --E 0.7MPa --w 37mJ/m2 --gamma 25mJ/m2 --radius 1.25mm --preload 1mN",
+                    "from a table of a spectrum, with what a sphere should do");
     return action(options, arguments, explanation, run);
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "contour/region_argument.hpp"
+#include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -16,6 +17,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/file_figures/contour_figure.hpp"
 #include "setae/imaging/calibration_file.hpp"
 #include "setae/output/contour_file.hpp"
 #include "setae/parallel/for_each.hpp"
@@ -44,6 +46,7 @@ struct Arguments {
     std::optional<double> smoothing, least_length;
     double denoise = 0;
     std::size_t image = 1;
+    FigureOption figure;
     bool ignore_stated = false, no_overlay = false, whole_picture = false;
 };
 
@@ -135,6 +138,12 @@ std::vector<std::size_t> chosen_segments(const Arguments& a, std::size_t count) 
 void write_picture(const Arguments& a, const study::TracedPicture& picture, const study::ContourOptions& options,
                    const Outputs& to) {
     const auto chosen = chosen_segments(a, picture.profiles.size());
+    if (file_figures::is_figure_path(a.output)) {
+        require_not_the_same(a.output, picture.micrograph.file);
+        write_figure(file_figures::contour_figure(picture, chosen, options.shape, a.figure.look()), a.output,
+                     a.common.json);
+        return;
+    }
     const auto& input = picture.micrograph.file;
     require_not_the_same(to.stem.string() + to.extension, input);
     require_not_the_same(to.stem.string() + ".json", input);
@@ -251,7 +260,9 @@ Action declare(Options& options) {
              "DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC; several, or a folder of them")
         .of_inputs();
     options.add("-o,--output", arguments->output,
-                "OUT.csv, with OUT.json and OUT.png beside it; of several pictures a folder");
+                "OUT.csv, with OUT.json and OUT.png beside it; OUT.svg, .pdf or .png: figure of the profile alone; of "
+                "several pictures a folder");
+    arguments->figure.add_to(options);
     options.add("--anchors", arguments->anchors,
                 "points the trace must pass (JSON), or a whole trace to be made again");
     options.add("--segment", arguments->segment, "number of the segment written, longest first, or all");
@@ -259,7 +270,8 @@ Action declare(Options& options) {
     options
         .add("--shape", arguments->shape, "re-entrant stretches: highest point over each x, cut, or the curve itself")
         .one_of({"envelope", "cut", "parametric"});
-    options.add("--pixel", arguments->pixel, "size of a pixel, such as \"0.055 nm\" or \"1 nm x 0.2 nm\"");
+    options.add("--pixel", arguments->pixel, "size of a pixel, such as \"0.055 nm\" or \"1 nm x 0.2 nm\"")
+        .read_by([](const std::string& text) { (void)pixel_size_of(text); });
     options.add("--scale-bar", arguments->scale_bar, "what the scale bar in the picture stands for, such as \"5 nm\"")
         .quantity(positive(dimension::length));
     options.add("--calibration", arguments->calibration, "a calibration kept by --save-calibration");
@@ -280,6 +292,11 @@ Action declare(Options& options) {
                 "shorter segments are left out [px]; default 50, of masks 0");
     options.add("--image", arguments->image, "number of the image in a file that holds several");
     options.flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
+    options.example("setae contour tem.dm3 -o contour.csv",
+                    "the profile, contour.json with what makes it again, contour.png with the edge drawn in");
+    options.example("setae contour tem.tif --scale-bar \"50 nm\" -o contour.svg",
+                    "a picture whose scale bar stands for 50 nm; figure of the profile");
+    options.example("setae contour pictures -o contours", "every picture of a folder");
     return action(options, arguments, explanation, run);
 }
 

@@ -222,6 +222,9 @@ Action declare(Options& options) {
     options.add("--detrend", arguments->trends,
                 "what is to be removed: mean, tilt or parabola, or of one file: FILE=tilt; default: mean");
     add_layout_option(options, arguments->as);
+    options.example("setae container write afm.ibw stylus.csv -o surface.zip --name \"my surface\"",
+                    "two measurements of one surface");
+    options.example("setae container write --from study.toml -o surfaces.zip", "the surfaces of a study");
     return action(options, arguments, explanation, run);
 }
 

@@ -105,6 +105,10 @@ Action declare(Options& options) {
     options.flag("--all-channels", arguments->all_channels,
                  "every channel of heights, its number before the ending of OUT");
     arguments->file.add_to(options);
+    options.example("setae convert map.ibw map.x3p", "one file, its format by the ending");
+    options.example("setae convert *.spm -o x3p_files --to x3p", "many files, into a folder");
+    options.example("setae convert heights.npy heights.gwy --size \"5 um x 5 um\" --unit m",
+                    "an array that states neither size nor unit");
     return action(options, arguments, heights_output_explanation, run);
 }
 

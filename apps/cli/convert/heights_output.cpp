@@ -46,11 +46,11 @@ std::string endings_of_heights() {
     return fmt::format("{} or {}", fmt::join(endings, ", "), last);
 }
 
-void require_heights_ending(const std::string& path) {
+void require_heights_ending(const std::string& path, const std::string& others) {
     const auto endings = written_endings();
     if (std::find(endings.begin(), endings.end(), ending_of(path)) == endings.end())
-        throw InvalidArgument(
-            fmt::format("{}: cannot tell the format from the name; expected an ending {}", path, endings_of_heights()));
+        throw InvalidArgument(fmt::format("{}: cannot tell the format from the name; expected an ending {}{}", path,
+                                          endings_of_heights(), others.empty() ? others : "; of a figure " + others));
 }
 
 void write_heights(const std::string& path, const topography::Measurement& measurement) {

@@ -14,7 +14,8 @@ namespace setae::cli {
 void write_heights(const std::string& path, const topography::Measurement& measurement);
 
 /// @throws InvalidArgument where write_heights would for the path's ending, before heights are dear to make.
-void require_heights_ending(const std::string& path);
+/// others: what else the verb writes, for the message.
+void require_heights_ending(const std::string& path, const std::string& others = {});
 
 /// ".x3p, … or .csv", for messages.
 [[nodiscard]] std::string endings_of_heights();

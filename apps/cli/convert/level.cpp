@@ -10,11 +10,13 @@
 #include "convert/output_jobs.hpp"
 #include "convert/pipeline_option.hpp"
 #include "files/file_options.hpp"
+#include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/file_figures/level_figure.hpp"
 #include "setae/study/pipeline_file.hpp"
 
 namespace setae::cli::level_command {
@@ -26,6 +28,7 @@ struct Arguments {
     PipelineOption processing;
     std::vector<std::string> paths;
     std::string output, folder, to = "x3p", written_pipeline, documentation;
+    FigureOption figure;
 };
 
 /// Each file and what it is written to; without an output nothing is.
@@ -38,7 +41,8 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
             throw InvalidArgument(
                 fmt::format("{} files for the one output {}; write several to a folder with --output-folder",
                             arguments.paths.size(), arguments.output));
-        require_heights_ending(arguments.output);
+        if (!file_figures::is_figure_path(arguments.output))
+            require_heights_ending(arguments.output, file_figures::figure_endings);
     }
     std::vector<Job> jobs;
     for (const auto& path : arguments.paths) jobs.push_back({path, arguments.output});
@@ -50,9 +54,12 @@ output::Json level_file(const Arguments& arguments, const processing::Pipeline& 
     const auto options = arguments.file.read_options();
     const auto channels = formats::open(job.input, options);
     const auto& channel = channels[formats::chosen_channels(job.input, channels, arguments.file.channel).front()];
+    const auto before = channel.read();
     const auto result =
-        processing::apply(pipeline, channel.read(), study::measurement_loader(options), arguments.common.workers());
-    if (!job.output.empty()) write_heights(job.output, result.measurement);
+        processing::apply(pipeline, before, study::measurement_loader(options), arguments.common.workers());
+    if (file_figures::is_figure_path(job.output))
+        file_figures::write_figure(file_figures::level_figure(before, result, arguments.figure.look()), job.output);
+    else if (!job.output.empty()) write_heights(job.output, result.measurement);
     show(channel.info.alerts);
     std::string lines =
         fmt::format("{} ({}){}\n", job.input, channel.info.name, job.output.empty() ? "" : " -> " + job.output);
@@ -72,7 +79,12 @@ ExitCode run(const Arguments& arguments) {
         write_page(arguments.documentation, step_page());
         return ExitCode::done;
     }
-    const auto pipeline = arguments.processing.pipeline();
+    auto pipeline = arguments.processing.pipeline();
+    const bool writes = !arguments.output.empty() || !arguments.folder.empty();
+    if (!arguments.processing.given() && writes) {
+        pipeline.entries.push_back({processing::LevelPlane{}});
+        complain("no step was named: level_plane, the best plane is subtracted; --step NAME takes another");
+    }
     if (pipeline.entries.empty()) throw InvalidArgument("no step; expected --pipeline p.yml or --step level_plane");
     if (!arguments.written_pipeline.empty()) study::write_pipeline(arguments.written_pipeline, pipeline);
     if (arguments.paths.empty()) {
@@ -97,12 +109,19 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->paths, "measurements").of_inputs();
     arguments->processing.add_to(options);
-    options.add("-o,--output", arguments->output, "what the one file is written to, by its ending");
+    options.add(
+        "-o,--output", arguments->output,
+        "what the one file is written to, by its ending, the best plane subtracted where no step is named; .svg, .pdf or .png: figure of heights before and after");
+    arguments->figure.add_to(options);
     options.add("--output-folder", arguments->folder, "folder that gets each file under its name");
     options.add("--to", arguments->to, "ending of files in that folder, x3p without it");
     options.add("--write-pipeline", arguments->written_pipeline, "write the steps as p.yml or p.toml");
     options.add("--documentation", arguments->documentation, "write the page on all steps");
     arguments->file.add_to(options);
+    options.example("setae level map.ibw -o levelled.x3p", "the best plane is subtracted");
+    options.example("setae level map.ibw --step level_plane --step \"despike threshold=5\" -o levelled.svg",
+                    "two steps, drawn before and after");
+    options.example("setae level *.spm --pipeline p.yml --output-folder levelled", "a file of steps, on many files");
     return action(options, arguments, step_list, run);
 }
 

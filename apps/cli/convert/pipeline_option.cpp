@@ -16,6 +16,12 @@
 namespace setae::cli {
 namespace {
 
+std::vector<std::string> step_names() {
+    std::vector<std::string> names;
+    for (const auto& step : processing::step_descriptions()) names.push_back(step.name);
+    return names;
+}
+
 std::string with_blanks(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;
@@ -29,7 +35,9 @@ void PipelineOption::add_to(Options& options) {
         .add(
             "--step", steps,
             "a step behind them, such as \"despike threshold=5\"; may stand several times; `setae level --explain` lists them")
-        .one_at_a_time();
+        .one_at_a_time()
+        .offering(step_names())
+        .read_by([](const std::string& text) { (void)processing::step_from_text(text); });
 }
 
 processing::Pipeline PipelineOption::pipeline() const {

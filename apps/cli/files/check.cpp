@@ -89,8 +89,10 @@ Action declare(Options& options) {
         .of_inputs();
     arguments->file.add_to(options);
     options.add("--tip-radius", arguments->tip_radius, "such as \"10 nm\", where the file does not say it")
-        .quantity(positive(dimension::length));
+        .quantity(positive(dimension::length), "nm");
     options.flag("--strict", arguments->strict, "exit code 1 where anything is found");
+    options.example("setae check afm.ibw --tip-radius \"10 nm\"", "what is wrong with one map, and what to do");
+    options.example("setae check a.ibw b.ibw stylus.csv", "the same, and whether they agree with each other");
     return action(options, arguments, explanation, run);
 }
 

@@ -111,6 +111,7 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("--documentation", arguments->documentation, "write a page a format, and their list, to this folder");
+    options.example("setae formats", "every format that is read or written, with its endings");
     return action(options, arguments, explanation, run);
 }
 

@@ -131,6 +131,9 @@ Action declare(Options& options) {
     options.flag("--heights", arguments->heights, "read heights of files above 64 MB too");
     options.flag("--no-heights", arguments->no_heights, "read headers alone");
     arguments->file.add_to(options);
+    options.example("setae info afm.ibw scan.csv", "channels, size, unit and heights of two files");
+    options.example("setae info folder/*.spm --json", "the same for a script");
+    options.example("setae info scan.txt --unit um", "a file that does not state its unit");
     return action(options, arguments, explanation, run);
 }
 

@@ -105,6 +105,10 @@ Action declare(Options& options) {
     options.add("--width", arguments->width, "average across it, such as 5px or \"300 nm\"");
     options.add("--points", arguments->points, "along it; default: about one a pixel");
     options.add("-o,--output", arguments->output, "write OUT.csv");
+    options.example("setae profile map.ibw --from 0,0 --to 5,2.5 --unit-xy um -o line.csv",
+                    "heights between two points");
+    options.example("setae profile map.ibw --from 10,10 --to 200,10 --unit-xy px --width 5px",
+                    "the mean of five lines");
     return action(options, arguments, explanation, run);
 }
 

@@ -114,6 +114,9 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "write the tip, apex up: " + endings_of_heights());
     options.add("--reconstruction", arguments->reconstruction,
                 "write the surface where it is certain, undefined elsewhere");
+    options.example("setae tip map.ibw -o tip.x3p", "the bluntest tip that could have made the map");
+    options.example("setae tip map.ibw --threshold \"0.2 nm\" --reconstruction surface.x3p",
+                    "with noise allowed for, and the surface where it is certain");
     return action(options, arguments, explanation, run);
 }
 

@@ -57,13 +57,13 @@ std::string as_text(const imaging::CameraScale& scale) {
         text += fmt::format(
             "  {} lines: {} per pixel, {} lines at {} places, rms {}, turned by {:.2f}°; corners stretched by "
             "{} % (p = {})\n",
-            which, format_uncertain(fit->pixel_size, "m"), fit->lines, fit->places, format_value(fit->rms_residual, "m", 2),
-            fit->angle * 180.0 / pi, uncertain_number(fit->distortion, 0.01), probability_text(fit->probability));
+            which, format_uncertain(fit->pixel_size, "m"), fit->lines, fit->places,
+            format_value(fit->rms_residual, "m", 2), fit->angle * 180.0 / pi, uncertain_number(fit->distortion, 0.01),
+            probability_text(fit->probability));
     };
     add("upright", scale.across_x);
     add("lying", scale.across_y);
-    if (scale.aspect)
-        text += fmt::format("  height of a pixel over its width {}\n", uncertain_number(*scale.aspect));
+    if (scale.aspect) text += fmt::format("  height of a pixel over its width {}\n", uncertain_number(*scale.aspect));
     for (const auto& note : scale.notes) text += "  " + note + "\n";
     return text;
 }
@@ -88,6 +88,7 @@ Action declare(Options& options) {
         .of_inputs();
     options.add("--pitch", arguments->pitch, "distance of neighbouring lines, such as \"10 um\" or \"10 ± 0.02 um\"")
         .quantity(positive(dimension::length));
+    options.example("setae jkr camera ruling.tif --pitch \"10 um\"", "size of a pixel from a ruling of 10 um");
     return action(options, arguments, explanation, run);
 }
 

@@ -167,6 +167,8 @@ Action declare(Options& options) {
                 "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
     options.add("--figures", arguments->figures,
                 "folder of figures: the course of each loop, losses against true area");
+    options.example("setae jkr energy loop.csv --radius \"1.25 mm\"", "where the energy of a loop goes");
+    options.example("setae jkr energy loops/*.csv --radius \"1.25 mm\" --figures figures", "of many, with figures");
     return action(options, arguments, explanation, run);
 }
 

@@ -11,6 +11,7 @@
 #include "jkr/jkr_models.hpp"
 #include "jkr/loop_arguments.hpp"
 #include "jkr/loop_figures.hpp"
+#include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/command_line.hpp"
 #include "program/messages.hpp"
@@ -19,6 +20,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/file_figures/loop_figure.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/loop_tables.hpp"
 #include "setae/study_figures/loop_figures.hpp"
@@ -40,15 +42,17 @@ struct Arguments {
     LoopAnalysisRequest request;
     ModelArguments models;
     CurveArguments curve;
-    std::string tidy, figures;
+    std::string tidy, figures, output;
+    FigureOption figure;
 };
 
 void add_branch(tables::TidyTable& table, const char* branch, const loops::BranchAnalysis& analysis) {
     const auto add = [&](const loops::Outcome<loops::JkrFit>& fit) {
         if (!fit) return;
         table.rows.push_back({branch, fit->method, uncertain_number(fit->contact_modulus, 1e6),
-                              uncertain_number(fit->youngs_modulus, 1e6), uncertain_number(fit->work_of_adhesion, 1e-3), fmt::format("{:.3f}", fit->correlation),
-                              fmt::format("{:.3g}", fit->chi2_reduced), fmt::format("{}", fit->n),
+                              uncertain_number(fit->youngs_modulus, 1e6), uncertain_number(fit->work_of_adhesion, 1e-3),
+                              fmt::format("{:.3f}", fit->correlation), fmt::format("{:.3g}", fit->chi2_reduced),
+                              fmt::format("{}", fit->n),
                               fmt::format("{:.3g} {}", fit->rms_residual, fit->residual_unit)});
     };
     add(analysis.radius_force);
@@ -129,18 +133,20 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     print(text);
 }
 
+study_figures::DrawnLoop drawn_loop(const AnalysedLoop& loop) {
+    return {.name = figure_name(loop.file), .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
+}
+
 /// The figures of every loop, made as the loops come, and the one of all of them.
 class FigureFolder {
 public:
     FigureFolder(const Arguments& arguments) : arguments_(arguments) {}
 
     void add(const AnalysedLoop& loop) {
-        const auto name = figure_name(loop.file);
-        const study_figures::DrawnLoop drawn{
-            .name = name, .analysis = loop.analysis, .bodies = loop.bodies, .options = loop.options};
+        const auto drawn = drawn_loop(loop);
         for (auto& figure : study_figures::loop_figures(drawn, command_line())) figures_.push_back(std::move(figure));
         try {
-            scans_.push_back({name, loops::scan_ranges(loop.analysis, loop.bodies, loop.options)});
+            scans_.push_back({drawn.name, loops::scan_ranges(loop.analysis, loop.bodies, loop.options)});
         } catch (const UndefinedDataError& error) {
             complain(fmt::format("{}: no figure of ranges: {}", loop.file, error.what()));
         }
@@ -189,6 +195,9 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
     const auto code = for_each_loop(request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
         output::add_fits(fits, output::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
         if (!arguments.figures.empty()) figures.add(loop);
+        if (!arguments.output.empty())
+            write_figure(file_figures::loop_figure(drawn_loop(loop), arguments.figure.look()), arguments.output,
+                         arguments.common.json);
         if (models.shared()) share(loop, models, shared);
         if (arguments.common.json) {
             auto json = output::to_json(loop.analysis);
@@ -208,6 +217,21 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
     return code;
 }
 
+/// -o draws one loop.
+void require_one_loop_to_draw(const std::string& output, const std::vector<std::string>& curves,
+                              const std::vector<std::string>& loops) {
+    if (!file_figures::is_figure_path(output))
+        throw InvalidArgument(fmt::format(
+            "{}: cannot tell the format from the name; expected an ending {}; --tidy OUT.csv writes the fits", output,
+            file_figures::figure_endings));
+    if (!curves.empty())
+        throw InvalidArgument(
+            fmt::format("{}: a force curve, of which no figure is drawn; leave out -o", curves.front()));
+    if (loops.size() > 1)
+        throw InvalidArgument(
+            fmt::format("{} loops for the one figure {}; --figures FOLDER draws each", loops.size(), output));
+}
+
 ExitCode run(const Arguments& arguments) {
     output::Json list = output::Json::array();
     auto loops = arguments.request;
@@ -215,6 +239,7 @@ ExitCode run(const Arguments& arguments) {
     loops.loops.files.clear();
     for (const auto& file : arguments.request.loops.expanded())
         (arguments.curve.concerns(file) ? curves : loops.loops.files).push_back(file);
+    if (!arguments.output.empty()) require_one_loop_to_draw(arguments.output, curves, loops.loops.files);
     std::optional<loops::GlobalFit> global;
     std::vector<ExitCode> codes;
     if (!curves.empty()) codes.push_back(fit_curves(arguments, curves, list));
@@ -237,9 +262,16 @@ Action declare(Options& options) {
     arguments->request.add_to(options);
     arguments->models.add_to(options);
     arguments->curve.add_to(options);
+    options.add("-o,--output", arguments->output, "figure OUT.svg, .pdf or .png of the one loop with its fits");
+    arguments->figure.add_to(options);
     options.add("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
     options.add("--figures", arguments->figures,
                 "folder of figures: each loop with its fits and residuals, E* and W against the range of the fit");
+    options.example("setae jkr fit loop.csv --radius \"1.25 mm\" -o loop.svg",
+                    "E* and W of loading, pull-off and loss, drawn with the fits");
+    options.example("setae jkr fit loops/*.csv --radius \"1.25 mm\" --tidy fits.csv",
+                    "every fit of every loop as one table");
+    options.example("setae jkr fit curve.jpk-force --radius \"20 nm\" --curve-model dmt", "a force curve");
     return action(options, arguments, explanation, run);
 }
 

@@ -215,6 +215,8 @@ Action declare(Options& options) {
                 "KEY=VALUE written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
     options.add("--save-map", arguments->save_map, "write the mapping as a template for --map");
     options.add("-o,--output", arguments->output, "loop file, or folder of loop files; without it nothing is written");
+    options.example("setae jkr import force_curve.txt -o loop.csv",
+                    "a table as a loop file; the columns are guessed and shown");
     return action(options, arguments, explanation, run);
 }
 

@@ -137,8 +137,7 @@ std::string as_text(const std::string& file, const Lens& lens) {
             "  apex: R = {}, conic constant {} (0 is a sphere; p = {}); {} off the apex's sphere at the "
             "farthest point\n",
             format_uncertain(conic->radius, "m"), uncertain_number(conic->conic_constant),
-            probability_text(conic->probability),
-            format_value(conic->departure, "m", 3));
+            probability_text(conic->probability), format_value(conic->departure, "m", 3));
     for (const auto& alert : lens.alerts) text += fmt::format("  {}: {}\n", alert.code, alert.message);
     return text;
 }
@@ -168,8 +167,11 @@ Action declare(Options& options) {
     options.add("--z", arguments->z, "column of heights; default: the second of lengths");
     options.add("--pixel", arguments->pixel, "of pictures that do not state it, such as \"2.05 um\"")
         .quantity(positive(dimension::length));
-    options.add("--from", arguments->from, "points before are left out, such as \"-0.2 mm\"");
-    options.add("--to", arguments->to, "points behind are left out");
+    options.add("--from", arguments->from, "points before are left out, such as \"-0.2 mm\"")
+        .quantity(dimension::length);
+    options.add("--to", arguments->to, "points behind are left out").quantity(dimension::length);
+    options.example("setae jkr lens profile.csv", "radius and asphericity from a profile");
+    options.example("setae jkr lens side.png --pixel \"2.05 um\"", "from a picture of its side");
     return action(options, arguments, explanation, run);
 }
 

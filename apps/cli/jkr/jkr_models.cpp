@@ -36,7 +36,8 @@ void ModelArguments::add_to(Options& options) {
     options.add("--errors", errors, "of --model and --share: orthogonal_distance, effective_variance, force_only")
         .one_of({"effective_variance", "orthogonal_distance", "force_only"})
         .default_shown();
-    options.add("--model-contact-point", contact_point, "held in --model, such as \"1.2 um\"; default: fitted");
+    options.add("--model-contact-point", contact_point, "held in --model, such as \"1.2 um\"; default: fitted")
+        .quantity(dimension::length);
     options.add("--cohesive-stress", cohesive_stress, "held in maugis_dugdale, such as \"5 MPa\"; default: fitted")
         .quantity(positive(dimension::pressure));
     options.flag("--profile", profile, "intervals of E* and W by profile likelihood");

@@ -200,6 +200,10 @@ Action declare(Options& options) {
     options.add("--overlay", arguments->overlay, "folder for pictures of the frames with the edge drawn");
     options.add("--overlay-frames", arguments->overlay_frames, "numbers of frames drawn; default all")
         .separated_by(',');
+    options.example("setae jkr radius recording.avi --pixel \"1.82 um\" --fps 10 -o radius.csv",
+                    "contact radius in every frame");
+    options.example("setae jkr radius stack.tif --um-per-px 1.82 --overlay edges",
+                    "with pictures that show the edge found");
     return action(options, arguments, explanation, run);
 }
 

@@ -80,6 +80,7 @@ Action declare(Options& options) {
         .add("files", arguments->files, "loops of the machine on something rigid: force against the stage's position")
         .of_inputs();
     options.add("--map", arguments->map, "mapping file (TOML) that names the columns of a foreign table");
+    options.example("setae jkr stiffness rigid.csv", "stiffness of the machine from a loop on something rigid");
     return action(options, arguments, explanation, run);
 }
 

@@ -130,6 +130,8 @@ Action declare(Options& options) {
     options.flag("--each-surface", arguments->each_surface, "variances of each surface by itself, not pooled");
     options.add("--figure", arguments->figure, "forest plot, by its ending .svg, .pdf, .png or .csv");
     options.add("-o,--output", arguments->output, "folder for summary.json, tables and the forest plot");
+    options.example("setae jkr summary fits.csv --group-by surface,lens --figure forest.svg",
+                    "means of the fits that `setae jkr fit --tidy` wrote");
     return action(options, arguments, explanation, run);
 }
 

@@ -84,6 +84,7 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "folder of area.csv and the figure").default_shown();
     options.add("--points", arguments->points, "of a map along x and y").between(128, 32768).default_shown();
     options.add("--seed", arguments->seed, "same seed, same maps").default_shown();
+    options.example("setae lab area -o area", "true area of random maps against theory");
     return action(options, arguments, explanation, run);
 }
 

@@ -50,6 +50,7 @@ ExitCode run(const RepeatedRecipe& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<RepeatedRecipe>(RepeatedRecipe{.output = "causes", .runs = 5});
     add_options(options, *arguments);
+    options.example("setae lab causes recipe.toml", "what each ingredient costs");
     return action(options, arguments, explanation, run);
 }
 

@@ -82,6 +82,7 @@ Action declare(Options& options) {
         .one_of({"average", "likelihood"});
     options.add("--without", arguments->without, "leave an ingredient of the likelihood out")
         .one_of({"tip-factor", "tip-band"});
+    options.example("setae lab closure recipe.toml --runs 20", "whether what was put in comes out");
     return action(options, arguments, explanation, run);
 }
 

@@ -101,6 +101,7 @@ Action declare(Options& options) {
     options.add("--kind", arguments->options.kinds, "kinds of pictures, by name; default: all");
     options.add("--pictures", arguments->options.pictures,
                 "folder for every picture with curve and trace drawn in, and the curve's points");
+    options.example("setae lab contours --runs 10 -o trials.csv", "traced contours against those that were drawn");
     return action(options, arguments, explanation, run);
 }
 

@@ -84,6 +84,9 @@ Action declare(Options& options) {
         .quantity(positive(dimension::length));
     options.add("--surfaces", arguments->surfaces, "simulated").between(2, 10000).default_shown();
     options.add("--bins-per-decade", arguments->bins_per_decade, "of wavevectors").between(1, 100).default_shown();
+    options.example(
+        "setae lab foil --hurst 0.8 --rolloff \"1 um\" --short-cutoff \"1 nm\" --rms-height \"10 nm\" --size \"2 um\" --foil-thickness \"20 nm\"",
+        "what the thickness of a foil hides");
     return action(options, arguments, explanation, run);
 }
 

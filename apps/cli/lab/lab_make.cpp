@@ -51,6 +51,7 @@ Action declare(Options& options) {
     options.add("recipe", arguments->file, "TOML file of the recipe").of_inputs();
     options.add("-o,--output", arguments->output, "folder of the data set; default: laboratory");
     options.add("--seed", arguments->seed, "in place of the recipe's");
+    options.example("setae lab make recipe.toml -o mine", "simulated measurements and loops, with a study of them");
     return action(options, arguments, explanation_of_make, run_make);
 }
 

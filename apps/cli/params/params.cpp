@@ -6,10 +6,12 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "params/parameter_text.hpp"
 #include "params/texture_options.hpp"
+#include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/pages.hpp"
@@ -18,6 +20,7 @@
 #include "psd/surface_options.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/file_figures/parameter_figure.hpp"
 #include "setae/output/quantity_table.hpp"
 
 namespace setae::cli::params_command {
@@ -39,7 +42,8 @@ struct Arguments {
     Common common;
     SurfaceOptions surface;
     TextureOptions texture;
-    std::string documentation;
+    std::string output, documentation;
+    FigureOption figure;
 };
 
 /// Spectral parameters by the conversion asked for, and by the other one.
@@ -130,7 +134,13 @@ ExitCode write_documentation(const std::string& path) {
 
 ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) return write_documentation(arguments.documentation);
+    if (arguments.texture.asked() && !arguments.output.empty())
+        throw InvalidArgument("--output draws the parameters of the spectrum; leave it out with --standard");
     if (arguments.texture.asked()) return run_standard(arguments);
+    if (!arguments.output.empty() && !file_figures::is_figure_path(arguments.output))
+        throw InvalidArgument(
+            fmt::format("{}: cannot tell the format from the name; expected an ending {}; --json writes the numbers",
+                        arguments.output, file_figures::figure_endings));
     const auto options = arguments.surface.analysis();
     const auto input = arguments.surface.surface();
     const auto [surface, map] = study::analyse_surface(input, options, {.previews = false}, arguments.common.workers());
@@ -159,6 +169,9 @@ ExitCode run(const Arguments& arguments) {
     const auto channel = surface.measurements.size() == 1 ? surface.measurements.front().channel : std::nullopt;
     emit(is_alone ? arguments.surface.files.front() : "combined", "", spectral_quantities(surface, options.conversion),
          channel);
+    if (!arguments.output.empty())
+        write_figure(file_figures::parameter_figure(surface, arguments.figure.look()), arguments.output,
+                     arguments.common.json);
     if (arguments.common.json) print_json(json);
     show(alerts_of(surface));
     return code;
@@ -170,8 +183,16 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     arguments->texture.add_to(options);
+    options.add("-o,--output", arguments->output,
+                "figure OUT.svg, .pdf or .png: which waves carry height, slope, curvature and stored energy");
+    arguments->figure.add_to(options);
     options.add("--documentation", arguments->documentation,
                 "write the page on the standards' parameters to this file");
+    options.example("setae params afm.ibw --tip-radius \"10 nm\"", "from heights and from the spectrum");
+    options.example("setae params stylus.csv afm.ibw -o params.svg",
+                    "which waves carry height, slope, curvature and stored energy");
+    options.example("setae params map.sur --standard iso25178 --s-filter 2.5um --l-filter 0.8mm",
+                    "parameters of a standard");
     return action(options, arguments, explanation, run);
 }
 

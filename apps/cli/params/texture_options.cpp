@@ -16,9 +16,13 @@ void TextureOptions::add_to(Options& options) {
         .one_of({"iso25178", "iso21920"});
     options.add("--s-filter", s_filter, "nesting index of the Gaussian S-filter (λs), such as 2.5um")
         .quantity(positive(dimension::length));
-    options.add(
-        "--l-filter", l_filter,
-        "nesting index of the Gaussian L-filter (λc), such as 0.8mm; iso21920: \"default\", both filters by Ra (ISO 4288)");
+    options
+        .add(
+            "--l-filter", l_filter,
+            "nesting index of the Gaussian L-filter (λc), such as 0.8mm; iso21920: \"default\", both filters by Ra (ISO 4288)")
+        .read_by([](const std::string& text) {
+            if (text != "default") (void)parse_quantity(text, positive(dimension::length));
+        });
     options
         .add("--section-length", section_length,
              "iso21920: length of a section; default the L-filter's nesting index, else all")
@@ -37,7 +41,8 @@ void TextureOptions::add_to(Options& options) {
         .add("--between", between,
              "material ratio of triangles between points (linear, default) or of points (nothing)")
         .one_of({"linear", "nothing"});
-    options.add("--material-height", material_height, "c of Smr(c), Rmr(c) over the mean, such as 0.2um; default 0");
+    options.add("--material-height", material_height, "c of Smr(c), Rmr(c) over the mean, such as 0.2um; default 0")
+        .quantity(dimension::length);
     options.add("--material-ratio", material_ratio, "p of Smc(p), Rmc(p), 0 … 1; default 0.5, the median")
         .between(0.0, 1.0);
     options.add("--format", format, "how a standard's parameters are written: text (default), md, tsv, latex, json")

@@ -134,6 +134,8 @@ Action declare(Options& options) {
         .default_shown();
     options.flag("--list", arguments->list, "list the figures of the study, and why one cannot be drawn, then stop");
     arguments->run.add_to(options);
+    options.example("setae plot study.toml --list", "the figures of a study");
+    options.example("setae plot study.toml --figure 4 --width single -o figure.pdf", "one of them");
     return action(options, arguments, explanation, run);
 }
 

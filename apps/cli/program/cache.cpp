@@ -56,6 +56,8 @@ Action declare(Options& options) {
     options.add("what", arguments->what, "show, prune or clear; default: show")
         .one_of_unlisted({"show", "prune", "clear"});
     options.add("--cache", arguments->folder, "folder; default: $SETAE_CACHE, else ~/.cache/setae");
+    options.example("setae cache", "what is kept between runs, where, how large");
+    options.example("setae cache prune", "remove what other versions left");
     return action(options, arguments, explanation, run);
 }
 

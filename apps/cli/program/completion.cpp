@@ -31,21 +31,47 @@ std::vector<std::string> names(const std::vector<ProgramOption>& options) {
     return flags;
 }
 
-/// Words a verb may be followed by: its verbs and options; files besides.
+/// Lines of a shell's `case`: "    WORD) NAME=TEXT ;;".
+std::string case_line(const std::string& word, const char* name, const std::string& text) {
+    return fmt::format("    {}) {}={} ;;\n", shell_word(word), name, shell_word(text));
+}
+
+/// The words of the argument a verb takes, where it takes no others.
+std::string argument_words(const ProgramVerb& verb) {
+    return verb.positionals.empty() ? std::string() : joined(verb.positionals.front().choices);
+}
+
+/// After an option with words of its own these, after a dash options, else verbs or the argument's words; files where
+/// nothing of it fits.
 std::string bash(const std::vector<ProgramVerb>& verbs) {
-    std::string cases;
-    for (const auto& verb : verbs)
-        cases += fmt::format("    {}) words={} ;;\n", shell_word(verb.path),
-                             shell_word(joined(verb.verbs) + " " + joined(names(verb.options))));
+    std::string options, words, values, groups;
+    for (const auto& verb : verbs) {
+        options += case_line(verb.path, "options", joined(names(verb.options)));
+        const auto next = verb.verbs.empty() ? argument_words(verb) : joined(verb.verbs);
+        if (!next.empty()) words += case_line(verb.path, "words", next);
+        if (!verb.verbs.empty())
+            groups += fmt::format("    {}) echo {} ;;\n", shell_word(verb.path), shell_word(joined(verb.verbs)));
+        for (const auto& option : verb.options)
+            for (const auto& flag : option.flags)
+                if (!option.choices.empty())
+                    values += case_line(verb.path + " " + flag, "values", joined(option.choices));
+    }
     return fmt::format(R"(# bash completion of setae; written by `setae completion bash`
 _setae() {{
-  local current=${{COMP_WORDS[COMP_CWORD]}} path= word words=
+  local current=${{COMP_WORDS[COMP_CWORD]}} last=${{COMP_WORDS[COMP_CWORD-1]}} path= word= options= words= values=
+  if [ "$current" = = ]; then current=; elif [ "$last" = = ]; then last=${{COMP_WORDS[COMP_CWORD-2]}}; fi
   for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
     case $word in -*) ;; *) case " $(_setae_verbs "$path") " in *" $word "*) path="${{path:+$path }}$word" ;; esac ;; esac
   done
+  case "$path $last" in
+{}  esac
   case $path in
 {}  esac
-  COMPREPLY=($(compgen -W "$words" -- "$current"))
+  case $path in
+{}  esac
+  if [ -z "$values" ]; then case $current in -*) values=$options ;; *) values=$words ;; esac; fi
+  COMPREPLY=($(compgen -W "$values" -- "$current"))
+  local IFS=$'\n'
   [ ${{#COMPREPLY[@]}} -gt 0 ] || COMPREPLY=($(compgen -f -- "$current"))
 }}
 _setae_verbs() {{
@@ -54,14 +80,7 @@ _setae_verbs() {{
 }}
 complete -o filenames -F _setae setae
 )",
-                       cases, [&verbs] {
-                           std::string text;
-                           for (const auto& verb : verbs)
-                               if (!verb.verbs.empty())
-                                   text += fmt::format("    {}) echo {} ;;\n", shell_word(verb.path),
-                                                       shell_word(joined(verb.verbs)));
-                           return text;
-                       }());
+                       values, options, words, groups);
 }
 
 std::string zsh(const std::vector<ProgramVerb>& verbs) {
@@ -83,17 +102,21 @@ std::string fish(const std::vector<ProgramVerb>& verbs) {
         }
         const auto next = fmt::format("{}not __fish_seen_subcommand_from {}",
                                       condition.empty() ? "" : condition + "; and ", joined(verb.verbs));
+        const auto here = condition.empty() ? "" : " -n " + shell_word(condition);
         for (std::size_t i = 0; i < verb.verbs.size(); ++i)
             text += fmt::format("complete -c setae -n {}{} -a {} -d {}\n", shell_word(next),
                                 verb.positionals.empty() ? " -f" : "", shell_word(verb.verbs[i]),
                                 shell_word(verb.verb_descriptions[i]));
+        if (const auto words = argument_words(verb); !words.empty())
+            text += fmt::format("complete -c setae{} -f -a {}\n", here, shell_word(words));
         for (const auto& option : verb.options) {
             std::string flags;
             for (const auto& flag : option.flags)
                 flags += flag.starts_with("--") ? " -l " + flag.substr(2) : " -s " + flag.substr(1);
-            text +=
-                fmt::format("complete -c setae{}{}{} -d {}\n", condition.empty() ? "" : " -n " + shell_word(condition),
-                            flags, option.takes_value ? " -r" : "", shell_word(option.description));
+            const auto value = !option.choices.empty() ? " -x -a " + shell_word(joined(option.choices))
+                               : option.takes_value    ? " -r"
+                                                       : "";
+            text += fmt::format("complete -c setae{}{}{} -d {}\n", here, flags, value, shell_word(option.description));
         }
     }
     return text;
@@ -115,6 +138,8 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("shell", arguments->shell, "bash, zsh or fish").required().one_of_unlisted({"bash", "zsh", "fish"});
+    options.example("setae completion bash > ~/.local/share/bash-completion/completions/setae",
+                    "for bash; zsh and fish likewise");
     return action(options, arguments, explanation, run);
 }
 

@@ -34,13 +34,20 @@ std::string options_part(const std::vector<ProgramOption>& options) {
     return text;
 }
 
+std::string examples_part(const std::vector<Example>& examples) {
+    std::string text = examples.empty() ? "" : ".PP\nExamples:\n";
+    for (const auto& example : examples)
+        text += fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(example.command), roff(example.what));
+    return text;
+}
+
 std::string verb_part(const ProgramVerb& verb) {
     std::string text = fmt::format(".SS setae {}", roff(verb.path));
-    for (const auto& positional : verb.positionals) text += fmt::format(" \\fI{}\\fR", roff(positional));
+    for (const auto& argument : verb.positionals) text += fmt::format(" \\fI{}\\fR", roff(argument.flags.front()));
     text += fmt::format("\n{}.\n", roff(verb.description));
-    for (std::size_t i = 0; i < verb.positionals.size(); ++i)
-        text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", roff(verb.positionals[i]), roff(verb.positional_descriptions[i]));
-    return text + options_part(verb.options);
+    for (const auto& argument : verb.positionals)
+        text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", roff(argument.flags.front()), roff(argument.description));
+    return text + options_part(verb.options) + examples_part(verb.examples);
 }
 
 struct Arguments {
@@ -76,6 +83,7 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("--documentation", arguments->documentation, "write the page on all verbs to this file");
+    options.example("setae man | man -l -", "read the manual page");
     return action(options, arguments, explanation, run);
 }
 

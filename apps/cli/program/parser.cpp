@@ -12,10 +12,13 @@
 #include <type_traits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "program/help.hpp"
 #include "program/messages.hpp"
 #include "program/program_tree.hpp"
+#include "program/terminal.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -24,25 +27,48 @@
 namespace setae::cli {
 
 Option& Option::one_of(const std::vector<std::string>& words) {
-    option_->check(CLI::IsMember(words));
-    return *this;
+    return one_of_unlisted(words).value_named(fmt::format("{}", fmt::join(words, "|")));
 }
 Option& Option::one_of_unlisted(const std::vector<std::string>& words) {
-    option_->check(CLI::IsMember(words).description(""));
+    return offering(words).read_by([words](const std::string& text) {
+        if (std::find(words.begin(), words.end(), text) != words.end()) return;
+        const auto nearest = nearest_match(text, words);
+        throw InvalidArgument(fmt::format("'{}'; expected {}{}", text, fmt::join(words, ", "),
+                                          nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    });
+}
+Option& Option::offering(const std::vector<std::string>& words) {
+    declared_->choices[option_] = words;
+    return *this;
+}
+Option& Option::read_by(const std::function<void(const std::string&)>& read) {
+    option_->check(CLI::Validator(
+        [read](std::string& text) {
+            try {
+                read(text);
+            } catch (const InvalidArgument& error) {
+                return std::string(error.what());
+            }
+            return std::string();
+        },
+        ""));
     return *this;
 }
 Option& Option::between(int least, int greatest) {
-    option_->check(CLI::Range(least, greatest));
-    return *this;
+    return read_by([=](const std::string& text) {
+        long value = 0;
+        if (!CLI::detail::lexical_cast(text, value) || value < least || value > greatest)
+            throw InvalidArgument(fmt::format("'{}', expected a whole number from {} to {}", text, least, greatest));
+    });
 }
 Option& Option::between(double least, double greatest) {
-    option_->check(CLI::Range(least, greatest));
-    return *this;
+    return read_by([=](const std::string& text) {
+        double value = 0.0;
+        if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= greatest))
+            throw InvalidArgument(fmt::format("'{}', expected a number from {} to {}", text, least, greatest));
+    });
 }
-Option& Option::positive() {
-    option_->check(CLI::PositiveNumber);
-    return *this;
-}
+Option& Option::positive() { return within(domain::positive); }
 Option& Option::required() {
     option_->required();
     return *this;
@@ -59,36 +85,20 @@ Option& Option::one_at_a_time() {
     option_->allow_extra_args(false);
     return *this;
 }
-namespace {
-
-/// What a check has against a value, as CLI11 wants it; empty for nothing.
-std::string objection(const std::function<void()>& check) {
-    try {
-        check();
-    } catch (const InvalidArgument& error) {
-        return error.what();
-    }
-    return {};
-}
-
-}  // namespace
-
 Option& Option::within(const Domain& domain) {
-    option_->check(CLI::Validator(
-        [domain](std::string& text) {
-            double value = 0.0;
-            // what is no number is refused where it is converted
-            if (!CLI::detail::lexical_cast(text, value)) return std::string();
-            return objection([&] { require_within(domain, value, text); });
-        },
-        ""));
-    return *this;
+    return read_by([domain](const std::string& text) {
+        double value = 0.0;
+        if (!CLI::detail::lexical_cast(text, value)) throw InvalidArgument(fmt::format("'{}' is no number", text));
+        require_within(domain, value, text);
+    });
 }
-Option& Option::quantity(const Expected& expected) {
-    option_->check(CLI::Validator(
-        [expected](std::string& text) { return objection([&] { (void)parse_uncertain_quantity(text, expected); }); },
-        ""));
-    return *this;
+Option& Option::quantity(const Expected& expected, const std::string& usual_unit) {
+    return read_by([expected, usual_unit](const std::string& text) {
+        double number = 0.0;
+        if (!usual_unit.empty() && CLI::detail::lexical_cast(text, number))
+            throw InvalidArgument(fmt::format("'{0}' has no unit, for instance \"{0} {1}\"", text, usual_unit));
+        (void)parse_uncertain_quantity(text, expected);
+    });
 }
 Option& Option::of_inputs() {
     option_->each([](const std::string& path) { bytes::protect_input(path); });
@@ -104,12 +114,16 @@ Option& Option::default_shown() {
 }
 
 Option Options::flag(const std::string& names, bool& value, const std::string& description) {
-    return Option(*verb_.add_flag(names, value, description));
+    return {*verb_.add_flag(names, value, description), declared_};
+}
+
+void Options::example(const std::string& command, const std::string& what) {
+    declared_.examples[&verb_].push_back({command, what});
 }
 
 template <class Value>
 Option Options::add(const std::string& names, Value& value, const std::string& description) {
-    Option option(*verb_.add_option(names, value, description));
+    Option option(*verb_.add_option(names, value, description), declared_);
     constexpr bool real = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>> ||
                           std::is_same_v<Value, std::vector<double>>;
     return real ? option.within(domain::finite) : option;
@@ -144,16 +158,21 @@ CLI::App& group_of(CLI::App& program, const Command& command) {
     return *added;
 }
 
+/// CLI11's program, and what it does not keep of it.
+struct Program {
+    std::unique_ptr<CLI::App> app;
+    Declarations declared;
+};
+
 /// The program with all its verbs; the one named when it parses leaves what runs it in `chosen`.
-std::unique_ptr<CLI::App> program_with_verbs(Action& chosen) {
-    auto program = std::make_unique<CLI::App>("setae: from measured roughness to soft adhesion", "setae");
-    program->set_version_flag("--version", "setae " + study::version());
-    program->require_subcommand(1);
-    program->footer(
-        "`setae help VERB` says what a verb takes. Standard output carries data, standard error messages. Exit code 0: done, 1: some items failed, 2: nothing done.");
+Program program_with_verbs(Action& chosen) {
+    Program program{std::make_unique<CLI::App>("from measured roughness to soft adhesion", "setae"), {}};
+    program.app->set_version_flag("--version", "setae " + study::version());
+    program.app->set_help_flag("-h,--help", "print this help, then stop");
+    program.app->require_subcommand(1);
     for (const auto& command : commands()) {
-        auto* verb = group_of(*program, command).add_subcommand(command.name, command.description);
-        Options options(*verb);
+        auto* verb = group_of(*program.app, command).add_subcommand(command.name, command.description);
+        Options options(*verb, program.declared);
         // of a verb with verbs of its own, such as study, the last one named is meant
         verb->callback([&chosen, verb, action = command.declare(options)] {
             if (verb->get_subcommands().empty()) chosen = action;
@@ -172,37 +191,53 @@ std::string unknown_verb(const CLI::App& program, const std::vector<std::string>
     return "unknown verb '" + words.front() + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
-ProgramOption described(const CLI::Option& option) {
+/// What an option takes, as a reader calls it.
+std::string value_of(const CLI::Option& option) {
+    if (!option.get_option_text().empty()) return option.get_option_text();
+    const auto type = option.get_type_name();
+    const std::string name = type == "INT" || type == "UINT" ? "N" : type == "FLOAT" ? "NUMBER" : type;
+    return option.get_items_expected_max() > 1 ? name + " ..." : name;
+}
+
+ProgramOption described(const CLI::Option& option, const Declarations& declared) {
     ProgramOption result;
     for (const auto& name : option.get_snames()) result.flags.push_back("-" + name);
     for (const auto& name : option.get_lnames()) result.flags.push_back("--" + name);
     result.takes_value = option.get_items_expected_max() > 0;
-    if (result.takes_value)
-        result.value = option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
+    if (result.takes_value) result.value = value_of(option);
     result.description = option.get_description();
+    if (!option.get_default_str().empty()) result.description += "; default: " + option.get_default_str();
+    if (const auto choices = declared.choices.find(&option); choices != declared.choices.end())
+        result.choices = choices->second;
     return result;
 }
 
-void add_verbs(const CLI::App& app, const std::string& path, std::vector<ProgramVerb>& verbs) {
+ProgramVerb described(const CLI::App& app, const std::string& path, const Declarations& declared) {
     ProgramVerb verb;
     verb.path = path;
     verb.description = app.get_description();
     for (const auto* option : app.get_options()) {
-        if (!option->get_positional()) {
-            verb.options.push_back(described(*option));
-            continue;
+        auto described_option = described(*option, declared);
+        if (option->get_positional()) {
+            verb.positionals.push_back(described_option);
+            verb.positionals.back().flags = {option->get_name(true)};
         }
-        verb.positionals.push_back(option->get_name(true));
-        verb.positional_descriptions.push_back(option->get_description());
+        if (option->nonpositional()) verb.options.push_back(std::move(described_option));
     }
-    const auto children = app.get_subcommands(any);
-    for (const auto* child : children) {
+    for (const auto* child : app.get_subcommands(any)) {
         verb.verbs.push_back(child->get_name());
         verb.verb_descriptions.push_back(child->get_description());
     }
-    verbs.push_back(std::move(verb));
-    for (const auto* child : children)
-        add_verbs(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), verbs);
+    if (const auto examples = declared.examples.find(&app); examples != declared.examples.end())
+        verb.examples = examples->second;
+    return verb;
+}
+
+void add_verbs(const CLI::App& app, const std::string& path, const Declarations& declared,
+               std::vector<ProgramVerb>& verbs) {
+    verbs.push_back(described(app, path, declared));
+    for (const auto* child : app.get_subcommands(any))
+        add_verbs(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), declared, verbs);
 }
 
 /// The verb that a command line has named so far.
@@ -268,7 +303,7 @@ std::vector<std::string> reversed_words(const std::vector<std::string>& given) {
 
 Parsed parsed(int argc, char** argv) {
     Parsed result;
-    const auto program = program_with_verbs(result.action);
+    const auto [program, declared] = program_with_verbs(result.action);
     const auto words = help_as_option({argv + std::min(argc, 1), argv + argc});
     constexpr int nothing_done = static_cast<int>(ExitCode::nothing_done);
     if (const auto message = unknown_verb(*program, words); !message.empty()) {
@@ -278,7 +313,11 @@ Parsed parsed(int argc, char** argv) {
     }
     try {
         program->parse(reversed_words(words));
-    } catch (const CLI::Success& asked) {  // --help, --version
+    } catch (const CLI::CallForHelp&) {
+        result.action = nullptr;
+        const auto& verb = named_verb(*program);
+        print(help_text(described(verb, &verb == program.get() ? "" : path_of(verb), declared), output_size().width));
+    } catch (const CLI::Success& asked) {  // --version
         result.action = nullptr;
         result.exit_code = program->exit(asked);
     } catch (const CLI::ParseError& error) {
@@ -292,7 +331,8 @@ Parsed parsed(int argc, char** argv) {
 std::vector<ProgramVerb> program_verbs() {
     Action none;
     std::vector<ProgramVerb> verbs;
-    add_verbs(*program_with_verbs(none), "", verbs);
+    const auto program = program_with_verbs(none);
+    add_verbs(*program.app, "", program.declared, verbs);
     return verbs;
 }
 

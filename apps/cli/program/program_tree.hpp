@@ -4,13 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "program/options.hpp"
+
 namespace setae::cli {
 
+/// An option, or an argument by its place.
 struct ProgramOption {
-    std::vector<std::string> flags;  ///< "-o", "--output"
+    std::vector<std::string> flags;  ///< "-o", "--output"; of an argument its name alone
     std::string value;               ///< what it takes, as `--help` names it; empty for a switch
     bool takes_value = false;
     std::string description;
+    std::vector<std::string> choices;  ///< the words it takes; empty where it takes others, too
 };
 
 /// A verb of the program, or the program itself, and what may follow it.
@@ -18,9 +22,9 @@ struct ProgramVerb {
     std::string path;  ///< "jkr fit"; empty for the program
     std::string description;
     std::vector<ProgramOption> options;
-    std::vector<std::string> positionals;              ///< as `--help` names them
-    std::vector<std::string> positional_descriptions;  ///< likewise
+    std::vector<ProgramOption> positionals;
     std::vector<std::string> verbs, verb_descriptions;
+    std::vector<Example> examples;
 };
 
 /// The program and all its verbs, parents before children: what the manual page, the page of verbs and the completions

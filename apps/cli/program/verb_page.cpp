@@ -36,13 +36,16 @@ std::string row(const std::string& left, const std::string& meaning) {
 
 std::string section(const ProgramVerb& verb) {
     std::string usage = "setae " + verb.path, rows;
-    for (std::size_t i = 0; i < verb.positionals.size(); ++i) {
-        usage += fmt::format(" {}", verb.positionals[i]);
-        rows += row("`" + verb.positionals[i] + "`", verb.positional_descriptions[i]);
+    for (const auto& argument : verb.positionals) {
+        usage += " " + argument.flags.front();
+        rows += row("`" + argument.flags.front() + "`", argument.description);
     }
     for (const auto& option : verb.options)
         if (!of_all(option)) rows += row(flags_of(option), option.description);
-    return fmt::format("\n## setae {}\n\n{}.\n\n    {} [options]\n", verb.path, verb.description, usage) +
+    std::string examples = verb.examples.empty() ? "" : "\nExamples:\n\n";
+    for (const auto& example : verb.examples)
+        examples += fmt::format("    {}\n        {}\n", example.command, example.what);
+    return fmt::format("\n## setae {}\n\n{}.\n\n    {} [options]\n", verb.path, verb.description, usage) + examples +
            (rows.empty() ? "" : "\n| argument or option | meaning |\n|---|---|\n" + rows);
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -12,7 +13,7 @@
 #include "psd/psd_fit.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/formats/netcdf.hpp"
+#include "setae/file_figures/spectrum_figure.hpp"
 #include "setae/output/quantity_table.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/inverse_abel.hpp"
@@ -38,6 +39,7 @@ struct Arguments {
     FitOptions fit;
     bool binned = false;
     std::string output;
+    FigureOption figure;
 };
 
 /// A given spectrum in SI, with both densities.
@@ -124,6 +126,7 @@ output::Json as_json(const Table& table, const study::SurfaceResult& surface) {
 }
 
 ExitCode run(const Arguments& arguments) {
+    require_table_or_figure(arguments.output);
     auto options = arguments.surface.analysis();
     options.bootstrap_resamples = 0;
     const study::Wanted wanted{.previews = false, .parameters = false, .map = arguments.isotropic};
@@ -139,13 +142,10 @@ ExitCode run(const Arguments& arguments) {
         fit = fitted(surface, arguments.fit);
         add_model(table, *fit);
     }
-    if (!arguments.output.empty()) {
-        if (arguments.output.ends_with(".nc")) formats::write_netcdf(arguments.output, table);
-        else if (arguments.output.ends_with(".csv")) tables::write_csv(arguments.output, table);
-        else
-            throw InvalidArgument(arguments.output +
-                                  ": cannot tell the format from the name; expected an ending .nc or .csv");
-    }
+    write_table_or_figure(
+        arguments.output, table,
+        [&, &result = surface] { return file_figures::spectrum_figure(result, table, arguments.figure.look()); },
+        arguments.common.json);
     if (arguments.common.json) {
         auto json = as_json(table, surface);
         if (fit) json["fit"] = fit_json(*fit);
@@ -168,7 +168,12 @@ Action declare(Options& options) {
     options.flag("--abel", arguments->abel, "also C_iso by the inverse Abel transform, on the combined grid");
     arguments->fit.add_to(options);
     options.flag("--binned", arguments->binned, "one measurement on the combined grid too");
-    options.add("-o,--output", arguments->output, "write OUT.csv or OUT.nc");
+    options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    arguments->figure.add_to(options);
+    options.example("setae psd afm.ibw --tip-radius \"10 nm\" -o psd.svg",
+                    "its spectrum as a figure, with what the tip cannot show");
+    options.example("setae psd stylus.csv afm.ibw tem.csv -o psd.csv", "three measurements combined, as a table");
+    options.example("setae psd afm.ibw stylus.csv --fit --json", "with a self-affine fit, for a script");
     return action(options, arguments, explanation, run);
 }
 

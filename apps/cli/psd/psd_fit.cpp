@@ -8,7 +8,6 @@
 #include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/output/json.hpp"
-#include "setae/spectra/combination.hpp"
 
 namespace setae::cli {
 namespace {
@@ -16,8 +15,7 @@ namespace {
 /// "1e5:1e8".
 Band parsed_range(const std::string& text) {
     const auto ends = spelled_list<double, 2>(text, ':');
-    if (!ends)
-        throw InvalidArgument(fmt::format("--fit-range '{}'; expected two wavevectors in 1/m, such as 1e5:1e8", text));
+    if (!ends) throw InvalidArgument(fmt::format("'{}'; expected two wavevectors in 1/m, such as 1e5:1e8", text));
     return {(*ends)[0], (*ends)[1]};
 }
 
@@ -40,7 +38,9 @@ output::Json rows(const Eigen::MatrixXd& matrix) {
 
 void FitOptions::add_to(Options& options) {
     options.flag("--fit", wanted, "fit a self-affine surface: H, C_0, roll-off");
-    options.add("--fit-range", range, "wavevectors fitted [1/m], such as 1e5:1e8");
+    options.add("--fit-range", range, "wavevectors fitted [1/m], such as 1e5:1e8").read_by([](const std::string& text) {
+        (void)parsed_range(text);
+    });
     options.flag("--no-rolloff", no_rolloff, "fit a power law without roll-off");
     options.flag("--short-cutoff", short_cutoff, "also fit where the spectrum ends");
 }
@@ -54,9 +54,7 @@ spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const FitOpti
     for (const auto& m : surface.measurements)
         if (!m.failed()) spectra.push_back(m.spectrum);
     if (spectra.empty()) throw InvalidArgument("a spectrum given as a table is not fitted: give the measurements");
-    if (spectra.size() == 1) return spectra::fit_self_affine(spectra.front(), fit);
-    for (auto& spectrum : spectra) spectrum = spectra::undistorted(std::move(spectrum));
-    return spectra::fit_self_affine(spectra::combine(spectra), fit);
+    return spectra::fit_self_affine(spectra, fit);
 }
 
 std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit) {

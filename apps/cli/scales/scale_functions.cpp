@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/formats/netcdf.hpp"
+#include "setae/file_figures/scale_figure.hpp"
 #include "setae/scales/autocorrelation.hpp"
 #include "setae/scales/scale_dependent.hpp"
 #include "setae/scales/variable_bandwidth.hpp"
@@ -35,6 +37,14 @@ constexpr const char* vbw_explanation =
     "rms of all residuals of the best line (--area: plane) in each of m cells, m = 1, 2, 4, ... while n/m >= 4\n"
     "distance: size/m; reliable from the shortest wavelength                                     10.1088/2051-672X/aa51f8\n";
 
+/// "10nm,100nm".
+std::vector<double> distances_of(const std::string& text) {
+    std::vector<double> distances;
+    std::istringstream list(text);
+    for (std::string one; std::getline(list, one, ',');) distances.push_back(parse_quantity(one, dimension::length));
+    return distances;
+}
+
 /// Options of all three verbs.
 struct ScaleArguments {
     Common common;
@@ -42,6 +52,7 @@ struct ScaleArguments {
     bool area = false, slope = false, all = false, binned = false;
     int order = 1, bins_per_decade = 10;
     std::string distance, longest, statistic = "rms", along = "x", weighting = "equal", output;
+    FigureOption figure;
 
     void add_to(Options& options) {
         surface.add_measurements_to(options);
@@ -50,7 +61,8 @@ struct ScaleArguments {
         options.add("--bins-per-decade", bins_per_decade, "bins of combined functions").between(1, 1000);
         options.add("--weighting", weighting, "equal, per_instrument or by_count")
             .one_of({"equal", "per_instrument", "by_count"});
-        options.add("-o,--output,--csv", output, "write OUT.csv or OUT.nc");
+        options.add("-o,--output,--csv", output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+        figure.add_to(options);
     }
     [[nodiscard]] spectra::LogGrid grid() const { return {bins_per_decade}; }
 };
@@ -78,10 +90,7 @@ scales::FunctionOfScale slope_or_curvature(const topography::Measurement& measur
         .order = arguments.order, .along = scales::along_from_name(arguments.along), .grid = arguments.grid()};
     options.threads = arguments.common.workers();
     if (!arguments.distance.empty()) {
-        std::vector<double> distances;
-        std::istringstream list(arguments.distance);
-        for (std::string text; std::getline(list, text, ',');)
-            distances.push_back(parse_quantity(text, dimension::length));
+        auto distances = distances_of(arguments.distance);
         std::sort(distances.begin(), distances.end());
         options.distances = Eigen::Map<const Array1D>(distances.data(), static_cast<Index>(distances.size()));
     }
@@ -127,8 +136,8 @@ scales::FunctionOfScale bandwidth(const topography::Measurement& measurement, co
 /// What was found, and of which measurement.
 struct Found {
     std::vector<scales::FunctionOfScale> functions;
+    std::optional<scales::CombinedFunction> combined;  ///< of several, or where bins are asked for
     std::vector<Alert> alerts;
-    std::vector<std::vector<Index>> contributors;  ///< of each combined bin, measurements by number
     bool some_failed = false;
 };
 
@@ -162,7 +171,13 @@ Found functions_of(const ScaleArguments& arguments, const Verb& verb) {
         }
     };
     const auto options = arguments.surface.analysis();
-    for (const auto& input : arguments.surface.surface().measurements)
+    const auto surface = arguments.surface.surface();
+    if (surface.power_spectrum)
+        throw InvalidArgument(
+            fmt::format("{}: a table of a spectrum holds no heights; setae psd, params and adhesion "
+                        "take it",
+                        *surface.power_spectrum));
+    for (const auto& input : surface.measurements)
         attempt([&] {
             for (const auto& source : study::measurement_sources(input))
                 attempt([&] {
@@ -177,12 +192,17 @@ Found functions_of(const ScaleArguments& arguments, const Verb& verb) {
     return found;
 }
 
-Table table_of(Found& found, const ScaleArguments& arguments) {
-    Table table;
+/// Combines what was found.
+void combine(Found& found, const ScaleArguments& arguments) {
     const scales::CombinationOptions options{arguments.grid(), scales::weighting_from_name(arguments.weighting)};
-    const auto combined = scales::combine(found.functions, options);
+    auto combined = scales::combine(found.functions, options);
     found.alerts.insert(found.alerts.end(), combined.alerts.begin(), combined.alerts.end());
-    if (found.functions.size() == 1 && !arguments.binned) {
+    if (found.functions.size() > 1 || arguments.binned) found.combined = std::move(combined);
+}
+
+Table table_of(const Found& found, const ScaleArguments& arguments) {
+    Table table;
+    if (!found.combined) {
         const auto only = scales::within_limit(found.functions.front());
         table.columns = {{"distance", "m", only.distance},
                          {only.quantity, only.unit, only.value},
@@ -190,7 +210,7 @@ Table table_of(Found& found, const ScaleArguments& arguments) {
         return table;
     }
     table.metadata["weighting"] = arguments.weighting;
-    found.contributors = combined.contributors;
+    const auto& combined = *found.combined;
     table.columns = {{"distance", "m", combined.distance},
                      {combined.quantity, combined.unit, combined.value},
                      {"standard_error", combined.unit, combined.standard_error},
@@ -211,22 +231,24 @@ output::Json as_json(const Table& table, const Found& found) {
         json["measurements"].push_back({{"file", function.metadata.file},
                                         {"name", function.metadata.name},
                                         {"reliable_from", output::number(function.reliable_from)}});
-    if (!found.contributors.empty()) json["contributors"] = found.contributors;
+    if (found.combined) json["contributors"] = found.combined->contributors;
     json["alerts"] = output::to_json(found.alerts);
     return json;
 }
 
 ExitCode run(const ScaleArguments& arguments, const Verb& verb) {
+    require_table_or_figure(arguments.output);
     auto found = functions_of(arguments, verb);
     if (found.functions.empty()) return ExitCode::nothing_done;
+    combine(found, arguments);
     const auto table = table_of(found, arguments);
-    if (!arguments.output.empty()) {
-        if (arguments.output.ends_with(".nc")) formats::write_netcdf(arguments.output, table);
-        else if (arguments.output.ends_with(".csv")) tables::write_csv(arguments.output, table);
-        else
-            throw InvalidArgument(arguments.output +
-                                  ": cannot tell the format from the name; expected an ending .nc or .csv");
-    }
+    write_table_or_figure(
+        arguments.output, table,
+        [&] {
+            return file_figures::scale_figure(found.functions, found.combined ? &*found.combined : nullptr,
+                                              arguments.figure.look());
+        },
+        arguments.common.json);
     if (arguments.common.json) print_json(as_json(table, found));
     else if (arguments.output.empty()) print(tables::as_csv(table));
     if (!arguments.common.json) show(found.alerts);
@@ -244,11 +266,17 @@ ExitCode run_vbw(const ScaleArguments& arguments) { return run(arguments, {bandw
 Action sdrp_command(Options& options) {
     auto arguments = std::make_shared<ScaleArguments>();
     arguments->add_to(options);
-    options.add("--distance", arguments->distance,
-                "length of the stencil, such as 100nm, or several: 10nm,100nm; default ten a decade");
+    options
+        .add("--distance", arguments->distance,
+             "length of the stencil, such as 100nm, or several: 10nm,100nm; default ten a decade")
+        .read_by([](const std::string& text) { (void)distances_of(text); });
     options.add("--order", arguments->order, "of the derivative: 1 slope, 2 curvature, 3").between(1, 3);
-    options.add("--statistic", arguments->statistic, "rms, variance, mean, skewness, kurtosis, minimum, maximum");
+    options.add("--statistic", arguments->statistic, "rms, variance, mean, skewness, kurtosis, minimum, maximum")
+        .one_of_unlisted({"rms", "variance", "mean", "skewness", "kurtosis", "minimum", "maximum"});
     options.add("--along", arguments->along, "x, y or both").one_of({"x", "y", "both"});
+    options.example("setae sdrp afm.ibw --tip-radius \"10 nm\" -o slope.svg", "rms slope at every scale, as a figure");
+    options.example("setae sdrp stylus.csv afm.ibw --order 2 --distance 100nm,1um",
+                    "curvature at two scales, of two measurements combined");
     return action(options, arguments, sdrp_explanation, run_sdrp);
 }
 
@@ -259,6 +287,8 @@ Action acf_command(Options& options) {
     options.add("--longest", arguments->longest, "longest distance of --area, which maps read by bands need")
         .quantity(positive(dimension::length));
     options.flag("--slope", arguments->slope, "the rms slope between points, sqrt(2A)/d");
+    options.example("setae acf afm.ibw -o acf.csv", "along the scan lines, as a table");
+    options.example("setae acf map.x3p --area -o acf.svg", "over all directions, as a figure");
     return action(options, arguments, acf_explanation, run_acf);
 }
 
@@ -266,6 +296,7 @@ Action vbw_command(Options& options) {
     auto arguments = std::make_shared<ScaleArguments>();
     arguments->add_to(options);
     options.flag("--area", arguments->area, "planes in rectangles of maps, not lines in pieces of their scan lines");
+    options.example("setae vbw stylus.csv -o vbw.svg", "rms height left in pieces of every length, as a figure");
     return action(options, arguments, vbw_explanation, run_vbw);
 }
 

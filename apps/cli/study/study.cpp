@@ -227,6 +227,8 @@ Action declare(Options& options) {
                  "list the steps, what of them is kept from earlier runs, and what the study leaves open, then stop");
     options.add("--documentation", arguments->documentation,
                 "write the pages on keys, alerts and figures of studies to this folder");
+    options.example("setae study study.toml --dry-run", "what there is to do, and what will fail");
+    options.example("setae study study.toml", "tables, figures and a report");
     return action(options, arguments, explanation, run);
 }
 

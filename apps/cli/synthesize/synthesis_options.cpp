@@ -39,7 +39,7 @@ std::array<Index, 2> point_counts(const std::string& text) {
         const char* end = texts[i].data() + texts[i].size();
         const auto [stop, error] = std::from_chars(texts[i].data(), end, counts[i]);
         if (error != std::errc{} || stop != end)
-            throw InvalidArgument(fmt::format("--pixels {}: expected whole numbers, as 1024 or 1024x512", text));
+            throw InvalidArgument(fmt::format("'{}': expected whole numbers, as 1024 or 1024x512", text));
     }
     return counts;
 }
@@ -95,10 +95,15 @@ void SynthesisOptions::add_to(Options& options) {
                 "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
     options.add("--unit", spectrum_unit,
                 "of the table's columns where its header has none, such as \"1/um, nm3\" or \"frequency 1/um, nm3\"");
-    options.add("--pixels", pixels, "points along x and y, such as 1024x512; one number for both").default_shown();
-    options.add("--size", size, "extent, such as \"5 um\" or \"5 um x 2 um\"");
-    options.add("--window-of", window_of,
-                "make a periodic surface of this extent and write --size of it, which is not periodic");
+    options.add("--pixels", pixels, "points along x and y, such as 1024x512; one number for both")
+        .default_shown()
+        .read_by([](const std::string& text) { (void)point_counts(text); });
+    const auto extent = [](const std::string& text) { (void)lengths(text); };
+    options.add("--size", size, "extent, such as \"5 um\" or \"5 um x 2 um\"").read_by(extent);
+    options
+        .add("--window-of", window_of,
+             "make a periodic surface of this extent and write --size of it, which is not periodic")
+        .read_by(extent);
     options.add("--seed", seed, "same seed, same surface").default_shown();
     options.flag("--line", line, "a line on such a surface");
     options.flag("--exact-rms", exact_rms, "scale the heights to the spectrum's rms height, or to --rms-height");

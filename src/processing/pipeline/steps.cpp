@@ -78,12 +78,23 @@ std::string name(const Step& step) {
     return std::visit([](const auto& known) { return std::string(step_name(known)); }, step);
 }
 
+namespace {
+
+/// The step that removes a trend, by the trend's name; others as they are.
+std::string_view step_of_trend(std::string_view name) {
+    if (name == "mean") return step_name(LevelMean{});
+    if (name == "tilt") return step_name(LevelPlane{});
+    return name == "parabola" ? step_name(LevelPolynomial{}) : name;
+}
+
+}  // namespace
+
 Step step_named(std::string_view name) {
     std::vector<std::string> names;
     std::optional<Step> found;
     for_each_step([&](const auto& step, const char*) {
         names.emplace_back(step_name(step));
-        if (names.back() == name) found = step;
+        if (names.back() == step_of_trend(name)) found = step;
     });
     if (found) return *found;
     const auto nearest = nearest_match(name, names);

@@ -133,6 +133,34 @@ TEST(SelfAffineFit, OfTheModesOfOneMapKnowsWindowAndAliases) {
     EXPECT_GT(interval.upper, 4e-7);
 }
 
+/// Modes of a line of a length without scatter, up to a wavevector.
+MeasuredSpectrum modes_of(const SelfAffine& model, double length, double upper) {
+    const double lowest = 2.0 * pi / length;
+    const auto count = static_cast<Index>(upper / lowest);
+    MeasuredSpectrum spectrum;
+    spectrum.wavevector = Array1D::LinSpaced(count, lowest, lowest * static_cast<double>(count));
+    spectrum.density = spectra::profile_power_spectrum(model, spectrum.wavevector);
+    spectrum.standard_error = Array1D::Constant(count, undefined);
+    spectrum.count = Array1D::Ones(count);
+    spectrum.band.lower = lowest;
+    spectrum.band.upper = upper;
+    spectrum.length = length;
+    spectrum.window = "none";
+    return spectrum;
+}
+
+TEST(SelfAffineFit, OfMeasurementsThatMeetInNoBinIsOfAllTheirModes) {
+    // a scan that sees the plateau and one that sees the power law: neither knows the roll-off alone, both do
+    const std::array<MeasuredSpectrum, 2> apart{modes_of(surface, 1e-3, 1e6), modes_of(surface, 2e-6, 3e8)};
+    const auto fit = fit_self_affine(apart);
+    EXPECT_EQ(fit.status, FitStatus::converged);
+    EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 0.02);
+    EXPECT_NEAR(fit.rolloff_wavelength.estimate.value / 5e-6, 1.0, 0.1);
+    EXPECT_LT(fit.range.lower, 1e4);
+    EXPECT_GT(fit.range.upper, 5e7);
+    EXPECT_THROW((void)fit_self_affine(std::span<const MeasuredSpectrum>{}), InvalidArgument);
+}
+
 TEST(SelfAffineFit, RefusesWhatItCannotFit) {
     const auto spectrum = exact(surface, 1e5, 1e9);
     EXPECT_THROW((void)fit_self_affine(spectrum, {.range = Band{1e6, 1.5e6}}), InvalidArgument);

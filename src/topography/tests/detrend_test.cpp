@@ -79,6 +79,9 @@ TEST(Detrend, RefusesTooFewDefinedHeights) {
 TEST(TrendNames, GoBothWays) {
     for (const auto trend : {Trend::none, Trend::mean, Trend::tilt, Trend::parabola})
         EXPECT_EQ(trend_from_name(name(trend)), trend);
+    EXPECT_EQ(trend_from_name("level_mean"), Trend::mean);
+    EXPECT_EQ(trend_from_name("level_plane"), Trend::tilt);
+    EXPECT_EQ(trend_from_name("level_polynomial"), Trend::parabola);
     EXPECT_THROW((void)trend_from_name("plane"), InvalidArgument);
 }
 

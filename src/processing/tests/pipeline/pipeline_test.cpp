@@ -154,6 +154,13 @@ TEST(StepText, ThatCannotBeReadNamesWhatIsNearest) {
     EXPECT_NE(complaint("crop x_from=5").find("x_from: "), std::string::npos);
 }
 
+TEST(StepNames, AreAlsoThoseOfTrends) {
+    EXPECT_EQ(name(step_named("mean")), "level_mean");
+    EXPECT_EQ(name(step_named("tilt")), "level_plane");
+    EXPECT_EQ(text(step_from_text("parabola degree_x=1")), "level_polynomial degree_x=1");
+    EXPECT_THROW((void)step_named("none"), InvalidArgument);
+}
+
 TEST(StepDescriptions, NameEveryStepAndParameterOnce) {
     const auto descriptions = step_descriptions();
     EXPECT_EQ(descriptions.size(), std::variant_size_v<Step>);

@@ -40,7 +40,7 @@ using LoadMeasurement = std::function<topography::Measurement(const std::string&
 /// Name of a step in pipeline files.
 [[nodiscard]] std::string name(const Step& step);
 
-/// The step of that name with its defaults. @throws InvalidArgument with the nearest name.
+/// The step of that name, or of the trend it removes, with its defaults. @throws InvalidArgument with the nearest name.
 [[nodiscard]] Step step_named(std::string_view name);
 
 /// A step's parameter as documents show it.

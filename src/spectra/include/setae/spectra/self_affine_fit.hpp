@@ -96,6 +96,13 @@ struct SelfAffineFit {
 /// wavevector, its aliases.
 [[nodiscard]] SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options = {});
 
+/// Of several measurements: of their combined spectrum, each undistorted(), where all of its bins have a scatter
+/// between measurements, alone or with two bins on either side; else of the modes of all of them at once, each as that
+/// of one measurement. One measurement: that of one.
+/// @throws as above; InvalidArgument for none.
+[[nodiscard]] SelfAffineFit fit_self_affine(std::span<const MeasuredSpectrum> spectra,
+                                            const SelfAffineFitOptions& options = {});
+
 /// The spectrum with its band cut to where it is the surface's to a few per cent: from the eighth mode on (a window
 /// mixes fewer) to a quarter of the highest wavevector (sampling folds back more). What is combined for a fit.
 [[nodiscard]] MeasuredSpectrum undistorted(MeasuredSpectrum spectrum);

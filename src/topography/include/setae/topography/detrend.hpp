@@ -29,7 +29,8 @@ enum class Trend {
 /// Equal to detrended() of the whole map up to rounding. lines_together: scan lines of a band of that pass, > 0.
 [[nodiscard]] TiledMap detrended(TiledMap map, Trend trend, Index lines_together, parallel::Threads threads = {});
 
-/// "none", "mean", "tilt", "parabola". @throws InvalidArgument that lists them.
+/// "none", "mean", "tilt", "parabola", or the step that does it, "level_plane". @throws InvalidArgument that lists
+/// them.
 [[nodiscard]] Trend trend_from_name(const std::string& name);
 [[nodiscard]] std::string name(Trend trend);
 

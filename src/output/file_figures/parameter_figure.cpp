@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/file_figures/parameter_figure.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "axes.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::file_figures {
+namespace {
+
+/// Which rows to draw: from where a share is seen, at most some in even steps of ln q.
+std::vector<Index> rows_of(const roughness::CumulativeParameters& below) {
+    constexpr Index most = 200;
+    constexpr double seen = 1e-3;
+    const auto last = below.wavevector.size() - 1;
+    const double step = std::log(below.wavevector[last] / below.wavevector[0]) / static_cast<double>(most);
+    std::vector<Index> rows;
+    double next = 0.0;
+    for (Index i = 0; i <= last; ++i) {
+        const double height = below.rms_height[i] / below.rms_height[last];
+        if (height * height < seen || (below.wavevector[i] < next && i != last)) continue;
+        next = below.wavevector[i] * std::exp(step);
+        rows.push_back(i);
+    }
+    return rows;
+}
+
+}  // namespace
+
+StudyFigure parameter_figure(const study::SurfaceResult& surface, const Look& look) {
+    const auto& spectrum = surface.used();
+    const auto below = roughness::cumulative_parameters(spectrum.curve);
+    const auto rows = rows_of(below);
+    const auto last = below.wavevector.size() - 1;
+    const Array1D wavelength = 2.0 * pi / below.wavevector(rows);
+    const auto length = axis_unit(Array1D{{std::sqrt(wavelength.maxCoeff() * wavelength.minCoeff())}}, "m");
+    figures::Panel panel{.x = {.quantity = "wavelength *λ*", .unit = length.name, .logarithmic = true},
+                         .y = {.quantity = "share of waves longer than *λ*", .unit = "%", .from = 0.0, .to = 103.0}};
+    const auto add = [&](const char* label, const Array1D& values, double power) {
+        panel.series.push_back({.label = label,
+                                .x = wavelength / length.factor,
+                                .y = 100.0 * (values(rows) / values[last]).pow(power),
+                                .mark = figures::Mark::line});
+    };
+    add("h_rms²", below.rms_height, 2.0);
+    add("U_el", below.elastic_energy_per_modulus, 1.0);
+    add("h'_rms²", below.rms_slope, 2.0);
+    add("h''_rms²", below.rms_curvature, 2.0);
+    const auto alone = surface.measurements.size() == 1;
+    StudyFigure drawn{.identifier = "parameters", .name = "parameters", .command = look.command};
+    drawn.title = alone ? "Which waves carry the roughness of " + file_name(surface.measurements.front().file)
+                        : "Which waves carry the roughness";
+    const auto& p = spectrum.parameters;
+    drawn.caption = fmt::format(
+        "Shares of h_rms² ({}), stored energy U_el (U_el/(A E*) = {}), h'_rms² (h'_rms = {:.3g}) and h''_rms² ({}) that "
+        "waves longer than λ reach, of the waves between {} and {}. What the data do not reach is in no share.",
+        format_value(p.rms_height, "m", 3), format_value(p.elastic_energy_per_modulus, "m", 3), p.rms_slope,
+        format_value(p.rms_curvature, "1/m", 3), format_value(2.0 * pi / spectrum.curve.band.upper, "m", 3),
+        format_value(2.0 * pi / spectrum.curve.band.lower, "m", 3));
+    drawn.figure = {
+        .panels = {panel}, .width_mm = look.wide() ? 140.0 : column_mm, .height_mm = look.wide() ? 95.0 : 70.0};
+    return drawn;
+}
+
+}  // namespace setae::file_figures

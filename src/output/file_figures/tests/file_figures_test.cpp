@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/file_figures/contour_figure.hpp"
+#include "setae/file_figures/level_figure.hpp"
+#include "setae/file_figures/parameter_figure.hpp"
+#include "setae/file_figures/scale_figure.hpp"
+#include "setae/file_figures/spectrum_figure.hpp"
+
+namespace setae::file_figures::file_figures_test {
+namespace {
+
+const figures::Series& series_of(const figures::Panel& panel, const std::string& label) {
+    for (const auto& series : panel.series)
+        if (series.label == label) return series;
+    throw std::runtime_error("no series '" + label + "'");
+}
+
+/// A surface whose C1D is 1e-6 q^-3 from 1e5 to 1e8 1/m, of one measurement that shows it to 1e7 1/m.
+study::SurfaceResult power_law() {
+    study::SurfaceResult surface{.name = "surface"};
+    const Array1D q = Array1D::LinSpaced(400, std::log(1e5), std::log(1e8)).exp();
+    surface.average.curve = {q, 1e-6 * q.pow(-3.0), {1e5, 1e8}, spectra::Density::C1D};
+    study::MeasurementResult measurement{.file = "folder/map.ibw", .name = "map"};
+    measurement.spectrum.wavevector = q;
+    measurement.spectrum.density = 1e-6 * q.pow(-3.0);
+    measurement.spectrum.standard_error = Array1D::Constant(q.size(), undefined);
+    measurement.spectrum.count = Array1D::Ones(q.size());
+    measurement.spectrum.band = {1e5, 1e7};
+    surface.measurements.push_back(measurement);
+    return surface;
+}
+
+Table table_of(const study::SurfaceResult& surface) {
+    const auto& curve = surface.average.curve;
+    return {{{"wavevector", "1/m", curve.wavevector},
+             {"C1D", "m3", curve.density},
+             {"standard_error", "m3", 0.1 * curve.density}},
+            {}};
+}
+
+TEST(SpectrumFigure, ShowsWhatIsKeptAndWhatIsCut) {
+    const auto surface = power_law();
+    const auto drawn = spectrum_figure(surface, table_of(surface), {});
+    ASSERT_TRUE(drawn.drawable()) << drawn.reason;
+    EXPECT_EQ(drawn.title, "Power spectral density of map.ibw");
+    ASSERT_EQ(drawn.figure.panels.size(), 1U);
+    EXPECT_LE(series_of(drawn.figure.panels[0], "map").x.maxCoeff(), 1e7);
+    EXPECT_GE(series_of(drawn.figure.panels[0], "map, cut").x.minCoeff(), 1e7);
+    EXPECT_EQ(drawn.figure.width_mm, 85.0);
+}
+
+TEST(SpectrumFigure, DrawsTheFitWithinAndBeyondItsRange) {
+    const auto surface = power_law();
+    auto table = table_of(surface);
+    const auto& q = table.at("wavevector");
+    table.columns.push_back({"C1D_model", "m3", 1e-6 * q.pow(-3.0)});
+    table.columns.push_back({"extrapolated", "1", (q > 1e7).cast<double>()});
+    const auto drawn = spectrum_figure(surface, table, {});
+    const auto& inside = series_of(drawn.figure.panels[0], "self-affine fit");
+    const auto& outside = series_of(drawn.figure.panels[0], "self-affine fit, outside its range");
+    for (Index i = 0; i < inside.x.size(); ++i) {
+        EXPECT_EQ(std::isnan(inside.y[i]), inside.x[i] > 1e7);
+        EXPECT_EQ(std::isnan(outside.y[i]), inside.x[i] <= 1e7);
+    }
+}
+
+TEST(SpectrumFigure, HasCIsoInAPanelOfItsOwnBesideInTwoColumns) {
+    const auto surface = power_law();
+    auto table = table_of(surface);
+    table.columns.push_back({"C_iso", "m4", table.at("C1D") / table.at("wavevector")});
+    const auto narrow = spectrum_figure(surface, table, {});
+    ASSERT_EQ(narrow.figure.panels.size(), 2U);
+    EXPECT_EQ(narrow.figure.columns, 1);
+    EXPECT_LE(narrow.figure.height_mm, 120.0);
+    EXPECT_EQ(narrow.figure.panels[1].y.unit, "m4");
+    EXPECT_EQ(spectrum_figure(surface, table, {.width = FigureWidth::double_column}).figure.columns, 2);
+}
+
+TEST(SpectrumFigure, OfATableHasItsStandardErrors) {
+    auto surface = power_law();
+    const auto table = table_of(surface);
+    surface.measurements.clear();
+    const auto drawn = spectrum_figure(surface, table, {});
+    const auto& given = series_of(drawn.figure.panels[0], "C1D");
+    EXPECT_DOUBLE_EQ(given.upper[3], 1.1 * given.y[3]);
+}
+
+scales::FunctionOfScale linear(const std::string& file, double reliable_from) {
+    scales::FunctionOfScale f;
+    f.quantity = "autocorrelation";
+    f.unit = "m2";
+    f.distance = Array1D::LinSpaced(100, 1e-8, 1e-6);
+    f.value = 1e-12 * f.distance;
+    f.reliable_from = reliable_from;
+    f.metadata.file = file;
+    return f;
+}
+
+TEST(ScaleFigure, TellsWhatIsReliable) {
+    const auto drawn = scale_figure({linear("folder/a.csv", 1e-7)}, nullptr, {});
+    const auto& panel = drawn.figure.panels[0];
+    EXPECT_EQ(panel.x.unit, "um");
+    EXPECT_EQ(panel.y.unit, "nm2");
+    EXPECT_TRUE(panel.y.logarithmic);
+    EXPECT_GE(series_of(panel, "a.csv").x.minCoeff(), 0.1 * (1.0 - 1e-6));
+    EXPECT_LT(series_of(panel, "a.csv, not reliable").x.maxCoeff(), 0.1);
+    EXPECT_NEAR(series_of(panel, "a.csv").y[0], 1e18 * 1e-19, 2e-3);
+}
+
+TEST(ScaleFigure, OfSeveralHasTheirMeanWithItsError) {
+    auto second = linear("b.csv", 0.0);
+    second.value *= 3.0;
+    const std::vector<scales::FunctionOfScale> functions{linear("a.csv", 0.0), second};
+    const auto combined = scales::combine(functions);
+    const auto drawn = scale_figure(functions, &combined, {});
+    const auto& mean = series_of(drawn.figure.panels[0], "mean");
+    EXPECT_GT(mean.upper[0], mean.y[0]);
+    EXPECT_EQ(drawn.title, "autocorrelation of 2 measurements");
+}
+
+TEST(ScaleFigure, OfValuesBelowZeroIsNotLogarithmic) {
+    auto f = linear("a.csv", 0.0);
+    f.value[4] = -1e-20;
+    EXPECT_FALSE(scale_figure({f}, nullptr, {}).figure.panels[0].y.logarithmic);
+}
+
+TEST(LevelFigure, ShowsMapsFromTheirMeanAndWhatIsUndefined) {
+    topography::HeightMap map{.heights = Array2D::Constant(8, 8, 5e-6), .size = {8e-6, 8e-6}};
+    map.heights(3, 4) = undefined;
+    map.heights(0, 0) += 64e-9;
+    processing::PipelineResult after{map, {}};
+    const auto drawn = level_figure(map, after, {});
+    ASSERT_EQ(drawn.figure.panels.size(), 2U);
+    const auto& panel = drawn.figure.panels[0];
+    EXPECT_EQ(panel.title, "before, 1.6 % undefined (white)");
+    ASSERT_TRUE(panel.map);
+    EXPECT_EQ(panel.map->values_axis.unit, "nm");
+    EXPECT_NEAR(panel.map->values(0, 0), 64.0 - 64.0 / 63.0, 1e-6);
+    EXPECT_TRUE(std::isnan(panel.map->values(3, 4)));
+    EXPECT_EQ(panel.map->width, 8.0);
+}
+
+TEST(LevelFigure, ShowsLinesOverTheirLength) {
+    topography::LineScan scan{.heights = Array1D::LinSpaced(50, 0.0, 1e-8), .size = 1e-3};
+    const auto drawn = level_figure(scan, {scan, {}}, {.width = FigureWidth::double_column});
+    EXPECT_EQ(drawn.figure.columns, 2);
+    EXPECT_EQ(drawn.figure.panels[0].y.unit, "nm");
+    EXPECT_FALSE(drawn.figure.panels[0].map);
+}
+
+TEST(ParameterFigure, SlopeIsCarriedByShorterWavesThanHeight) {
+    const auto drawn = parameter_figure(power_law(), {});
+    const auto& panel = drawn.figure.panels[0];
+    const auto &height = series_of(panel, "h_rms²"), &slope = series_of(panel, "h'_rms²");
+    const auto last = height.x.size() - 1;
+    EXPECT_NEAR(height.y[last], 100.0, 1e-9);
+    EXPECT_NEAR(slope.y[last], 100.0, 1e-9);
+    EXPECT_NEAR(height.x[last], 2.0 * pi / 1e8 / (panel.x.unit == "nm" ? 1e-9 : 1e-6), 1e-6);
+    // of C1D ~ q^-3 half of the decades carry nearly all of the height, and half of the slope
+    const Index middle = last / 2;
+    EXPECT_GT(height.y[middle], 95.0);
+    EXPECT_LT(slope.y[middle], 70.0);
+}
+
+TEST(ContourFigure, ShadesNinetyFivePercentOfHeights) {
+    study::TracedPicture picture;
+    picture.micrograph.file = "folder/tem.dm3";
+    study::ContourProfile profile;
+    profile.levelled.profile.positions = Array1D::LinSpaced(20, 1e-9, 21e-9);
+    profile.levelled.profile.heights = 1e-9 * profile.levelled.profile.positions * 1e9;
+    profile.levelled.profile.standard_error = Array1D::Constant(20, 1e-10);
+    picture.profiles.push_back(profile);
+    const auto drawn = contour_figure(picture, {0}, study::ContourShape::envelope, {});
+    const auto& band = series_of(drawn.figure.panels[0], "95 %");
+    EXPECT_NEAR(band.upper[0] - band.lower[0], 2.0 * 1.96 * 0.1, 1e-3);
+    EXPECT_EQ(drawn.title, "Contour of tem.dm3");
+    EXPECT_EQ(drawn.figure.panels[0].x.unit, "nm");
+}
+
+TEST(FigurePath, IsToldByItsEnding) {
+    EXPECT_TRUE(is_figure_path("a.b/c.svg"));
+    EXPECT_TRUE(is_figure_path("c.png"));
+    EXPECT_FALSE(is_figure_path("c.svg.csv"));
+    EXPECT_FALSE(is_figure_path("svg"));
+}
+
+TEST(WriteFigure, SaysWhyThereIsNone) {
+    StudyFigure none;
+    none.reason = "it has no data";
+    try {
+        write_figure(none, "a.svg");
+        FAIL() << "written";
+    } catch (const UndefinedDataError& error) {
+        EXPECT_NE(std::string(error.what()).find("it has no data"), std::string::npos);
+    }
+    EXPECT_THROW(write_figure({}, "a.eps"), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace setae::file_figures::file_figures_test
