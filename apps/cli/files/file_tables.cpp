@@ -376,15 +376,16 @@ std::string hint(const Listing& listing) {
 std::string text_of(Listing listing, const Kind& kind, std::size_t width) {
     const auto made = [&](Detail detail) {
         listing.detail = detail;
-        auto table = by_folder(kind.table(listing));
+        auto table = kind.table(listing);
         table.title = heading(kind);
         return table;
     };
     if (listing.detail == Detail::all) return tables::as_text_within(made(Detail::all), width) + hint(listing);
     const auto usual = made(Detail::usual);
     const auto notes = hint(listing);
-    if (const auto fitting = with_shorter_names(usual, width)) return tables::as_text_within(*fitting, width) + notes;
-    if (const auto fitting = with_shorter_names(with_little(made(Detail::little)), width))
+    if (const auto fitting = with_shorter_names(by_folder(usual), width))
+        return tables::as_text_within(*fitting, width) + notes;
+    if (const auto fitting = with_shorter_names(with_little(by_folder(made(Detail::little))), width))
         return tables::as_text_within(*fitting, width) + notes + "  --long says format and instrument, too\n";
     return tables::as_text_within(usual, width) + notes;
 }

@@ -11,7 +11,7 @@
 
 #include "draft_text.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/units.hpp"
+#include "setae/core/text.hpp"
 #include "setae/formats/container.hpp"
 #include "setae/study/instrument_words.hpp"
 
@@ -85,7 +85,7 @@ public:
     }
 
     StudyDraft written() && {
-        std::string text = draft_heading(root_.filename().string());
+        std::string text = draft_heading(valid_utf8(root_.filename().string()));
         for (const auto& surface : surfaces_) text += surface_text(surface);
         text += contact_text(loops_, recordings_);
         if (!draft_.left_out.empty()) text += "\n# Left out:\n";
@@ -96,6 +96,11 @@ public:
 
 private:
     void look_at(const std::string& file) {
+        if (const auto named = relative(file); valid_utf8(named) != named) {
+            draft_.left_out.push_back(
+                {file, file + ": its name is no UTF-8, which a study's file cannot hold; rename it"});
+            return;
+        }
         try {
             contents_.push_back(std::make_unique<FileContent>(file_content(file)));
         } catch (const std::exception& error) {
@@ -107,7 +112,8 @@ private:
         return whole_path(file).lexically_proximate(base_).generic_string();
     }
 
-    SurfaceFiles& surface(const std::string& name) {
+    SurfaceFiles& surface(const std::string& given) {
+        const auto name = valid_utf8(given);
         const auto known =
             std::find_if(surfaces_.begin(), surfaces_.end(), [&](const auto& s) { return s.name == name; });
         if (known != surfaces_.end()) return *known;

@@ -143,6 +143,11 @@ TEST_F(StudyDrafts, HoldNamesOfAnyCharacters) {
     ASSERT_EQ(study.surfaces.size(), 2u);
     EXPECT_EQ(study.surfaces[0].name, "a \"b\" #c");
     EXPECT_EQ(study.surfaces[1].name, "odd\nname");
+    write("A/latin\xff.csv", line_scan);
+    const auto made = draft();
+    ASSERT_EQ(made.left_out.size(), 1u);
+    EXPECT_NE(made.left_out[0].reason.find("its name is no UTF-8"), std::string::npos);
+    EXPECT_EQ(read(made.text).surfaces.size(), 2u);
 }
 
 TEST_F(StudyDrafts, AreTheSameTwice) {
