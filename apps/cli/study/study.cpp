@@ -84,7 +84,8 @@ study::Study study_of(const Arguments& arguments) {
 /// What the study's file leaves open, by its lines.
 void print_gaps(const std::vector<study::StudyGap>& gaps, const std::string& file) {
     if (!gaps.empty()) print("\nMissing\n");
-    for (const auto& gap : gaps) print(fmt::format("  {}:{}: {}: {}\n", file, gap.line, gap.item, gap.message));
+    for (const auto& gap : gaps)
+        print(one_line(fmt::format("  {}:{}: {}: {}", file, gap.line, gap.item, gap.message)) + "\n");
 }
 
 /// What a run would do, what it would take from the store, and what the study leaves open.
