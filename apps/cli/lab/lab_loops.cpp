@@ -65,7 +65,7 @@ Action declare(Options& options) {
     options.add("--seed", arguments->options.first_seed, "of the first run").default_shown();
     options.add("--samples", arguments->options.samples, "of each branch").between(20, 1000000).default_shown();
     options.add("--snr", arguments->options.signal_to_noise, "signal-to-noise ratios").default_shown();
-    options.example("setae lab loops recipe.toml --runs 20", "whether intervals of fitted loops hold the truth");
+    options.example("setae lab loops --runs 20 -o loops", "whether intervals of fitted loops hold the truth");
     return action(options, arguments, explanation, run);
 }
 

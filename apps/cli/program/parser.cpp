@@ -195,8 +195,10 @@ std::string unknown_verb(const CLI::App& program, const std::vector<std::string>
 std::string value_of(const CLI::Option& option) {
     if (!option.get_option_text().empty()) return option.get_option_text();
     const auto type = option.get_type_name();
-    const std::string name = type == "INT" || type == "UINT" ? "N" : type == "FLOAT" ? "NUMBER" : type;
-    return option.get_items_expected_max() > 1 ? name + " ..." : name;
+    const auto several = option.get_items_expected_max() > 1 ? " ..." : "";
+    if (type == "INT" || type == "UINT") return std::string("N") + several;
+    if (type == "FLOAT") return std::string("NUMBER") + several;
+    return type + several;
 }
 
 ProgramOption described(const CLI::Option& option, const Declarations& declared) {

@@ -14,9 +14,8 @@
 
 namespace setae::cli {
 
-void SurfaceOptions::add_measurements_to(Options& options) {
-    options.add("files", files, "measurements of one surface: files or containers; or one table of its spectrum")
-        .of_inputs();
+void SurfaceOptions::add_measurements_to(Options& options, const char* meaning) {
+    options.add("files", files, meaning).of_inputs();
     file.add_to(options);
     processing.add_to(options);
     options.add("--instrument", instrument, "stylus, afm, tem or optical").one_of({"stylus", "afm", "tem", "optical"});
@@ -36,7 +35,7 @@ void SurfaceOptions::add_measurements_to(Options& options) {
 }
 
 void SurfaceOptions::add_to(Options& options) {
-    add_measurements_to(options);
+    add_measurements_to(options, "measurements of one surface: files or containers; or one table of its spectrum");
     options.add("--longest-wavelength", longest, "upper limit of wavelengths in all integrals")
         .quantity(positive(dimension::length));
     options.add("--shortest-wavelength", shortest, "lower limit of wavelengths in all integrals")

@@ -24,7 +24,7 @@ struct SurfaceOptions {
 
     void add_to(Options& options);
     /// Only what says which measurements there are and how each is prepared.
-    void add_measurements_to(Options& options);
+    void add_measurements_to(Options& options, const char* meaning);
     /// Whether the one file is the table of a spectrum. @throws InvalidArgument for one among others.
     [[nodiscard]] bool is_spectrum() const;
     /// @throws InvalidArgument for a malformed option; as is_spectrum().

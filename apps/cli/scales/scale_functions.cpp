@@ -55,7 +55,7 @@ struct ScaleArguments {
     FigureOption figure;
 
     void add_to(Options& options) {
-        surface.add_measurements_to(options);
+        surface.add_measurements_to(options, "measurements of one surface: files or containers");
         options.flag("--all", all, "also distances that sampling, tip or resolution make unreliable");
         options.flag("--binned", binned, "one measurement in the bins of combined ones too");
         options.add("--bins-per-decade", bins_per_decade, "bins of combined functions").between(1, 1000);

@@ -46,10 +46,10 @@ StudyFigure parameter_figure(const study::SurfaceResult& surface, const Look& lo
                                 .y = 100.0 * (values(rows) / values[last]).pow(power),
                                 .mark = figures::Mark::line});
     };
-    add("h_rms²", below.rms_height, 2.0);
-    add("U_el", below.elastic_energy_per_modulus, 1.0);
-    add("h'_rms²", below.rms_slope, 2.0);
-    add("h''_rms²", below.rms_curvature, 2.0);
+    add("mean square height", below.rms_height, 2.0);
+    add("stored energy", below.elastic_energy_per_modulus, 1.0);
+    add("mean square slope", below.rms_slope, 2.0);
+    add("mean square curvature", below.rms_curvature, 2.0);
     const auto alone = surface.measurements.size() == 1;
     StudyFigure drawn{.identifier = "parameters", .name = "parameters", .command = look.command};
     drawn.title = alone ? "Which waves carry the roughness of " + file_name(surface.measurements.front().file)

@@ -110,7 +110,9 @@ StudyFigure scale_figure(const std::vector<FunctionOfScale>& functions, const sc
                                 .lower = value - error,
                                 .upper = value + error,
                                 .mark = Mark::both,
-                                .colour = black});
+                                .colour = black,
+                                .symbol = 0,
+                                .dash = 0});
     }
     add_legend(panel, combined != nullptr, cut);
     drawn.title = functions.size() == 1

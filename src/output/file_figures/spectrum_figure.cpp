@@ -20,17 +20,24 @@ const figures::Axis wavevector_axis{.quantity = "wavevector *q*", .unit = "1/m",
 StudyFigure of_measurements(const study::SurfaceResult& surface, const Look& look) {
     study::StudyResult result;
     result.surfaces.push_back(surface);
-    return study_figures::study_figure(result, "spectra:" + surface.name, {.width = look.width});
+    auto& name = result.surfaces.front().name;
+    name = "one surface";  // as the caption calls it
+    return study_figures::study_figure(result, "spectra:" + name, {.width = look.width});
 }
 
 /// A table that was given, with its standard errors.
 StudyFigure of_table(const study::SurfaceResult& surface, const Table& table, const Look& look) {
     StudyFigure drawn{.identifier = "spectra:" + surface.name};
+    constexpr Index most_bars = 60;
     const auto& C1D = table.at("C1D");
+    const bool shaded = C1D.size() > most_bars;
     figures::Series given{
-        .label = "C1D", .x = table.at("wavevector"), .y = C1D, .mark = Mark::both, .colour = black, .in_legend = false};
+        .label = "C1D", .x = table.at("wavevector"), .y = C1D, .mark = Mark::line, .colour = black, .dash = 0};
+    given.in_legend = false;
     const auto* errors = table.find("standard_error");
     if (errors) {
+        given.mark = shaded ? Mark::band : Mark::both;
+        given.symbol = 0;
         given.lower = C1D - errors->values;
         given.upper = C1D + errors->values;
     }
@@ -40,8 +47,10 @@ StudyFigure of_table(const study::SurfaceResult& surface, const Table& table, co
          .series = {given}});
     drawn.figure.width_mm = look.wide() ? 140.0 : column_mm;
     drawn.figure.height_mm = look.wide() ? 95.0 : 75.0;
-    drawn.caption = fmt::format("C1D against wavevector q as a table gives it.{}",
-                                errors ? " Bars: its standard errors." : " It states no errors.");
+    drawn.caption =
+        fmt::format("C1D against wavevector q as a table gives it.{}", !errors  ? " It states no errors."
+                                                                       : shaded ? " Shaded: its standard errors."
+                                                                                : " Bars: its standard errors.");
     return drawn;
 }
 

@@ -157,7 +157,7 @@ TEST(LevelFigure, ShowsLinesOverTheirLength) {
 TEST(ParameterFigure, SlopeIsCarriedByShorterWavesThanHeight) {
     const auto drawn = parameter_figure(power_law(), {});
     const auto& panel = drawn.figure.panels[0];
-    const auto &height = series_of(panel, "h_rms²"), &slope = series_of(panel, "h'_rms²");
+    const auto &height = series_of(panel, "mean square height"), &slope = series_of(panel, "mean square slope");
     const auto last = height.x.size() - 1;
     EXPECT_NEAR(height.y[last], 100.0, 1e-9);
     EXPECT_NEAR(slope.y[last], 100.0, 1e-9);
