@@ -7,6 +7,7 @@
 
 #include "ranges.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/figures/typesetting.hpp"
 
 namespace setae::figures {
 namespace {
@@ -25,7 +26,7 @@ std::string cell(double value) { return std::isnan(value) ? std::string() : fmt:
 std::string cell(const Array1D& values, Index i) { return values.size() == 0 ? std::string() : cell(values[i]); }
 
 std::string axis_cells(const Axis& axis) {
-    return cell(axis.quantity) + "," + cell(axis.unit.empty() ? "1" : axis.unit);
+    return cell(plain_text(axis.quantity)) + "," + cell(axis.unit.empty() ? "1" : axis.unit);
 }
 
 }  // namespace

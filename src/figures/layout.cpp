@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/figures/typesetting.hpp"
+#include "ticks.hpp"
 
 namespace setae::figures {
 namespace {
@@ -16,49 +18,63 @@ struct Margins {
     double left = 0.0, right = 3.2, top = 2.5, bottom = 9.5;
 };
 
-Margins margins_of(const Panel& panel) {
+/// Width of the numbers at a panel's y axis, `length_mm` long.
+double numbers_mm(const Panel& panel, double length_mm) {
+    std::size_t longest = 0;
+    for (const auto& label : panel.y.tick_labels) longest = std::max(longest, letters_in(label));
+    if (longest > 0) return letters_mm * static_cast<double>(longest);
+    if (panel.y.logarithmic) return 9.0;  // 10^{−20}
+    return letters_mm * static_cast<double>(linear_ticks(y_range(panel), length_mm, Direction::along_y).letters);
+}
+
+Box cell_of(const Figure& figure, std::size_t panel) {
+    const auto place = place_of(figure, panel);
+    const double left = place.left * figure.width_mm, top = (1.0 - place.top) * figure.height_mm;
+    return {left, left + place.width * figure.width_mm, top - place.height * figure.height_mm, top};
+}
+
+Margins margins_of(const Figure& figure, std::size_t p) {
     constexpr double title_mm = 6.5;
+    const auto& panel = figure.panels[p];
+    const auto heading = heading_of(figure, p);
     Margins margins;
-    if (!panel.title.empty()) margins.top += 3.5;
+    if (!heading.letter.empty() || !heading.words.empty()) margins.top += 3.5;
     if (panel.x.bare || panel.sketch) margins.bottom = 1.5;
     if (panel.sketch) {
         margins.left = margins.right = 1.0;
         return margins;
     }
-    std::size_t longest = 0;
-    for (const auto& label : panel.y.tick_labels) longest = std::max(longest, letters_in(label));
-    if (longest > 0) margins.left = title_mm + letters_mm * static_cast<double>(longest);
-    else if (panel.y.logarithmic) margins.left = title_mm + 9.0;  // 10^{−20}
-    else margins.left = title_mm + letters_mm * letters_of_ticks(y_range(panel));
+    const auto cell = cell_of(figure, p);
+    const double length = std::max(cell.top - cell.bottom - margins.top - margins.bottom, 1.0);
+    margins.left = title_mm + numbers_mm(panel, length);
     if (panel.map)
-        margins.right +=
-            colour_bar_gap_mm + colour_bar_mm + 1.0 + letters_mm * letters_of_ticks(value_range(*panel.map)) + 4.0;
+        margins.right += colour_bar_gap_mm + colour_bar_mm + 1.0 +
+                         letters_mm * static_cast<double>(
+                                          linear_ticks(value_range(*panel.map), length, Direction::along_y).letters) +
+                         4.0;
     if (panel.legend_beside && legend_size(panel).entries > 0) margins.right += legend_size(panel).width_mm();
     return margins;
 }
 
-Box cell_of(const Figure& figure, std::size_t panel) {
-    if (const auto& place = figure.panels[panel].place) {
-        const double left = place->left * figure.width_mm, top = (1.0 - place->top) * figure.height_mm;
-        return {left, left + place->width * figure.width_mm, top - place->height * figure.height_mm, top};
-    }
-    const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
-    const auto rows = (figure.panels.size() + columns - 1) / columns;
-    const double width = figure.width_mm / static_cast<double>(columns),
-                 height = figure.height_mm / static_cast<double>(rows);
-    const std::size_t row = panel / columns, column = panel % columns;
-    const double left = width * static_cast<double>(column), top = figure.height_mm - height * static_cast<double>(row);
-    return {left, left + width, top - height, top};
-}
-
 }  // namespace
 
-int letters_of_ticks(const Range& range) {
-    const double step = std::floor(std::log10((range.to - range.from) / 6.0)),
-                 most = std::max(std::abs(range.from), std::abs(range.to));
-    const int before = most >= 1.0 ? 1 + static_cast<int>(std::log10(most)) : 1,
-              after = step < 0.0 ? 1 - static_cast<int>(step) : 0;
-    return std::min(before + after + (range.from < 0.0 ? 1 : 0), 8);
+Place place_of(const Figure& figure, std::size_t panel) {
+    if (const auto& place = figure.panels[panel].place) return *place;
+    const auto columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
+    const auto rows = (figure.panels.size() + columns - 1) / columns;
+    const double width = 1.0 / static_cast<double>(columns), height = 1.0 / static_cast<double>(rows);
+    return {width * static_cast<double>(panel % columns), height * static_cast<double>(panel / columns), width, height};
+}
+
+std::string_view title_quantity(const Axis& axis, double length_mm) {
+    const std::string_view whole = axis.quantity;
+    const auto letters = letters_in(plain_text(whole)) + (axis.unit.empty() ? 0 : letters_in(axis.unit) + 3);
+    return title_letters_mm * static_cast<double>(letters) > length_mm ? symbol_of(whole) : whole;
+}
+
+std::size_t LegendSize::rows_within(double width) const {
+    const auto columns = static_cast<std::size_t>(std::max(1.0, width / width_mm()));
+    return (entries + columns - 1) / columns;
 }
 
 std::size_t letters_in(const std::string& text) {
@@ -77,12 +93,12 @@ LegendSize legend_size(const Panel& panel) {
 }
 
 Layout layout_of(const Figure& figure, std::size_t panel) {
-    auto margins = margins_of(figure.panels[panel]);
+    auto margins = margins_of(figure, panel);
     const auto cell = cell_of(figure, panel);
     // axes below each other begin, and end, at one line
     for (std::size_t other = 0; other < figure.panels.size(); ++other) {
         const auto other_cell = cell_of(figure, other);
-        const auto other_margins = margins_of(figure.panels[other]);
+        const auto other_margins = margins_of(figure, other);
         const auto close = [](double a, double b) { return std::abs(a - b) < 0.01; };
         if (close(other_cell.left, cell.left)) margins.left = std::max(margins.left, other_margins.left);
         if (close(other_cell.right, cell.right) && !figure.panels[panel].map && !figure.panels[other].map)

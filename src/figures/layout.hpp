@@ -2,12 +2,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "ranges.hpp"
 
 namespace setae::figures {
 
-inline constexpr double letters_mm = 1.45;  ///< mean width of a letter of small text
+inline constexpr double title_letters_mm = 1.5;  ///< mean width of a letter of a title
 inline constexpr double colour_bar_mm = 2.0, colour_bar_gap_mm = 1.5;
 
 /// Edges of something within the figure [mm], from its bottom left corner.
@@ -25,17 +26,23 @@ struct Layout {
 /// @throws InvalidArgument where no room is left for the axes.
 [[nodiscard]] Layout layout_of(const Figure& figure, std::size_t panel);
 
-/// Letters of the numbers at a linear axis, as its ticks will lie: a step of 1, 2 or 5 times a power of ten.
-[[nodiscard]] int letters_of_ticks(const Range& range);
+/// Where a panel stands, in shares of the figure: where it is told, or its cell of the grid.
+[[nodiscard]] Place place_of(const Figure& figure, std::size_t panel);
 
 /// Entries of a panel's legend and the letters of its longest.
 struct LegendSize {
     std::size_t entries = 0, letters = 0;
 
     [[nodiscard]] double width_mm() const { return 9.0 + 1.25 * static_cast<double>(letters); }
-    [[nodiscard]] double height_mm() const { return 1.5 + 3.4 * static_cast<double>(entries); }
+    [[nodiscard]] double height_mm() const { return height_mm(entries); }
+    [[nodiscard]] static double height_mm(std::size_t rows) { return 1.5 + 3.4 * static_cast<double>(rows); }
+    /// Rows where its columns fill a width.
+    [[nodiscard]] std::size_t rows_within(double width) const;
 };
 [[nodiscard]] LegendSize legend_size(const Panel& panel);
+
+/// An axis' quantity as its title has it: without the words before the symbol where they do not fit.
+[[nodiscard]] std::string_view title_quantity(const Axis& axis, double length_mm);
 
 /// Characters of UTF-8 text.
 [[nodiscard]] std::size_t letters_in(const std::string& text);

@@ -14,10 +14,6 @@
 namespace setae::figures {
 namespace {
 
-/// Okabe and Ito's, the pale ones last.
-constexpr std::array<const char*, 8> palette{"0072B2", "D55E00", "009E73", "CC79A7",
-                                             "000000", "E69F00", "56B4E9", "F0E442"};
-
 struct Symbol {
     int filled, hollow;
     double size;  ///< for the same look: gnuplot's shapes differ in area
@@ -32,6 +28,10 @@ const Value& chosen(const std::array<Value, size>& choices, int index) {
     return choices[static_cast<std::size_t>(((index % n) + n) % n)];
 }
 
+int colour_of(const Series& series, std::size_t place) {
+    return series.colour >= 0 ? series.colour : static_cast<int>(place) % general_colours;
+}
+
 /// A series' place in the palette, and its symbol and dash.
 struct Style {
     std::string colour;
@@ -40,7 +40,7 @@ struct Style {
 };
 
 Style style_of(const Series& series, std::size_t place) {
-    const int colour = series.colour >= 0 ? series.colour : static_cast<int>(place);
+    const int colour = colour_of(series, place);
     const int symbol = series.symbol >= 0 ? series.symbol : colour;
     // symbols tell lines apart that have them
     const int dash = series.dash >= 0 ? series.dash : series.mark == Mark::both ? 0 : symbol;
@@ -97,9 +97,8 @@ std::vector<std::string> elements(const Series& series, std::size_t place, const
     const double size = symbol_size.symbols * symbol.size * (symbol.filled == diamond ? symbol_size.diamonds : 1.0);
     const auto hollow = fmt::format("pt {} ps {:.2f} {} lw 1", symbol.hollow, size, style.colour);
     const auto filled = fmt::format("pt {} ps {:.2f} {}", symbol.filled, size, line);
-    const int own_colour = series.colour >= 0 ? series.colour : static_cast<int>(place);
-    const auto filling =
-        fmt::format("fs transparent solid {} noborder lc rgb {}", 0.25 * series.opacity, colour_name(own_colour));
+    const auto filling = fmt::format("fs transparent solid {} noborder lc rgb {}", 0.25 * series.opacity,
+                                     colour_name(colour_of(series, place)));
     if (series.legend_only) {
         const auto symbols_with = [&](const char* how) {
             return fmt::format("keyentry with {} {} {}", how, series.hollow ? hollow : filled, title);

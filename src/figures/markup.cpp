@@ -70,7 +70,10 @@ std::string in_quotes(std::string markup) {
 
 std::string quoted_verbatim(std::string_view text) { return in_quotes(escaped(text)); }
 
-std::string quoted_bold(std::string_view text) { return in_quotes("{/:Bold " + escaped(text) + "}"); }
+std::string quoted_heading(std::string_view letter, std::string_view words) {
+    if (letter.empty()) return in_quotes("{/:Bold " + escaped(words) + "}");
+    return in_quotes("{/:Bold " + escaped(letter) + "}" + (words.empty() ? "" : "  " + escaped(words)));
+}
 
 std::string quoted_tick(std::string_view text) {
     std::string doubled;

@@ -9,6 +9,8 @@
 #include "marks.hpp"
 #include "markup.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/layout.hpp"
+#include "ticks.hpp"
 
 namespace setae::figures {
 namespace {
@@ -52,51 +54,18 @@ Terminal terminal(const Figure& figure, const std::string& ending) {
     throw InvalidArgument(fmt::format("a figure cannot be drawn as '{}'; expected svg, pdf or png", ending));
 }
 
-/// Ticks of a logarithmic axis: every power of ten where there is room to name it, else every few; 2 … 9 between where
-/// there is room, named within little more than a decade, where powers of ten alone would leave the axis bare.
-std::string logarithmic_ticks(const Range& range, double length_mm, char name) {
-    constexpr double room_mm = 7.5;
-    const double decades = std::log10(range.to / range.from);
-    const int step = std::max(1, static_cast<int>(std::ceil(room_mm * decades / length_mm)));
-    const bool few = decades < 1.6;
+std::string category_tick_lines(const Axis& axis, char name) {
     std::string ticks;
-    const auto add = [&](int digit, int decade, bool named) {
-        ticks +=
-            fmt::format("{}{}{}e{}{}", ticks.empty() ? "" : ", ", named ? "" : "'' ", digit, decade, named ? "" : " 1");
-    };
-    for (int decade = static_cast<int>(std::floor(std::log10(range.from)));
-         decade <= static_cast<int>(std::floor(std::log10(range.to))); ++decade) {
-        add(1, decade, decade % step == 0);
-        for (int digit = 2; digit <= 9 && step == 1; ++digit)
-            add(digit, decade, few && (decades < 0.5 || digit == 2 || digit == 5));
-    }
-    return fmt::format("set logscale {0} 10\nset format {0} '{1}'\nset {0}tics ({2}) scale 0.6,0.3\n", name,
-                       few ? "%g" : "10^{%L}", ticks);
-}
-
-/// Distance between the numbers of a linear axis: 1, 2 or 5 times a power of ten, with room for each.
-double linear_step(const Range& range, double length_mm, char name) {
-    const double room_mm = name == 'x' ? std::max(6.5, letters_mm * letters_of_ticks(range) + 2.5) : 5.0;
-    const double least = (range.to - range.from) * std::min(room_mm / length_mm, 0.5),
-                 power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double digit : {1.0, 2.0, 5.0})
-        if (digit * power >= least * (1.0 - 1e-9)) return digit * power;
-    return 10.0 * power;
+    for (std::size_t i = 0; i < axis.tick_labels.size(); ++i)
+        ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
+    return fmt::format("unset logscale {0}\nset {0}tics ({1}) scale 0.6,0.3\nunset m{0}tics\n", name, ticks);
 }
 
 std::string axis_lines(const Axis& axis, const Range& range, double length_mm, char name) {
-    auto lines = fmt::format("set {}range [{}:{}]\n", name, range.from, range.to);
-    if (axis.logarithmic && axis.tick_labels.empty()) lines += logarithmic_ticks(range, length_mm, name);
-    else if (axis.tick_labels.empty())
-        lines +=
-            fmt::format("unset logscale {0}\nset {0}tics {1:.6g} scale 0.6,0.3\nset m{0}tics 2\nset format {0} '%g'\n",
-                        name, linear_step(range, length_mm, name));
-    else {
-        std::string ticks;
-        for (std::size_t i = 0; i < axis.tick_labels.size(); ++i)
-            ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted_tick(axis.tick_labels[i]), i);
-        lines += fmt::format("unset logscale {0}\nset {0}tics ({1}) scale 0.6,0.3\nunset m{0}tics\n", name, ticks);
-    }
+    const auto lines = fmt::format("set {}range [{}:{}]\n", name, range.from, range.to) +
+                       (!axis.tick_labels.empty() ? category_tick_lines(axis, name)
+                        : axis.logarithmic        ? logarithmic_tick_lines(range, length_mm, name)
+                                                  : linear_tick_lines(range, length_mm, name));
     return axis.bare ? lines + fmt::format("set format {} ''\n", name) : lines;
 }
 
@@ -106,6 +75,11 @@ std::string key_line(const Panel& panel, const Range& x, const Range& y, const L
     if (legend.entries == 0) return "unset key\n";
     const auto look = fmt::format("vertical Left reverse noopaque nobox samplen 2.2 spacing {} font ',{}' maxrows {}\n",
                                   spacing, font_size, legend.entries);
+    if (const auto& place = panel.legend_place)
+        return fmt::format(
+            "set key at screen {:.5f},{:.5f} left top vertical Left reverse noopaque nobox samplen 2.2 spacing {} font ',{}' maxrows {}\n",
+            place->left, 1.0 - place->top - 0.8 / figure.height_mm, spacing, font_size,
+            legend.rows_within(place->width * figure.width_mm));
     if (panel.legend_beside)
         return fmt::format("set key at screen {:.5f},{:.5f} left top {}", layout.legend_left / figure.width_mm,
                            layout.axes.top / figure.height_mm, look);
@@ -195,13 +169,21 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
     const auto title = [&](const std::string& quoted, double across_mm, double up_mm, const char* how) {
         script += fmt::format("set label {} at screen {} {}\n", quoted, on_page(figure, across_mm, up_mm), how);
     };
+    const auto axis_title = [](const Axis& axis, double length_mm) {
+        return quoted_axis_title(title_quantity(axis, length_mm), axis.unit);
+    };
     if (!panel.x.bare && !panel.sketch)
-        title(quoted_axis_title(panel.x.quantity, panel.x.unit), 0.5 * (axes.left + axes.right),
+        title(axis_title(panel.x, layout.cell.right - layout.cell.left), 0.5 * (axes.left + axes.right),
               layout.cell.bottom + 2.6, "center");
     if (!panel.y.bare && !panel.sketch)
-        title(quoted_axis_title(panel.y.quantity, panel.y.unit), layout.cell.left + 2.6, 0.5 * (axes.bottom + axes.top),
-              "center rotate by 90");
-    if (!panel.title.empty()) title(quoted_bold(panel.title), axes.left, axes.top + 2.6, "left");
+        title(axis_title(panel.y, layout.cell.top - layout.cell.bottom), layout.cell.left + 2.6,
+              0.5 * (axes.bottom + axes.top), "center rotate by 90");
+    if (const auto heading = heading_of(figure, p); !heading.letter.empty() || !heading.words.empty()) {
+        const double room_mm = layout.cell.right - axes.left - (heading.letter.empty() ? 0.0 : 2.0 * title_letters_mm);
+        const auto words =
+            shortened(heading.words, static_cast<std::size_t>(std::max(room_mm / title_letters_mm, 1.0)));
+        title(quoted_heading(heading.letter, words), axes.left, axes.top + 2.6, "left");
+    }
     for (const double height : panel.horizontal_lines)
         if (shows(panel.y, height) && height >= y.from && height <= y.to)
             script += fmt::format(

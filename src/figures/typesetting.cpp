@@ -2,6 +2,11 @@
 #include "setae/figures/typesetting.hpp"
 
 #include <cctype>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "setae/core/display_unit.hpp"
 
 namespace setae::figures {
 namespace {
@@ -64,6 +69,26 @@ std::vector<Span> spans_of(std::string_view quantity) {
         }
     }
     return spans;
+}
+
+std::string plain_text(std::string_view quantity) {
+    std::string text;
+    for (const auto& span : spans_of(quantity))
+        text += (span.place == Span::Place::lowered ? "_" : span.place == Span::Place::raised ? "^" : "") + span.text;
+    return text;
+}
+
+std::string_view symbol_of(std::string_view quantity) {
+    const auto italic = quantity.find('*');
+    const auto blank = quantity.substr(0, italic).rfind(' ');
+    return italic == std::string_view::npos || blank == std::string_view::npos ? quantity : quantity.substr(blank + 1);
+}
+
+std::string number_text(double value, int digits) {
+    const auto text = fmt::format("{:.{}g}", value, digits);
+    const auto e = text.find('e');
+    if (e == std::string::npos) return text;
+    return text.substr(0, e) + "·10" + superscript(std::stoi(text.substr(e + 1)));
 }
 
 std::vector<UnitFactor> factors_of(std::string_view unit) {

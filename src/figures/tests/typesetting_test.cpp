@@ -37,6 +37,25 @@ TEST(SpansOf, BackslashTakesTheNextLetterAsItIs) {
     EXPECT_EQ(shown("a\\"), "[a\\]");
 }
 
+TEST(PlainText, HasNoMarkup) {
+    EXPECT_EQ(plain_text("rms slope *h*'_{rms}"), "rms slope h'_rms");
+    EXPECT_EQ(plain_text("contact modulus *E*\\*"), "contact modulus E*");
+    EXPECT_EQ(plain_text("*q^2*"), "q^2");
+}
+
+TEST(SymbolOf, LeavesOutTheWordsBeforeIt) {
+    EXPECT_EQ(symbol_of("work of adhesion *W*_app"), "*W*_app");
+    EXPECT_EQ(symbol_of("residual Δ*W*"), "Δ*W*");
+    EXPECT_EQ(symbol_of("*P*/*E*"), "*P*/*E*");
+    EXPECT_EQ(symbol_of("no symbol at all"), "no symbol at all");
+}
+
+TEST(NumberText, WritesPowersOfTenAsPapersDo) {
+    EXPECT_EQ(number_text(0.5), "0.5");
+    EXPECT_EQ(number_text(-2e6), "-2·10⁶");
+    EXPECT_EQ(number_text(1.26e-7, 2), "1.3·10⁻⁷");
+}
+
 TEST(SpansOf, AnOpenGroupEndsWithTheText) { EXPECT_EQ(shown("W_{app"), "[W][_app]"); }
 
 TEST(FactorsOf, WhatStandsBelowTheStrokeHasNegativePowers) {

@@ -40,6 +40,7 @@ figures::Figure area_figure(const std::vector<MeanArea>& areas) {
     const figures::Axis slope{.quantity = "rms slope *h*'_{rms}", .logarithmic = true, .from = 0.007, .to = 14.0};
     figures::Panel excess{
         .title = "A",
+        .shows = "excess area",
         .x = slope,
         .y = {.quantity = "excess area *A*_{true}/*A*_{app} − 1", .logarithmic = true, .from = 1e-5, .to = 20.0}};
     excess.series = {
@@ -48,8 +49,11 @@ figures::Figure area_figure(const std::vector<MeanArea>& areas) {
         formula_line("h'²/2", 0.008, 4.0, sky_blue, 1,
                      [](double h) { return roughness::small_slope_area_ratio(h) - 1.0; }),
         formula_line("(√π/2) h' − 1", 1.25, 12.0, orange, 2, [](double h) { return 0.5 * std::sqrt(pi) * h - 1.0; })};
-    figures::Panel deviation{
-        .title = "B", .x = slope, .y = {.quantity = "deviation from (9)", .unit = "%"}, .horizontal_lines = {0.0}};
+    figures::Panel deviation{.title = "B",
+                             .shows = "deviation",
+                             .x = slope,
+                             .y = {.quantity = "deviation from (9)", .unit = "%"},
+                             .horizontal_lines = {0.0}};
     // the hollow symbols last, so that they show what they lie on
     for (const double hurst : {0.8, 0.3}) {
         const auto rows = of_exponent(areas, hurst);

@@ -63,10 +63,13 @@ void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn) {
     for (const auto& row : all) best = std::max(best, row.score.log_likelihood);
     const double end = end_of_spectra(request.result);
     Panel cuts{.title = "A",
+               .shows = "roughness below λ cut",
                .x = {.quantity = "every spectrum cut at *λ*", .unit = "m", .logarithmic = true},
-               .y = {.quantity = "*R*²"},
-               .legend = true};
-    Panel energies{.title = "B", .x = {.quantity = "*γ*₁ over that given"}, .y = {.quantity = "ln *L* below the best"}};
+               .y = {.quantity = "*R*²"}};
+    Panel energies{.title = "B",
+                   .shows = "γ₁ scaled",
+                   .x = {.quantity = "*γ*₁ over that given"},
+                   .y = {.quantity = "ln *L* below the best"}};
     for (std::size_t place = 0; place < balances.size(); ++place) {
         std::vector<study::ComparedBalance> over_cuts, over_energies;
         for (const auto& row : all) {
@@ -91,11 +94,8 @@ void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn) {
     std::vector<Panel> panels;
     for (auto& panel : {cuts, energies})
         if (!panel.series.empty()) panels.push_back(panel);
-    panels.front().legend = true;
-    drawn.figure = {.panels = panels,
-                    .columns = wide(request) ? 2 : 1,
-                    .width_mm = wide(request) ? page_mm : column_mm,
-                    .height_mm = wide(request) ? 66.0 : 120.0};
+    drawn.figure.panels = panels;
+    arrange(drawn.figure, request.options.width, 62.0);
     drawn.caption = fmt::format(
         "Which balance the {} pairs of work of adhesion speak for; W_int fitted anew for each point. A: share of the scatter explained, R², with the roughness below a wavelength "
         "cut from every spectrum, on the left none. B: logarithm of the likelihood below the best of all with γ1 of every elastomer scaled; 2 is what chance leaves open, and each further fitted "

@@ -32,7 +32,7 @@ void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn);  
 void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn);         // replicates
 void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn);  // prediction
 
-void loop_of(const study::ExperimentResult& experiment, StudyFigure& drawn);  // loop:NAME
-void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn);       // ranges
+void loop_of(const study::ExperimentResult& experiment, FigureWidth width, StudyFigure& drawn);  // loop:NAME
+void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn);                          // ranges
 
 }  // namespace setae::study_figures

@@ -82,7 +82,7 @@ void explain(Panel& panel, const StudyResult& result, const std::vector<Point>& 
              .mark = Mark::line,
              .colour = colour_of_place(i),
              .dash = 0,
-             .line_width = 4.0,
+             .line_width = 3.0,
              .legend_only = true});
     }
 }
@@ -135,7 +135,7 @@ Comparison against_prediction(const StudyResult& result, const std::vector<Point
     drawn.values = {.x = {.quantity = "predicted *W*_{app}", .unit = "mJ/m2"},
                     .y = {.quantity = "measured *W*_{app}", .unit = "mJ/m2"}};
     drawn.residuals = {.x = drawn.values.x,
-                       .y = {.quantity = "residual", .unit = "mJ/m2"},
+                       .y = {.quantity = "residual Δ*W*", .unit = "mJ/m2"},
                        .horizontal_lines = {0.0},
                        .legend = false};
     set_ranges(drawn, points, true);
@@ -213,9 +213,12 @@ figures::Figure arranged(const FigureRequest& request, const std::vector<Compari
         if (two) add(comparisons[1], {.left = first, .width = 1.0 - first});
     } else {
         figure.width_mm = column_mm;
-        figure.height_mm = two ? 184.0 : 92.0;
+        figure.height_mm = two ? highest_column_mm : 92.0;
         add(comparisons[0], {.height = two ? 0.5 : 1.0});
         if (two) add(comparisons[1], {.top = 0.5, .height = 0.5});
+        // a column has no room for a legend beside the axes
+        for (std::size_t p = 0; p < figure.panels.size(); p += 2)
+            if (figures::legend_strip_mm(figure, p) > 0.0) put_legend_above(figure, p);
     }
     return figure;
 }
@@ -244,8 +247,10 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
     Comparison drawn;
     drawn.values = {.x = {.quantity = "true area *A*_{true}", .unit = "mm2"},
                     .y = {.quantity = "energy lost *E*_{loss}", .unit = "nJ"}};
-    drawn.residuals = {
-        .x = drawn.values.x, .y = {.quantity = "residual", .unit = "nJ"}, .horizontal_lines = {0.0}, .legend = false};
+    drawn.residuals = {.x = drawn.values.x,
+                       .y = {.quantity = "residual Δ*E*", .unit = "nJ"},
+                       .horizontal_lines = {0.0},
+                       .legend = false};
     set_ranges(drawn, points, false);
     const auto label = fmt::format("slope {}", with_error(fit.clustered, 1e3, "mJ/m²"));
     drawn.values.series.push_back(line(label, slope, 0.0, *drawn.values.x.to));
@@ -273,6 +278,7 @@ void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn) {
     if (!points.empty()) {
         comparisons.push_back(against_prediction(result, points));
         comparisons.back().values.title = "A";
+        comparisons.back().values.shows = "work of adhesion";
         text = fmt::format(
             "A: work of adhesion measured on approach against that predicted by (7), floored at 0, for {}, with W_int = {} ({}); line: y = x{}. ",
             counted(points.size(), "pair"), with_error(*result.work_of_adhesion, 1e3, "mJ/m2"),
@@ -284,6 +290,7 @@ void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn) {
     if (lost) {
         comparisons.push_back(*lost);
         comparisons.back().values.title = "B";
+        comparisons.back().values.shows = "energy lost";
         text += fmt::format(
             "B: energy lost in a closed loop against the true area at maximum preload, A_true = r π a_max²; line through the origin (10): {}. ",
             fit_in_words(result.loop->through_origin));
@@ -294,10 +301,6 @@ void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn) {
     auto& explained = comparisons.back().values;
     explain(explained, result, lost ? losses : points);
     explained.legend_beside = true;
-    if (comparisons.size() > 1 && !wide(request)) {
-        explain(comparisons.front().values, result, points);
-        comparisons.front().values.legend_beside = true;
-    }
     drawn.figure = arranged(request, comparisons);
     drawn.caption =
         text +

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <set>
 
 #include <fmt/format.h>
 
 #include "drawing.hpp"
 #include "setae/contact/jkr.hpp"
+#include "setae/figures/typesetting.hpp"
 
 namespace setae::study_figures {
 namespace {
@@ -120,8 +120,9 @@ void add_branches(Panel& panel, const ExperimentResult& e, const Look& look) {
     panel.series.push_back(branch(*e.analysis, contact.loading, look, true));
 }
 
-Panel radius_panel(const std::string& title) {
+Panel radius_panel(const std::string& title, const std::string& shows = {}) {
     return {.title = title,
+            .shows = shows,
             .x = {.quantity = "force *F*", .unit = "mN"},
             .y = {.quantity = "contact radius *a*", .unit = "um"}};
 }
@@ -214,6 +215,13 @@ std::string why_no_loops(const StudyResult& result, bool reference) {
     return fmt::format("no loop {} has a contact radius", kind);
 }
 
+/// "soft, 0.7 MPa", as panels are titled.
+std::string title_of(const study::ElastomerResult& elastomer) {
+    const double modulus = elastomer.youngs_modulus.value;
+    return elastomer.input.name +
+           (modulus > 0.0 ? fmt::format(", {} MPa", figures::number_text(MPa * modulus, 2)) : "");
+}
+
 std::string modulus_of(const study::ElastomerResult& elastomer) {
     return elastomer.youngs_modulus.value > 0.0
                ? fmt::format("{}, E = {}", elastomer.input.name, with_error(elastomer.youngs_modulus, 1e-6, "MPa"))
@@ -223,20 +231,17 @@ std::string modulus_of(const study::ElastomerResult& elastomer) {
 /// Panels of one elastomer each, filled by `fill`.
 figures::Figure panels_of_elastomers(const FigureRequest& request, const Wanted& wanted,
                                      const std::function<void(Panel&, const Loops&)>& fill) {
-    figures::Figure figure{.columns = wide(request) ? 2 : 1};
+    figures::Figure figure;
     for (const auto& elastomer : request.result.elastomers) {
         const auto loops = loops_that(request.result, [&](const ExperimentResult& e) {
             return wanted(e) && e.input.elastomer == elastomer.input.name;
         });
         if (loops.empty()) continue;
-        auto panel = radius_panel(modulus_of(elastomer));
+        auto panel = radius_panel(title_of(elastomer));
         fill(panel, loops);
         figure.panels.push_back(panel);
     }
-    const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
-    const auto rows = columns == 0 ? 0 : (figure.panels.size() + columns - 1) / columns;
-    figure.width_mm = columns == 2 ? page_mm : wide(request) ? 120.0 : column_mm;
-    figure.height_mm = 62.0 * static_cast<double>(rows);
+    arrange(figure, request.options.width, 62.0);
     return figure;
 }
 
@@ -258,12 +263,13 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
         if (has_radius(*e)) with_radius.push_back(e);
         if (has_displacement(*e)) with_displacement.push_back(e);
     }
-    auto radius = radius_panel("A");
+    auto radius = radius_panel("A", "contact radius");
     for (const auto* e : with_radius)
         add_fit(radius, result, *e, e->analysis->loading.primary(), look_of(result, *e), "of loading", 1);
     for (const auto* e : with_radius) add_branches(radius, *e, look_of(result, *e));
     explain(radius, looks_of(result, with_radius), false, false);
     Panel force{.title = "B",
+                .shows = "force and displacement",
                 .x = {.quantity = "displacement *δ*", .unit = "um"},
                 .y = {.quantity = "force *F*", .unit = "mN"},
                 .horizontal_lines = {0.0}};
@@ -272,7 +278,6 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
     for (const auto* e : with_displacement)
         if (e->analysis->loop && (!shaded || e->analysis->loop->energy > shaded->analysis->loop->energy)) shaded = e;
     double depth = 0.0, lift = 0.0;
-    std::set<std::string> named;
     for (const auto* e : with_displacement) {
         const auto curve = closed_loop(*e->analysis);
         const auto look = look_of(result, *e);
@@ -283,7 +288,6 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
                                     .mark = Mark::area,
                                     .colour = look.colour,
                                     .in_legend = false});
-        const bool first = named.insert(look.label).second;
         force.series.push_back({.label = look.label,
                                 .x = curve.x,
                                 .y = curve.y,
@@ -291,7 +295,7 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
                                 .colour = look.colour,
                                 .dash = 0,
                                 .line_width = 1.0,
-                                .in_legend = first});
+                                .in_legend = false});
         depth = std::max(depth, curve.x.maxCoeff());
         // free flight is of no interest beyond the jumps
         for (Index i = 0; i < curve.x.size(); ++i)
@@ -301,10 +305,9 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
         force.x.from = lift - 0.12 * (depth - lift);
         force.x.to = depth + 0.05 * (depth - lift);
     }
-    drawn.figure = {
-        .panels = {radius}, .columns = wide(request) ? 2 : 1, .width_mm = wide(request) ? page_mm : column_mm};
+    drawn.figure.panels = {radius};
     if (!with_displacement.empty()) drawn.figure.panels.push_back(force);
-    drawn.figure.height_mm = wide(request) || drawn.figure.panels.size() == 1 ? 75.0 : 135.0;
+    arrange(drawn.figure, request.options.width, 75.0);
     drawn.caption = fmt::format(
         "Contact on {} ({}). A: contact radius against force, loading hollow, unloading filled; dashed: JKR (1) fitted to loading.{}{} Each branch is thinned to about {} "
         "symbols, each loop to at most {} points, jumps kept. Compare Fig. 2 of Dalvi et al. 2019.",
@@ -338,7 +341,6 @@ void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn) {
         drawn.reason = why_no_loops(result, false);
         return;
     }
-    for (std::size_t p = 1; p < drawn.figure.panels.size(); ++p) drawn.figure.panels[p].legend = false;
     drawn.caption = fmt::format(
         "Contact radius against force on each elastomer ({}), loading hollow, unloading filled; dashed: JKR (1) fitted to loading; solid: (S2) "
         "through the last points before pull-off, with the modulus of loading ({}). Symbols and colours in all panels as in the first. "
@@ -375,7 +377,6 @@ void contact_radius_of_references(const FigureRequest& request, StudyFigure& dra
         drawn.reason = why_no_loops(result, true);
         return;
     }
-    for (std::size_t p = 1; p < drawn.figure.panels.size(); ++p) drawn.figure.panels[p].legend = false;
     for (const auto& reference : result.references)
         works +=
             fmt::format("{}{}{}: {} and {}", works.empty() ? "" : "; ", reference.elastomer,

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double normal_95 = 1.959963984540054;
 
+/// Of the end of C_iso, up to which C1D is drawn. C1D at q holds the waves beyond q: the end of C_iso takes a fifth of
+/// it there (C_iso ∝ q^−3.6), and all of it at the end itself, where C1D falls to 0 though no surface does.
+constexpr double drawn_share = 0.7;
+
 /// Nodes of a curve that lie in its band and show something.
 DrawnCurve usable(const spectra::Spectrum& curve) {
     std::vector<double> q, values;
@@ -39,6 +43,15 @@ Array1D half_widths(const spectra::CombinedSpectrum& combined, const Array1D& wa
     return widths;
 }
 
+/// The part of a C1D made of a C_iso that the end of C_iso leaves as it is.
+SurfaceCurve before_end(const SurfaceCurve& curve, double end) {
+    std::vector<Index> kept;
+    for (Index i = 0; i < curve.wavevector.size(); ++i)
+        if (curve.wavevector[i] <= drawn_share * end) kept.push_back(i);
+    const auto part = [&](const Array1D& values) { return values.size() > 0 ? taken(values, kept) : values; };
+    return {part(curve.wavevector), part(curve.values), part(curve.lower), part(curve.upper), curve.method};
+}
+
 SurfaceCurve fitted_curve(const study::FittedSpectrum& fitted, const Array1D& values, const Array1D& log_error) {
     return {fitted.wavevector, values, values * (-normal_95 * log_error).exp(), values * (normal_95 * log_error).exp(),
             "likelihood"};
@@ -49,7 +62,8 @@ SurfaceCurve fitted_curve(const study::FittedSpectrum& fitted, const Array1D& va
 std::optional<SurfaceCurve> C1D_of(const study::SurfaceResult& surface) {
     if (surface.failed()) return std::nullopt;
     if (surface.method == study::SpectrumMethod::likelihood && surface.fitted)
-        return fitted_curve(*surface.fitted, surface.fitted->C1D, surface.fitted->log_C1D_standard_error);
+        return before_end(fitted_curve(*surface.fitted, surface.fitted->C1D, surface.fitted->log_C1D_standard_error),
+                          surface.used().curve.band.upper);
     const auto& whole = surface.average.curve;
     const auto nodes = usable(whole);
     if (nodes.x.size() < 2) return std::nullopt;
@@ -58,7 +72,7 @@ std::optional<SurfaceCurve> C1D_of(const study::SurfaceResult& surface) {
         // the last node is the end of the spectrum, where the integral is 0
         curve.wavevector = nodes.x.head(nodes.x.size() - 1);
         curve.values = spectra::profile_from_isotropic(nodes.x, nodes.y, curve.wavevector);
-        return curve;
+        return before_end(curve, whole.band.upper);
     }
     const bool bins = surface.combined && whole.nodes == spectra::Nodes::power_law;
     if (!bins) {

@@ -18,6 +18,7 @@ struct SurfaceCurve {
 
 /// C1D of the spectrum everything else rests on, within the limits of the study; nothing for a surface that failed.
 ///
+/// C1D of a C_iso with an end is left out near it, where it falls to 0 for want of shorter waves.
 /// Fitted spectra: C1D exp(± 1.96 SE of ln C1D).  Averages: C1D ± t SE between measurements, t Student's of one
 /// less than their number in the bin, where there are two or more.
 [[nodiscard]] std::optional<SurfaceCurve> C1D_of(const study::SurfaceResult& surface);

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "arrangement.hpp"
 #include "builders.hpp"
 #include "setae/core/estimate.hpp"
+#include "setae/figures/instrument_look.hpp"
 
 namespace setae::study_figures {
 
@@ -15,7 +17,6 @@ inline constexpr int blue = 0, vermilion = 1, green = 2, pink = 3, black = 4, or
 }
 
 inline constexpr double MPa = 1e-6, mJ = 1e3;  ///< per SI unit
-inline constexpr double column_mm = 85.0, page_mm = 178.0;
 
 [[nodiscard]] inline bool wide(const FigureRequest& request) {
     return request.options.width == FigureWidth::double_column;

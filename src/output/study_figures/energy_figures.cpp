@@ -7,6 +7,7 @@
 #include "drawing.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/display_unit.hpp"
+#include "setae/figures/typesetting.hpp"
 #include "setae/study_figures/loop_figures.hpp"
 
 namespace setae::study_figures {
@@ -43,6 +44,7 @@ StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& cour
     const Array1D clock = timed ? Array1D(record.time.segment(course.range.first, n)) : samples;
     const auto energy = display_unit(std::max(course.work.abs().maxCoeff(), course.elastic.abs().maxCoeff()), "J");
     Panel along{.title = "A",
+                .shows = "along the loop",
                 .x = {.quantity = timed ? "time *t*" : "sample", .unit = timed ? "s" : "1"},
                 .y = {.quantity = "energy", .unit = energy.name}};
     along.series = {line("work ∫F dδ", clock, course.work / energy.factor, colour::black),
@@ -53,6 +55,7 @@ StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& cour
     const Array1D area = pi * course.contact_radius.square();
     const auto square = area_unit(area.maxCoeff());
     Panel against{.title = "B",
+                  .shows = "against the contact",
                   .x = {.quantity = "contact area *πa*²", .unit = square.name},
                   .y = {.quantity = "dissipated energy", .unit = energy.name}};
     against.series = {line("dissipated", area / square.factor, course.dissipated / energy.factor, colour::vermilion)};
@@ -60,10 +63,11 @@ StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& cour
     drawn.figure = {.panels = {along, against}, .columns = 2, .width_mm = page_mm, .height_mm = 70.0};
     drawn.caption = fmt::format(
         "{}: work done from outside, cumulative; stored elastic energy; −W times contact area, W of loading; and what is left, dissipated in the jumps and by a "
-        "contact edge that asks for more than W to recede. Contact radius {}. Closed loop: {} {}. Smooth ideal sphere: {:.3g} {}.",
+        "contact edge that asks for more than W to recede. Contact radius {}. Closed loop: {} {}. Smooth ideal sphere: {} {}.",
         loop.name, course.radius_measured ? "measured" : "implied by force, displacement and E*",
         fmt::format("{:.4g}", course.work[n - 1] / energy.factor), energy.name,
-        loop.analysis.ledger ? loop.analysis.ledger->ideal_this_machine / energy.factor : 0.0, energy.name);
+        figures::number_text(loop.analysis.ledger ? loop.analysis.ledger->ideal_this_machine / energy.factor : 0.0, 3),
+        energy.name);
     return drawn;
 }
 
@@ -114,7 +118,7 @@ StudyFigure loss_figure(const std::vector<NamedLoss>& losses, const std::string&
                      .mark = Mark::line,
                      .colour = colour::blue,
                      .dash = 1}};
-    drawn.figure = {.panels = {panel}, .columns = 1, .width_mm = column_mm, .height_mm = 70.0};
+    drawn.figure = {.panels = {panel}, .width_mm = column_mm, .height_mm = 70.0};
     drawn.caption = fmt::format(
         "Energy lost in {} against true contact area at the largest preload; bars are one standard error. Line through the origin, least squares: {:.4g} mJ/m²; with what a "
         "smooth sphere loses in its jumps taken off (hollow), {:.4g} mJ/m².",

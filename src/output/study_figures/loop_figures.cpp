@@ -99,7 +99,10 @@ std::vector<BranchLook> branches_of(const LoopAnalysis& analysis) {
 
 Panel force_panel(const DrawnLoop& loop, const Units& units) {
     const auto& record = loop.analysis.corrected;
-    Panel panel{.title = "A", .x = axis("displacement *δ*", units.displacement), .y = axis("force *F*", units.force)};
+    Panel panel{.title = "A",
+                .shows = "force",
+                .x = axis("displacement *δ*", units.displacement),
+                .y = axis("force *F*", units.force)};
     const double origin = first_touch(loop.analysis);
     const Array1D x = (record.displacement - origin) / units.displacement.factor, y = record.force / units.force.factor;
     const auto& extent = loop.analysis.segments.contacts.front().extent;
@@ -135,7 +138,10 @@ Panel force_panel(const DrawnLoop& loop, const Units& units) {
 }
 
 Panel radius_panel(const DrawnLoop& loop, const Units& units) {
-    Panel panel{.title = "B", .x = axis("force *F*", units.force), .y = axis("contact radius *a*", units.radius)};
+    Panel panel{.title = "B",
+                .shows = "contact radius",
+                .x = axis("force *F*", units.force),
+                .y = axis("contact radius *a*", units.radius)};
     const auto& record = loop.analysis.corrected;
     for (const auto& branch : branches_of(loop.analysis)) {
         const auto curve = fitted_curve(branch.branch->primary(), loop.bodies.radius, record.force.maxCoeff());
@@ -164,6 +170,7 @@ Panel radius_panel(const DrawnLoop& loop, const Units& units) {
 
 Panel release_rate_panel(const DrawnLoop& loop, const Units& units) {
     Panel panel{.title = "C",
+                .shows = "energy release rate",
                 .x = axis("contact radius *a*", units.radius),
                 .y = axis("energy release rate *G*", units.release_rate)};
     panel.y.from = 0.0;
@@ -193,7 +200,8 @@ Panel release_rate_panel(const DrawnLoop& loop, const Units& units) {
 
 /// A fit's residuals over their root mean square, against the contact radius.
 Panel residual_panel(const BranchLook& branch, const char* title, const Units& units) {
-    Panel panel{.title = fmt::format("{} {}", title, branch.name),
+    Panel panel{.title = title,
+                .shows = branch.name,
                 .x = axis("contact radius *a*", units.radius),
                 .y = {.quantity = "residual / rms", .unit = "1"}};
     const Array1D radius =
@@ -237,14 +245,31 @@ std::string closed_loop(const loops::LoopEnergy& loop) {
     return fmt::format(" Shaded: the closed loop, {}.", with_error(loop.estimate(), 1.0 / unit.factor, unit.name));
 }
 
+/// One legend for all panels: what the first does not show stands in it alone.
+void explain(std::vector<Panel>& panels) {
+    auto& first = panels.front();
+    for (std::size_t p = 1; p < panels.size(); ++p)
+        for (const auto& series : panels[p].series) {
+            if (!series.in_legend || std::any_of(first.series.begin(), first.series.end(),
+                                                 [&](const auto& other) { return other.label == series.label; }))
+                continue;
+            first.series.push_back({.label = series.label,
+                                    .mark = series.mark,
+                                    .colour = series.colour,
+                                    .symbol = series.symbol,
+                                    .hollow = series.hollow,
+                                    .dash = series.dash,
+                                    .legend_only = true});
+        }
+}
+
 /// Fills figure and caption.
-void draw_loop(const DrawnLoop& loop, const Units& units, StudyFigure& drawn) {
+void draw_loop(const DrawnLoop& loop, const Units& units, FigureWidth width, StudyFigure& drawn) {
     if (loop.analysis.corrected.displacement.size() > 0) drawn.figure.panels.push_back(force_panel(loop, units));
     drawn.figure.panels.push_back(radius_panel(loop, units));
     drawn.figure.panels.push_back(release_rate_panel(loop, units));
-    drawn.figure.columns = static_cast<int>(drawn.figure.panels.size());
-    drawn.figure.width_mm = page_mm;
-    drawn.figure.height_mm = drawn.figure.columns == 3 ? 62.0 : 75.0;
+    explain(drawn.figure.panels);
+    line_up(drawn.figure, width, drawn.figure.panels.size() == 3 ? 62.0 : 75.0);
     drawn.caption = fmt::format(
         "{}. {}Contact radius {}. Dashed: JKR.{} ± is one standard error.", loop.name,
         loop.analysis.corrected.displacement.size() > 0 ? "Force against displacement from the fitted first touch; "
@@ -256,12 +281,12 @@ void draw_loop(const DrawnLoop& loop, const Units& units, StudyFigure& drawn) {
 
 }  // namespace
 
-void loop_of(const study::ExperimentResult& experiment, StudyFigure& drawn) {
+void loop_of(const study::ExperimentResult& experiment, FigureWidth width, StudyFigure& drawn) {
     const DrawnLoop loop{.name = std::filesystem::path(experiment.input.file).stem().string(),
                          .analysis = *experiment.analysis,
                          .bodies = experiment.bodies,
                          .options = experiment.input.options};
-    draw_loop(loop, units_of(loop), drawn);
+    draw_loop(loop, units_of(loop), width, drawn);
 }
 
 void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn) {
@@ -282,7 +307,7 @@ void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn) {
             // its loading has too few samples for a fit of its parts
         }
     }
-    auto ranges = range_figure(scans, {});
+    auto ranges = range_figure(scans, {}, request.options.width);
     drawn.figure = std::move(ranges.figure);
     drawn.caption = std::move(ranges.caption);
     drawn.reason = std::move(ranges.reason);
@@ -294,7 +319,7 @@ std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& 
                       .name = loop.name + "_loop",
                       .title = fmt::format("{}: force, contact radius and energy release rate", loop.name),
                       .command = command};
-    draw_loop(loop, units, drawn);
+    draw_loop(loop, units, FigureWidth::double_column, drawn);
 
     StudyFigure residuals{.identifier = "residuals",
                           .name = loop.name + "_residuals",
@@ -304,8 +329,7 @@ std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& 
     std::size_t k = 0;
     for (const auto& branch : branches_of(loop.analysis))
         residuals.figure.panels.push_back(residual_panel(branch, titles[k++], units));
-    residuals.figure.columns = static_cast<int>(residuals.figure.panels.size());
-    residuals.figure.width_mm = page_mm;
+    line_up(residuals.figure, FigureWidth::double_column, 65.0);
     residuals.caption = fmt::format(
         "{}: what each fit leaves, over its root mean square. Residuals that follow their neighbours show that the model, not noise, makes them.",
         loop.name);

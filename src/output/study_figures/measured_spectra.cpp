@@ -12,7 +12,7 @@ namespace {
 
 using figures::Mark;
 
-constexpr Index points_a_curve = 120;
+constexpr Index points_a_measurement = 120;
 
 /// The part of a curve with from <= x <= to.
 DrawnCurve part(const DrawnCurve& curve, double from, double to) {
@@ -31,21 +31,16 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
     const auto instruments = instrument_bands({&surface});
     figures::Panel panel{.x = {.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true},
                          .y = {.quantity = "power spectral density *C*_{1D}", .unit = "m3", .logarithmic = true}};
-    const auto place_of = [&](const std::string& name) {
-        const auto at = std::find_if(instruments.begin(), instruments.end(),
-                                     [&](const InstrumentBand& band) { return band.instrument == name; });
-        return static_cast<std::size_t>(at - instruments.begin());
-    };
     std::size_t n = 0, failed = 0;
     double least = HUGE_VAL, most = 0.0;  // of what is reliable
-    const auto add = [&](const DrawnCurve& curve, const std::string& label, const std::string& name, std::size_t place,
+    const auto add = [&](const DrawnCurve& curve, const std::string& label, const std::string& name, int own,
                          bool reliable) {
         if (curve.x.size() < 1) return;
         panel.series.push_back({.label = label,
                                 .x = curve.x,
                                 .y = curve.y,
                                 .mark = Mark::line,
-                                .colour = colour_of_place(place),
+                                .colour = own,
                                 .dash = reliable ? 0 : 2,
                                 .line_width = reliable ? 0.7 : 0.6,
                                 .opacity = reliable ? 0.75 : 0.35,
@@ -56,15 +51,15 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
         failed += m.failed() ? 1 : 0;
         if (m.failed() || m.spectrum.wavevector.size() == 0) continue;
         ++n;
-        const auto place = place_of(instrument_of(m));
+        const int own = figures::instrument_look(instrument_of(m)).colour;
         const DrawnCurve whole{m.spectrum.wavevector, m.spectrum.density};
         const double lowest = whole.x[0], highest = whole.x[whole.x.size() - 1];
-        add(log_means(part(whole, lowest, std::nextafter(m.spectrum.band.lower, 0.0)), points_a_curve),
-            m.name + ", cut", m.name, place, false);
-        add(log_means(part(whole, std::nextafter(m.spectrum.band.upper, HUGE_VAL), highest), points_a_curve),
-            m.name + ", cut", m.name, place, false);
-        const auto kept = log_means(part(whole, m.spectrum.band.lower, m.spectrum.band.upper), points_a_curve);
-        add(kept, m.name, m.name, place, true);
+        add(log_means(part(whole, lowest, std::nextafter(m.spectrum.band.lower, 0.0)), points_a_measurement),
+            m.name + ", cut", m.name, own, false);
+        add(log_means(part(whole, std::nextafter(m.spectrum.band.upper, HUGE_VAL), highest), points_a_measurement),
+            m.name + ", cut", m.name, own, false);
+        const auto kept = log_means(part(whole, m.spectrum.band.lower, m.spectrum.band.upper), points_a_measurement);
+        add(kept, m.name, m.name, own, true);
         for (const double value : kept.y)
             if (value > 0.0) {
                 least = std::min(least, value);
@@ -93,10 +88,10 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
                                 .colour = colour::black,
                                 .dash = 0});
     }
-    for (std::size_t k = 0; k < instruments.size(); ++k)
-        panel.series.push_back({.label = instruments[k].instrument,
+    for (const auto& [instrument, band] : instruments)
+        panel.series.push_back({.label = instrument,
                                 .mark = Mark::line,
-                                .colour = colour_of_place(k),
+                                .colour = figures::instrument_look(instrument).colour,
                                 .dash = 0,
                                 .legend_only = true});
     panel.series.push_back({.label = "cut: not reliable",
@@ -123,7 +118,7 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
         : curve->method == "likelihood"
             ? " Black: C1D fitted to all at once, shaded 95 %; it accounts for window, trend, aliases and tips."
             : " Black: their average, shaded 95 % where two or more overlap.",
-        failed == 0 ? "" : fmt::format(" {} failed.", counted(failed, "measurement")), points_a_curve);
+        failed == 0 ? "" : fmt::format(" {} failed.", counted(failed, "measurement")), points_a_measurement);
 }
 
 }  // namespace setae::study_figures

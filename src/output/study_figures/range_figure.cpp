@@ -6,6 +6,7 @@
 
 #include "drawing.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/figures/typesetting.hpp"
 #include "setae/loops/profile_likelihood.hpp"
 #include "setae/study_figures/loop_figures.hpp"
 
@@ -79,9 +80,23 @@ void add_plane(Panel& panel, const NamedScan& named, int colour) {
     }
 }
 
+/// W above E*, against start and end of the range; their plane beside them on a page, below in a column.
+void place(figures::Figure& figure, FigureWidth width) {
+    const bool page = width == FigureWidth::double_column;
+    const double third = 1.0 / 3.0, column = page ? third : 0.5, row = page ? 0.5 : third;
+    figure.width_mm = page ? page_mm : column_mm;
+    figure.height_mm = page ? 115.0 : highest_column_mm;
+    figure.panels[0].place = Place{0.0, 0.0, column, row};
+    figure.panels[1].place = Place{column, 0.0, column, row};
+    figure.panels[2].place = page ? Place{2.0 * third, 0.0, third, 1.0} : Place{0.0, 2.0 * third, 1.0, third};
+    figure.panels[3].place = Place{0.0, row, column, row};
+    figure.panels[4].place = Place{column, row, column, row};
+    put_legend_above(figure);
+}
+
 }  // namespace
 
-StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string& command) {
+StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string& command, FigureWidth width) {
     StudyFigure drawn{.identifier = "ranges",
                       .name = "ranges",
                       .title = "E* and W of loading against the range of the fit",
@@ -92,19 +107,14 @@ StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string&
     }
     const figures::Axis modulus_axis{.quantity = "*E*\\*", .unit = "MPa"},
         work_axis{.quantity = "*W*", .unit = "mJ/m2"};
-    const figures::Axis start{.quantity = "samples dropped after the jump", .unit = "1"},
-        end{.quantity = "largest force of the range / *F*_max", .unit = "1"};
-    const double third = 1.0 / 3.0;
+    const figures::Axis start{.quantity = "samples dropped", .unit = "1"},
+        end{.quantity = "largest force/*F*_max", .unit = "1"};
     std::vector<Panel> panels{
-        {.title = "A", .x = start, .y = work_axis, .place = Place{0.0, 0.0, third, 0.5}},
-        {.title = "B", .x = end, .y = work_axis, .legend = false, .place = Place{third, 0.0, third, 0.5}},
-        {.title = "C",
-         .x = modulus_axis,
-         .y = work_axis,
-         .legend = false,
-         .place = Place{2.0 * third, 0.0, third, 1.0}},
-        {.title = "D", .x = start, .y = modulus_axis, .legend = false, .place = Place{0.0, 0.5, third, 0.5}},
-        {.title = "E", .x = end, .y = modulus_axis, .legend = false, .place = Place{third, 0.5, third, 0.5}}};
+        {.title = "A", .shows = "W, later start", .x = start, .y = work_axis},
+        {.title = "B", .shows = "W, later end", .x = end, .y = work_axis, .legend = false},
+        {.title = "C", .shows = "W and E*", .x = modulus_axis, .y = work_axis, .legend = false},
+        {.title = "D", .shows = "E*, later start", .x = start, .y = modulus_axis, .legend = false},
+        {.title = "E", .shows = "E*, later end", .x = end, .y = modulus_axis, .legend = false}};
     const auto dropped = [](const RangeFit& f) { return static_cast<double>(f.dropped); };
     const auto share = [](const RangeFit& f) { return f.force_share; };
     std::string slopes;
@@ -116,10 +126,12 @@ StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string&
         add_plane(panels[2], scans[i], colour);
         panels[3].series.push_back(series_of(name, colour, scan.by_start, dropped, modulus, MPa));
         panels[4].series.push_back(series_of(name, colour, scan.by_end, share, modulus, MPa));
-        slopes += fmt::format("{}{}: {:.3g} and {:.3g}", slopes.empty() ? "" : "; ", name, scan.slope * mJ / MPa,
-                              scan.ellipse_slope * mJ / MPa);
+        slopes += fmt::format("{}{}: {} and {}", slopes.empty() ? "" : "; ", name,
+                              figures::number_text(scan.slope * mJ / MPa, 3),
+                              figures::number_text(scan.ellipse_slope * mJ / MPa, 3));
     }
-    drawn.figure = {.panels = std::move(panels), .columns = 3, .width_mm = page_mm, .height_mm = 110.0};
+    drawn.figure.panels = std::move(panels);
+    place(drawn.figure, width);
     drawn.caption = fmt::format(
         "E* and W of the loading fit against where its range begins (A, D) and ends (B, E), bars one standard error, and against each other (C; hollow: other "
         "starts, filled: other ends; line: one standard error of the fit over the whole range). Slope of W against E* over all ranges, and of the ellipse [mJ/m² per MPa]: {}. "

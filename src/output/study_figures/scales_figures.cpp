@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "drawing.hpp"
+#include "setae/core/uncertain_text.hpp"
+#include "setae/figures/typesetting.hpp"
 
 namespace setae::study_figures {
 namespace {
@@ -44,9 +46,9 @@ void scales_of_cost(const FigureRequest& request, StudyFigure& drawn) {
     }
     const figures::Axis q{.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true};
     const figures::Axis share_axis{.unit = "%", .from = 0.0, .to = 103.0};
-    Panel energy{.title = "A", .x = q, .y = share_axis, .legend = false},
-        area{.title = "B", .x = q, .y = share_axis, .legend_corner = figures::Corner::top_left};
-    Panel work{.title = "C", .x = q, .y = {.unit = "%"}, .legend = false};
+    Panel energy{.title = "A", .shows = "stored energy", .x = q, .y = share_axis},
+        area{.title = "B", .shows = "excess area", .x = q, .y = share_axis};
+    Panel work{.title = "C", .shows = "work of adhesion", .x = q, .y = {.unit = "%"}};
     energy.y.quantity = "share of *U*_{el} below *q*";
     area.y.quantity = "share of excess area below *q*";
     work.y.quantity = "share of Δ*W*_{app} below *q*";
@@ -79,10 +81,8 @@ void scales_of_cost(const FigureRequest& request, StudyFigure& drawn) {
             panel->x.from = lowest;
             panel->x.to = 1.3 * highest;
         }
-    drawn.figure = {.panels = {energy, area, work},
-                    .columns = wide(request) ? 3 : 1,
-                    .width_mm = wide(request) ? page_mm : column_mm,
-                    .height_mm = wide(request) ? 66.0 : 165.0};
+    drawn.figure.panels = {energy, area, work};
+    line_up(drawn.figure, request.options.width, 62.0);
     drawn.caption = fmt::format(
         "Which scales cost the energy: shares reached by the roughness with wavevectors below q, for {} on {}. A: of the stored energy U_el (8), whatever the modulus. B: of the "
         "excess area A_true/A_app − 1 (9), which rises with the slope. C: of the change ΔW_app = W_app − W_int by (7) on this elastomer, with W_int = {}; where gain and cost of "
@@ -100,7 +100,7 @@ void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn) 
         drawn.reason = "no surface's spectrum was fitted to its measurements by likelihood";
         return;
     }
-    figures::Figure figure{.columns = wide(request) ? 2 : 1};
+    figures::Figure figure;
     double least = 0.8, most = 1.25;
     for (const auto* surface : fitted)
         for (const auto& a : surface->fitted->agreement) {
@@ -115,7 +115,6 @@ void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn) 
             lowest = std::min(lowest, a.decade);
             highest = std::max(highest, a.decade + 1);
         }
-    // colours as in the other figures of instruments
     std::vector<std::string> order;
     for (const auto& band : bands) order.push_back(band.instrument);
     for (const auto* surface : fitted) {
@@ -126,17 +125,17 @@ void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn) 
                           .from = std::pow(10.0, lowest),
                           .to = std::pow(10.0, highest)},
                     .y = {.quantity = "measured/expected *P*/*E*", .logarithmic = true, .from = least, .to = most},
-                    .horizontal_lines = {1.0},
-                    .legend = figure.panels.empty()};
+                    .horizontal_lines = {1.0}};
         std::map<std::string, std::vector<const spectral_fit::Agreement*>> by_instrument;
         for (const auto& a : surface->fitted->agreement) {
             by_instrument[instrument_in_words(a.instrument)].push_back(&a);
             if (std::find(order.begin(), order.end(), instrument_in_words(a.instrument)) == order.end())
                 order.push_back(instrument_in_words(a.instrument));
         }
-        for (std::size_t place = 0; place < order.size(); ++place) {
-            if (!by_instrument.contains(order[place])) continue;
-            const auto& decades = by_instrument.at(order[place]);
+        for (const auto& instrument : order) {
+            if (!by_instrument.contains(instrument)) continue;
+            const auto& decades = by_instrument.at(instrument);
+            const auto look = figures::instrument_look(instrument);
             std::vector<double> x, y, lower, upper;
             std::vector<std::string> names;
             for (const auto* a : decades) {
@@ -144,25 +143,30 @@ void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn) 
                 y.push_back(a->ratio);
                 lower.push_back(a->ratio - a->standard_error);
                 upper.push_back(a->ratio + a->standard_error);
-                names.push_back(
-                    fmt::format("chi2 {:.3g} of {} groups, p = {:.2g}", a->chi_squared, a->groups, a->probability));
+                names.push_back(fmt::format("chi2 {} of {} groups, p = {}", figures::number_text(a->chi_squared, 3),
+                                            a->groups, probability_text(a->probability)));
             }
-            panel.series.push_back({.label = order[place],
+            panel.series.push_back({.label = instrument,
                                     .x = array_of(x),
                                     .y = array_of(y),
                                     .lower = array_of(lower),
                                     .upper = array_of(upper),
                                     .mark = Mark::both,
-                                    .colour = colour_of_place(place),
-                                    .symbol = static_cast<int>(place),
+                                    .colour = look.colour,
+                                    .symbol = look.symbol,
                                     .names = names});
         }
         figure.panels.push_back(panel);
     }
-    const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
-    const auto rows = (figure.panels.size() + columns - 1) / columns;
-    figure.width_mm = columns == 2 ? page_mm : wide(request) ? 120.0 : column_mm;
-    figure.height_mm = 55.0 * static_cast<double>(rows);
+    auto& explained = figure.panels.front();
+    for (const auto& instrument : order) {
+        const auto look = figures::instrument_look(instrument);
+        if (std::none_of(explained.series.begin(), explained.series.end(),
+                         [&](const auto& series) { return series.label == instrument; }))
+            explained.series.push_back(
+                {.label = instrument, .colour = look.colour, .symbol = look.symbol, .legend_only = true});
+    }
+    arrange(figure, request.options.width, 55.0);
     drawn.figure = figure;
     drawn.caption =
         "Measured periodograms over those the fitted spectrum expects, by instrument and decade of q, weighted by degrees of freedom: 1 where all instruments tell "

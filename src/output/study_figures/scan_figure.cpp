@@ -61,9 +61,8 @@ void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
         return;
     }
     const bool millimetres = longest >= 1e-3, micrometres = highest >= 1e-6;
-    figures::Figure figure{.columns = wide(request) ? 2 : 1};
-    for (std::size_t i = 0; i < request.result.surfaces.size(); ++i) {
-        const auto& surface = request.result.surfaces[i];
+    figures::Figure figure;
+    for (const auto& surface : request.result.surfaces) {
         const auto* scan = scan_of(surface);
         if (!scan) continue;
         const auto curve = extremes(scan->preview.positions - scan->preview.positions[0], scan->preview.heights, 200);
@@ -75,7 +74,7 @@ void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
                                 .x = curve.x * (millimetres ? 1e3 : 1e6),
                                 .y = curve.y * (micrometres ? 1e6 : 1e9),
                                 .mark = figures::Mark::line,
-                                .colour = colour_of_place(i),
+                                .colour = figures::instrument_look("stylus").colour,
                                 .dash = 0,
                                 .line_width = 0.8});
         panel.x.from = 0.0;
@@ -83,10 +82,7 @@ void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
         figure.panels.push_back(panel);
         names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", surface.name, scan->name);
     }
-    const auto columns = static_cast<std::size_t>(figure.columns);
-    const std::size_t rows = (figure.panels.size() + columns - 1) / columns;
-    figure.width_mm = wide(request) ? page_mm : column_mm;
-    figure.height_mm = 40.0 * static_cast<double>(rows);
+    arrange(figure, request.options.width, 40.0);
     drawn.figure = figure;
     drawn.caption = fmt::format(
         "The longest stylus scan of each surface, trend removed ({}). Thinned to the lowest and the highest point of each of 200 stretches. "

@@ -14,8 +14,9 @@ using figures::Series;
 
 constexpr int soft = colour::sky, rough = colour::black, metal = colour::orange;
 
-Panel sketch(const std::string& title, double width, double height) {
+Panel sketch(const std::string& title, const std::string& shows, double width, double height) {
     return {.title = title,
+            .shows = shows,
             .x = {.quantity = "x", .from = 0.0, .to = width},
             .y = {.quantity = "y", .from = 0.0, .to = height},
             .legend = false,
@@ -55,11 +56,11 @@ Series between(const std::string& label, const Array1D& x, const Array1D& lower,
 
 enum class State { before, stretched, joined };
 
-Panel state_panel(const std::string& title, State state) {
+Panel state_panel(const std::string& title, const std::string& shows, State state) {
     constexpr double width = 6.0;
     const Array1D x = Array1D::LinSpaced(241, 0.3, width - 0.3), solid = profile(x);
     const auto flat = [&](double y) { return Array1D(Array1D::Constant(x.size(), y)); };
-    auto panel = sketch(title, width, 5.4);
+    auto panel = sketch(title, shows, width, 5.4);
     panel.series.push_back(between("rough solid", x, flat(0.3), solid, rough, 0.35));
     panel.series.push_back(stroke("surface of the rough solid", x, solid, rough));
     const Array1D lower = state == State::before ? flat(3.1) : state == State::stretched ? Array1D(solid + 1.5) : solid;
@@ -69,21 +70,22 @@ Panel state_panel(const std::string& title, State state) {
     const auto note = [&](const std::string& text, double y) {
         panel.notes.push_back({.text = text, .x = 0.5 * width, .y = y});
     };
-    if (state == State::before) note("soft, area A_app, γ1", 4.2);
-    if (state == State::stretched) note("area A_true, γ1s, stores U_el", 4.4);
-    if (state == State::joined) note("interface A_true, γ1s2", 2.9);
-    note(state == State::joined ? "rough solid" : "rough, area A_true, γ2", 0.75);
+    if (state == State::before) note("soft, apparent area, γ1", 4.2);
+    if (state == State::stretched) note("true area, γ1s, elastic energy", 4.4);
+    if (state == State::joined) note("interface, true area, γ1s2", 2.9);
+    note(state == State::joined ? "rough solid" : "rough, true area, γ2", 0.75);
     return panel;
 }
 
 }  // namespace
 
 void states_of_the_balance(const FigureRequest& request, StudyFigure& drawn) {
-    drawn.figure = {.panels = {state_panel("A  undeformed", State::before),
-                               state_panel("B  stretched", State::stretched), state_panel("C  joined", State::joined)},
-                    .columns = wide(request) ? 3 : 1,
-                    .width_mm = wide(request) ? page_mm : column_mm,
-                    .height_mm = wide(request) ? 62.0 : 165.0};
+    drawn.figure = {
+        .panels = {state_panel("A", "undeformed", State::before), state_panel("B", "stretched", State::stretched),
+                   state_panel("C", "joined", State::joined)},
+        .columns = wide(request) ? 3 : 1,
+        .width_mm = wide(request) ? page_mm : column_mm,
+        .height_mm = wide(request) ? 62.0 : highest_column_mm};
     drawn.caption =
         "States of the energy balance. A: the soft side is flat and costs γ1 A_app, the rough side γ2 A_true. B: the soft side is stretched to the "
         "true area and bent, which costs the work against its surface stress and U_el. C: joined, both surfaces become one interface, γ1s2 A_true. "
@@ -92,7 +94,7 @@ void states_of_the_balance(const FigureRequest& request, StudyFigure& drawn) {
 }
 
 void apparatus(const FigureRequest& request, StudyFigure& drawn) {
-    auto panel = sketch("", 12.0, 9.6);
+    auto panel = sketch("", "", 12.0, 9.6);
     constexpr double middle = 5.4;
     // from above: microscope, glass on the arm of the stage, lens, rough solid, force sensor
     panel.series.push_back(filled("microscope", Array1D{{middle - 0.7, middle + 0.7, middle + 0.4, middle - 0.4}},

@@ -86,7 +86,7 @@ void add_bars(Panel& panel, const std::vector<InstrumentBand>& bands) {
                                 .x = Array1D{{band.lower, band.upper}},
                                 .y = Array1D{{height, height}},
                                 .mark = Mark::line,
-                                .colour = colour::black,
+                                .colour = figures::instrument_look(name).colour,
                                 .dash = 0,
                                 .line_width = 3.5,
                                 .in_legend = false});
@@ -96,7 +96,8 @@ void add_bars(Panel& panel, const std::vector<InstrumentBand>& bands) {
         panel.notes.push_back({.text = name,
                                .x = right ? band.upper : band.lower,
                                .y = height,
-                               .side = right ? figures::Note::Side::right : figures::Note::Side::left});
+                               .side = right ? figures::Note::Side::right : figures::Note::Side::left,
+                               .colour = figures::instrument_look(name).colour});
     }
     panel.y.from = least * std::pow(10.0, -0.04 * decades);
     panel.y.to = most * std::pow(10.0, 0.05 * decades + step * (static_cast<double>(bands.size()) + 0.3));
@@ -133,12 +134,16 @@ const SurfaceResult* pictured_surface(const StudyResult& result) {
     return best;
 }
 
-Panel map_panel(const std::string& title, const MeasurementResult& m) {
+Panel map_panel(const std::string& title, const std::string& surface, const MeasurementResult& m) {
     const auto& preview = m.preview;
     const auto across = length_unit(preview.size[0]);
     const auto heights = length_unit(preview.map.isFinite().select(preview.map.abs(), 0.0).maxCoeff());
     const figures::Axis length{.quantity = "*x*", .unit = across.name};
-    Panel panel{.title = title, .x = length, .y = {.quantity = "*y*", .unit = across.name}, .legend = false};
+    Panel panel{.title = title,
+                .shows = surface + ", " + instrument_of(m),
+                .x = length,
+                .y = {.quantity = "*y*", .unit = across.name},
+                .legend = false};
     panel.map = figures::HeatMap{preview.map * heights.per_metre,
                                  preview.size[0] * across.per_metre,
                                  preview.size[1] * across.per_metre,
@@ -146,11 +151,12 @@ Panel map_panel(const std::string& title, const MeasurementResult& m) {
     return panel;
 }
 
-Panel contour_panel(const std::string& title, const MeasurementResult& m) {
+Panel contour_panel(const std::string& title, const std::string& surface, const MeasurementResult& m) {
     const auto& preview = m.preview;
     const auto across = length_unit(preview.size[0]),
                heights = length_unit(preview.heights.isFinite().select(preview.heights.abs(), 0.0).maxCoeff());
     Panel panel{.title = title,
+                .shows = surface + ", TEM",
                 .x = {.quantity = "*x*", .unit = across.name},
                 .y = {.quantity = "height *h*", .unit = heights.name},
                 .legend = false};
@@ -161,7 +167,7 @@ Panel contour_panel(const std::string& title, const MeasurementResult& m) {
                             .x = x,
                             .y = preview.heights * heights.per_metre,
                             .mark = Mark::line,
-                            .colour = colour::black,
+                            .colour = figures::instrument_look("tem").colour,
                             .dash = 0,
                             .line_width = 1.0});
     return panel;
@@ -174,13 +180,14 @@ std::string add_pictures(figures::Figure& figure, const StudyResult& result) {
     std::vector<std::pair<Panel, std::string>> pictures;
     const auto& all = surface->measurements;
     if (const auto map = std::find_if(all.begin(), all.end(), is_map); map != all.end())
-        pictures.emplace_back(map_panel("B", *map),
+        pictures.emplace_back(map_panel("B", surface->name, *map),
                               fmt::format("{} map {} of {}", instrument_of(*map), map->name, surface->name));
     if (const auto contour = std::find_if(all.begin(), all.end(), is_contour); contour != all.end())
-        pictures.emplace_back(contour_panel(pictures.empty() ? "B" : "C", *contour),
+        pictures.emplace_back(contour_panel(pictures.empty() ? "B" : "C", surface->name, *contour),
                               fmt::format("TEM contour {} of {}", contour->name, surface->name));
     constexpr double share = 0.64;
     figure.panels[0].title = "A";
+    figure.panels[0].shows = "every surface";
     figure.panels[0].place = figures::Place{0.0, 0.0, share, 1.0};
     std::string words;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
@@ -304,41 +311,52 @@ void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn) {
         drawn.reason = "no surface has measurements: their spectra were published or given, not measured here";
         return;
     }
-    Panel panel{.x = wavevector_axis, .y = C1D_axis};
-    for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
-        const auto& surface = result.surfaces[i];
-        bool any = false;
-        for (std::size_t k = 0; k < instruments.size(); ++k) {
-            const auto curve = curve_of_instrument(surface, instruments[k].instrument);
+    double lowest = HUGE_VAL, highest = 0.0, least = HUGE_VAL, most = 0.0;
+    for (const auto& surface : result.surfaces) {
+        Panel panel{.title = surface.name, .x = wavevector_axis, .y = C1D_axis};
+        panel.legend_corner = figures::Corner::bottom_left;
+        for (const auto& [instrument, band] : instruments) {
+            const auto curve = curve_of_instrument(surface, instrument);
             if (!curve) continue;
-            any = true;
-            panel.series.push_back({.label = surface.name + ", " + instruments[k].instrument,
+            const auto look = figures::instrument_look(instrument);
+            panel.series.push_back({.label = surface.name + ", " + instrument,
                                     .x = curve->wavevector,
                                     .y = curve->values,
                                     .mark = Mark::line,
-                                    .colour = colour_of_place(i),
-                                    .dash = static_cast<int>(k),
+                                    .colour = look.colour,
+                                    .dash = look.symbol,
                                     .in_legend = false});
+            lowest = std::min(lowest, curve->wavevector.minCoeff());
+            highest = std::max(highest, curve->wavevector.maxCoeff());
+            for (const double value : curve->values)
+                if (value > 0.0) {
+                    least = std::min(least, value);
+                    most = std::max(most, value);
+                }
         }
-        if (any)
-            panel.series.push_back({.label = surface.name,
-                                    .mark = Mark::line,
-                                    .colour = colour_of_place(i),
-                                    .dash = 0,
-                                    .legend_only = true});
+        if (!panel.series.empty()) drawn.figure.panels.push_back(std::move(panel));
     }
-    for (std::size_t k = 0; k < instruments.size(); ++k)
-        panel.series.push_back({.label = instruments[k].instrument,
-                                .mark = Mark::line,
-                                .colour = colour::black,
-                                .dash = static_cast<int>(k),
-                                .legend_only = true});
-    panel.legend_corner = figures::Corner::bottom_left;
-    drawn.figure = {
-        .panels = {panel}, .width_mm = wide(request) ? 120.0 : column_mm, .height_mm = wide(request) ? 90.0 : 75.0};
+    if (drawn.figure.panels.empty()) {
+        drawn.reason = "no measurement has a reliable band";
+        return;
+    }
+    for (const auto& [instrument, band] : instruments) {
+        const auto look = figures::instrument_look(instrument);
+        drawn.figure.panels.front().series.push_back(
+            {.label = instrument, .mark = Mark::line, .colour = look.colour, .dash = look.symbol, .legend_only = true});
+    }
+    // all panels in one frame: they are to be compared
+    const double margin = most > least ? std::pow(most / least, 0.04) : 2.0;
+    for (auto& panel : drawn.figure.panels) {
+        panel.x.from = lowest / 1.5;
+        panel.x.to = 1.5 * highest;
+        panel.y.from = least / margin;
+        panel.y.to = most * margin;
+    }
+    arrange(drawn.figure, request.options.width, 75.0);
     drawn.caption = fmt::format(
-        "C1D of each surface (colour) by technique (line): the mean over the measurements of that technique, each within its own reliable band, "
-        "in ten bins a decade. Where lines of one colour part, techniques disagree.{} Compare Fig. S2 of Dalvi et al. 2019.",
+        "C1D of each surface by technique: the mean over the measurements of that technique, each within its own reliable band, "
+        "in ten bins a decade. Where lines part, techniques disagree.{} Compare Fig. S2 of Dalvi et al. 2019.",
         failed_surfaces(result));
 }
 

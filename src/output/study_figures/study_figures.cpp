@@ -58,7 +58,7 @@ void add_loops(const FigureKind& kind, const study::StudyResult& result, std::ve
         if (result.experiments[i].analysis)
             things.push_back({std::filesystem::path(result.experiments[i].input.file).stem().string(),
                               [i](const FigureRequest& request, StudyFigure& drawn) {
-                                  loop_of(request.result.experiments[i], drawn);
+                                  loop_of(request.result.experiments[i], request.options.width, drawn);
                               }});
     add_named(kind, things, entries);
 }

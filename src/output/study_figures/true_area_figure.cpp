@@ -7,6 +7,7 @@
 #include "drawing.hpp"
 #include "setae/cache/key.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/figures/typesetting.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "setae/study_figures/true_area_of_maps.hpp"
 
@@ -63,12 +64,14 @@ std::vector<MeanArea> areas_of_maps(const FigureRequest& request) {
 
 void true_area(const FigureRequest& request, StudyFigure& drawn) {
     Panel factor{.title = "A",
+                 .shows = "factor of small slopes",
                  .x = {.quantity = "rms slope *h*'_{rms}", .from = 0.0, .to = 5.0},
                  .y = {.quantity = "*g*(*h*'_{rms})", .from = 0.0, .to = 1.05}};
     factor.series.push_back(formula_curve("g of (S12)", Array1D::LinSpaced(101, 0.0, 5.0), colour::black, 0,
                                           [](double h) { return roughness::area_excess_factor(h); }));
     Panel area{
         .title = "B",
+        .shows = "true area",
         .x = {.quantity = "rms slope *h*'_{rms}", .logarithmic = true, .from = 0.007, .to = 14.0},
         .y = {.quantity = "excess area *A*_{true}/*A*_{app} − 1", .logarithmic = true, .from = 1e-5, .to = 20.0}};
     const Array1D slopes = Array1D::LinSpaced(121, std::log(0.008), std::log(12.0)).exp();
@@ -97,13 +100,13 @@ void true_area(const FigureRequest& request, StudyFigure& drawn) {
     drawn.figure = {.panels = {factor, area},
                     .columns = wide(request) ? 2 : 1,
                     .width_mm = wide(request) ? page_mm : column_mm,
-                    .height_mm = wide(request) ? 72.0 : 130.0};
+                    .height_mm = wide(request) ? 72.0 : highest_column_mm};
     drawn.caption = fmt::format(
         "A: g of (S12), the excess area of Gaussian slopes over its small-slope limit: A_true/A_app = 1 + h'² g(h')/2. B: true area against rms "
         "slope: (9) for Gaussian slopes, its small-slope limit (S4), and the triangles (S3) of self-affine maps, H = 0.3 and 0.8, {} × {} points, "
-        "three maps each, scaled to each slope; h' is that of the triangles. The maps lie within {:.2g} % of (9). This figure does not depend on "
+        "three maps each, scaled to each slope; h' is that of the triangles. The maps lie within {} % of (9). This figure does not depend on "
         "the study. Compare Fig. S7 of Dalvi et al. 2019.",
-        request.options.area_map_points, request.options.area_map_points, 100.0 * largest);
+        request.options.area_map_points, request.options.area_map_points, figures::number_text(100.0 * largest, 2));
 }
 
 }  // namespace setae::study_figures

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,14 @@
 #include "setae/core/arrays.hpp"
 
 namespace setae::figures {
+
+/// Colours of figures, as "RRGGBB". The first eight are Okabe and Ito's, which the colour-blind tell apart; those after
+/// them belong to instruments (instrument_look()) and to nothing else. Source: Okabe, Ito, Color Universal Design
+/// (2008), https://jfly.uni-koeln.de/color/; Tol, Colour Schemes (2021), https://personal.sron.nl/~pault/.
+inline constexpr std::array<const char*, 13> palette{"0072B2", "D55E00", "009E73", "CC79A7", "000000",
+                                                     "E69F00", "56B4E9", "F0E442", "332288", "AA4499",
+                                                     "117733", "BBAA33", "888888"};
+inline constexpr int general_colours = 8;  ///< of the palette, for whatever a figure shows
 
 /// How a series is shown.
 enum class Mark {
@@ -25,6 +34,7 @@ struct Series {
     Array1D lower, upper;  ///< ends of error bars or of the band, not their lengths; both empty: none
     Mark mark = Mark::both;
     int colour = -1;           ///< index into the palette, taken modulo its size; -1: the series' place in its panel
+                               ///< among the general colours
     int symbol = -1;           ///< symbol and dash alike; -1: as colour
     bool hollow = false;       ///< symbols
     Array1D left, right;       ///< ends of error bars along x; both empty: none
@@ -75,6 +85,7 @@ struct Place {
 /// One pair of axes.
 struct Panel {
     std::string title;  ///< above its left end, letter by letter, such as "A"
+    std::string shows;  ///< after the title: what the panel shows, in a few words
     Axis x, y;
     std::vector<Series> series;
     std::vector<double> horizontal_lines;  ///< thin, grey, across the panel
@@ -82,6 +93,7 @@ struct Panel {
     std::optional<Corner> legend_corner;  ///< without: the corner that holds the least data
     bool sketch = false;                  ///< a drawing: no frame, ticks, numbers or axis titles
     bool legend_beside = false;           ///< to the right of the axes, not within them
+    std::optional<Place> legend_place;    ///< elsewhere in the figure, its entries in columns that fill the place
     std::optional<Place> place;           ///< without: its cell of the grid
     std::optional<HeatMap> map;
     std::vector<Note> notes;
@@ -94,14 +106,31 @@ struct Figure {
     double width_mm = 85.0, height_mm = 65.0;  ///< of the whole; 85 is one column of a journal, 178 two
 };
 
+/// Text above a panel: a letter where a figure has several panels with titles, and what the panel is.
+struct Heading {
+    std::string letter;  ///< "A", "B" …; empty: none
+    std::string words;
+};
+
+/// A title that is a letter is the panel's letter; other titles follow the next one in the alphabet.
+[[nodiscard]] Heading heading_of(const Figure& figure, std::size_t panel);
+
+/// Height of the strip that a panel's legend needs where its entries stand in columns as wide as the figure [mm]; 0
+/// where it has none.
+[[nodiscard]] double legend_strip_mm(const Figure& figure, std::size_t panel = 0);
+
+/// Puts the legend of a panel into a strip above all panels, which move into the rest of the figure's height.
+void put_legend_above(Figure& figure, std::size_t panel = 0);
+
 /// The gnuplot program that draws a figure, its data inline. The same figure gives the same bytes.
 ///
 /// terminal_ending: "svg", "pdf" or "png" (300 dots an inch).  output_file: what the program writes.
-/// Colours are those of Okabe and Ito, which the colour-blind tell apart; symbol or dash differ, too. Text other than
-/// an axis' quantity stands as it is, control characters as blanks.
+/// Colours are those of the palette; symbol or dash differ, too. Text other than an axis' quantity stands as it is,
+/// control characters as blanks. The title of an axis that is shorter than it loses the words before the symbol.
+/// Numbers at axes have no letter e: 2·10⁶.
 /// @throws InvalidArgument for another ending, a figure without panels or with columns < 1, a size that is not > 0,
 /// series whose arrays differ in length, or ends of an axis that are not finite, not in order, or not positive on a
-/// logarithmic one. Source of the colours: Okabe, Ito, Color Universal Design (2008), https://jfly.uni-koeln.de/color/.
+/// logarithmic one.
 [[nodiscard]] std::string gnuplot_script(const Figure& figure, const std::string& terminal_ending,
                                          const std::string& output_file);
 
@@ -120,7 +149,8 @@ struct Figure {
 void draw(const Figure& figure, const std::string& path);
 
 /// The numbers of a figure as CSV, one row a point: panel, series, name of the point, quantity, unit and value along x
-/// and along y, lower, upper, left, right; empty where there is none or NaN. Panels without title are numbered from 1.
+/// and along y, lower, upper, left, right; empty where there is none or NaN. Quantities are plain text, "W_app". Panels
+/// without title are numbered from 1.
 /// Where a panel holds a map, the quantity, unit and value of its cells are in three more columns.
 /// @throws InvalidArgument for series whose arrays differ in length.
 [[nodiscard]] std::string data_text(const Figure& figure);

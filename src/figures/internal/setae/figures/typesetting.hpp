@@ -19,6 +19,16 @@ struct Span {
 /// after them; a backslash takes the next letter as it is.
 [[nodiscard]] std::vector<Span> spans_of(std::string_view quantity);
 
+/// A quantity without markup, as files of numbers name it: "rms slope h'_rms" of "rms slope *h*'_{rms}".
+[[nodiscard]] std::string plain_text(std::string_view quantity);
+
+/// A quantity without the words before its symbol: "*W*_app" of "work of adhesion *W*_app"; itself where it has no
+/// symbol.
+[[nodiscard]] std::string_view symbol_of(std::string_view quantity);
+
+/// A number to so many digits as figures show it: "0.5", "-2", "3·10⁶".
+[[nodiscard]] std::string number_text(double value, int digits = 6);
+
 /// A factor of a unit: m⁻² is {"m", "-2"}.
 struct UnitFactor {
     std::string symbol;    ///< with µ for a leading u

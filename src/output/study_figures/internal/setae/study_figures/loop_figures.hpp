@@ -33,7 +33,8 @@ struct NamedScan {
 
 /// E* and W of loading against where the fit begins and ends, and in their own plane with the 95 % ellipses of the
 /// fits: "ranges".
-[[nodiscard]] StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string& command);
+[[nodiscard]] StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string& command,
+                                       FigureWidth width = FigureWidth::double_column);
 
 /// Where the energy of a loop goes, sample by sample, and against the contact area: "energy".
 [[nodiscard]] StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& course,

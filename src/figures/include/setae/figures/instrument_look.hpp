@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace setae::figures {
+
+/// What tells an instrument from others in every figure.
+struct InstrumentLook {
+    int colour = 0;  ///< index into the palette
+    int symbol = 0;  ///< symbol and dash
+};
+
+/// The look of a type of instruments, in capitals or not: "stylus"; "afm"; "tem"; "optical", "confocal" and
+/// "interferometer" alike; grey for all others.
+[[nodiscard]] InstrumentLook instrument_look(std::string_view type);
+
+}  // namespace setae::figures
