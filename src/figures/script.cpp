@@ -176,8 +176,8 @@ std::string panel_lines(const Figure& figure, std::size_t p, const Terminal& dev
         title(axis_title(panel.x, layout.cell.right - layout.cell.left), 0.5 * (axes.left + axes.right),
               layout.cell.bottom + 2.6, "center");
     if (!panel.y.bare && !panel.sketch)
-        title(axis_title(panel.y, layout.cell.top - layout.cell.bottom), layout.cell.left + 2.6,
-              0.5 * (axes.bottom + axes.top), "center rotate by 90");
+        title(axis_title(panel.y, axes.top - axes.bottom + 4.0), layout.cell.left + 2.6, 0.5 * (axes.bottom + axes.top),
+              "center rotate by 90");
     if (const auto heading = heading_of(figure, p); !heading.letter.empty() || !heading.words.empty()) {
         const double room_mm = layout.cell.right - axes.left - (heading.letter.empty() ? 0.0 : 2.0 * title_letters_mm);
         const auto words =

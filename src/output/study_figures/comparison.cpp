@@ -194,10 +194,9 @@ std::string fit_in_words(const adhesion::WorkFit& fit) {
 
 /// Panels of one or two comparisons, each above its residuals.
 figures::Figure arranged(const FigureRequest& request, const std::vector<Comparison>& comparisons) {
-    constexpr double upper = 0.68,
-                     first =
-                         0.43;  // shares of the height and, of two, of the width: the second has the legend beside it
     const bool two = comparisons.size() > 1;
+    // shares of the height and, of two, of the width: the second has the legend beside it
+    const double upper = two && !wide(request) ? 0.6 : 0.68, first = 0.43;
     figures::Figure figure;
     const auto add = [&](const Comparison& comparison, const figures::Place& place) {
         figure.panels.push_back(comparison.values);

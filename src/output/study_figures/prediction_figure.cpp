@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "drawing.hpp"
+#include "setae/core/uncertain_text.hpp"
+#include "setae/figures/typesetting.hpp"
 
 namespace setae::study_figures {
 namespace {
@@ -81,61 +83,66 @@ void add_measured(Panel& panel, const StudyResult& result, const PairResult& pai
          .right = Array1D::Constant(1, x + MPa * modulus_error),
          .in_legend = false,
          .names = {
-             fmt::format("{}: measured {}, predicted {:.4g} mJ/m2{}", pair.elastomer, with_error(measured, mJ, "mJ/m2"),
-                         mJ * pair.modified->work.floored,
+             fmt::format("{}: measured {}, predicted {} mJ/m2{}", pair.elastomer, with_error(measured, mJ, "mJ/m2"),
+                         figures::number_text(mJ * pair.modified->work.floored, 4),
                          residual ? fmt::format(", {:+.2f} standard errors apart", residual->standardised()) : "")}});
 }
 
-/// Measured minus predicted in standard errors, above and below the bars in turn, so that neighbours keep apart.
-void add_residuals(Panel& panel, const StudyResult& result, const std::vector<const PairResult*>& pairs) {
-    const double away = 0.045 * (*panel.y.to - *panel.y.from);
-    bool above = true;
-    for (const auto* pair : pairs) {
-        const auto* residual = pair->approach ? residual_of(result, *pair) : nullptr;
-        if (!residual) continue;
-        const double error = std::sqrt(pair->approach->variance()),
-                     end = pair->approach->value + (above ? error : -error), apart = residual->standardised();
-        panel.notes.push_back({.text = fmt::format("{}{:.1f} σ", apart < 0.0 ? "−" : "+", std::abs(apart)),
-                               .x = MPa * result.elastomer(pair->elastomer).contact_modulus.value,
-                               .y = mJ * end + (above ? away : -away),
-                               .side = figures::Note::Side::centre});
-        above = !above;
+/// "+3.9 σ": measured minus predicted in standard errors.
+std::string apart_in_words(double apart) {
+    const auto size = fmt::format("{:.1f} σ", std::abs(apart));
+    return (size.starts_with("0.0") ? "" : apart < 0.0 ? "−" : "+") + size;
+}
+
+constexpr double row_share = 0.075;  ///< of an axis' range: height of a row of text
+
+/// Measured minus predicted in standard errors, below the data; a second row for neighbours that would touch.
+void add_residuals(Panel& panel, const StudyResult& result, const std::vector<const PairResult*>& pairs,
+                   double lowest) {
+    constexpr double least_distance = 0.14;  // of the width
+    const double whole = std::log(*panel.x.to / *panel.x.from);
+    std::vector<std::pair<double, std::string>> texts;
+    for (const auto* pair : pairs)
+        if (const auto* residual = pair->approach ? residual_of(result, *pair) : nullptr)
+            texts.emplace_back(MPa * result.elastomer(pair->elastomer).contact_modulus.value,
+                               apart_in_words(residual->standardised()));
+    std::sort(texts.begin(), texts.end());
+    double last = -HUGE_VAL;
+    bool second = false;
+    for (const auto& [modulus, text] : texts) {
+        const double at = std::log(modulus) / whole;
+        second = at - last < least_distance && !second;
+        last = at;
+        const double below = (second ? 2.0 : 1.0) * row_share * (*panel.y.to - *panel.y.from);
+        panel.notes.push_back({.text = text, .x = modulus, .y = lowest - below});
     }
 }
 
 /// χ² in the upper left corner, above all values.
 void add_test(Panel& panel, const adhesion::PredictionTest& test) {
-    const double step = 0.065 * (*panel.y.to - *panel.y.from);
+    const double step = row_share * (*panel.y.to - *panel.y.from);
     double height = *panel.y.to;
     const auto write = [&](const std::string& text) {
-        panel.notes.push_back(
-            {.text = text, .x = *panel.x.from, .y = height -= step, .side = figures::Note::Side::right});
+        panel.notes.push_back({.text = text,
+                               .x = *panel.x.from * std::pow(*panel.x.to / *panel.x.from, 0.02),  // beside the ticks
+                               .y = height -= step,
+                               .side = figures::Note::Side::right});
     };
-    write(fmt::format("χ² = {:.1f}, {} degrees of freedom, p = {:.2g}", test.chi_squared, test.degrees_of_freedom,
-                      test.probability));
+    write(fmt::format("χ² = {:.1f}, {} degrees of freedom, p = {}", test.chi_squared, test.degrees_of_freedom,
+                      probability_text(test.probability)));
     if (test.extra_scatter > 0.0) write(fmt::format("scatter of the model: {:.1f} mJ/m²", mJ * test.extra_scatter));
-}
-
-/// The lower corner above which there is more room.
-figures::Corner roomier_corner(const Panel& panel) {
-    double left = HUGE_VAL, right = HUGE_VAL;
-    const double middle = std::sqrt(*panel.x.from * *panel.x.to);
-    for (const auto& series : panel.series)
-        for (Index i = 0; i < series.x.size(); ++i) {
-            auto& least = series.x[i] < middle ? left : right;
-            least = std::min(least, series.lower.size() > 0 ? series.lower[i] : series.y[i]);
-        }
-    return left > right ? figures::Corner::bottom_left : figures::Corner::bottom_right;
 }
 
 std::string test_in_words(const adhesion::PredictionTest& test) {
     auto text = fmt::format(
-        "χ² = {:.1f} with {} degrees of freedom (p = {:.2g}) of measured minus predicted over {}, both errors and what pairs share taken into account",
-        test.chi_squared, test.degrees_of_freedom, test.probability, counted(static_cast<std::size_t>(test.n), "pair"));
+        "χ² = {:.1f} with {} degrees of freedom (p = {}) of measured minus predicted over {}, both errors and what pairs share taken into account",
+        test.chi_squared, test.degrees_of_freedom, probability_text(test.probability),
+        counted(static_cast<std::size_t>(test.n), "pair"));
     if (test.work_fitted) text += ", W_int fitted to them";
     if (test.extra_scatter > 0.0)
-        text += fmt::format("; with {:.2g} mJ/m2 more scatter of the model χ² = {:.1f} (p = {:.2g})",
-                            mJ * test.extra_scatter, test.chi_squared_with_scatter, test.probability_with_scatter);
+        text += fmt::format("; with {} mJ/m2 more scatter of the model χ² = {:.1f} (p = {})",
+                            figures::number_text(mJ * test.extra_scatter, 2), test.chi_squared_with_scatter,
+                            probability_text(test.probability_with_scatter));
     if (!test.left_out.empty()) text += fmt::format("; left out: {}", fmt::join(test.left_out, ", "));
     return text;
 }
@@ -156,7 +163,7 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
     }
     const auto energy = surface_energy_of(result);
     const auto moduli = moduli_of(result);
-    figures::Figure figure{.columns = wide(request) ? 2 : 1};
+    figures::Figure figure;
     double highest = 0.0, lowest = 0.0;
     for (const auto* surface : surfaces) {
         Panel panel{.title = label_of(*surface),
@@ -166,8 +173,7 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
                           .from = MPa * moduli[0],
                           .to = MPa * moduli[moduli.size() - 1]},
                     .y = {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2"},
-                    .horizontal_lines = {0.0},
-                    .legend = figure.panels.empty()};
+                    .horizontal_lines = {0.0}};
         const auto curve =
             adhesion::prediction_curve({surface->name, surface->used().parameters, surface->used().spread}, energy.mean,
                                        *result.work_of_adhesion, moduli);
@@ -197,24 +203,24 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
         }
         figure.panels.push_back(std::move(panel));
     }
-    // bands of surfaces that hardly conform may reach far beyond: they are cut at the axis
+    // bands of surfaces that hardly conform may reach far beyond: they are cut at the axis. Panels of a page say in a
+    // row below the data how far apart measured and predicted are, for which a column is too narrow
+    const bool page = wide(request);
+    const double extent = highest - lowest, below = page ? 0.28 : 0.08;
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         auto& panel = figure.panels[p];
-        panel.y.from = lowest - 0.1 * (highest - lowest);
-        panel.y.to = highest + 0.35 * (highest - lowest);
-        add_residuals(panel, result, pairs_on(result, surfaces[p]->name));
+        panel.y.from = lowest - below * extent;
+        panel.y.to = highest + (result.prediction_test ? 0.35 : 0.08) * extent;
+        if (page) add_residuals(panel, result, pairs_on(result, surfaces[p]->name), lowest);
     }
-    figure.panels.front().legend_corner = roomier_corner(figure.panels.front());
     if (result.prediction_test) add_test(figure.panels.front(), *result.prediction_test);
-    const auto columns = std::min<std::size_t>(static_cast<std::size_t>(figure.columns), figure.panels.size());
-    const auto rows = (figure.panels.size() + columns - 1) / columns;
-    figure.width_mm = columns == 2 ? page_mm : wide(request) ? 120.0 : column_mm;
-    figure.height_mm = 66.0 * static_cast<double>(rows);
+    arrange(figure, request.options.width, 66.0);
     drawn.figure = figure;
     drawn.caption = fmt::format(
         "Work of adhesion measured on approach and predicted by (7) at W_int = {} ({}), against the contact modulus, for each surface. Line: prediction, floored at 0; shaded: its 95 % band, "
-        "errors of spectrum, surface energy and W_int. Bars: one standard error of measured work and modulus; beside them measured minus predicted in standard errors of both{}. {}.{}{}",
+        "errors of spectrum, surface energy and W_int. Bars: one standard error of measured work and modulus; {} measured minus predicted in standard errors of both{}. {}.{}{}",
         with_error(*result.work_of_adhesion, mJ, "mJ/m2"), result.work_of_adhesion_source,
+        page ? "below the data" : "with the data's points",
         result.study.work_of_adhesion ? "" : ", that of the fitted W_int left out",
         result.prediction_test ? test_in_words(*result.prediction_test) : "No χ²: " + result.prediction_test.reason,
         energy.differ ? fmt::format(" Elastomers have different surface energies: curves are drawn at their mean, {}.",

@@ -50,7 +50,7 @@ void scales_of_cost(const FigureRequest& request, StudyFigure& drawn) {
         area{.title = "B", .shows = "excess area", .x = q, .y = share_axis};
     Panel work{.title = "C", .shows = "work of adhesion", .x = q, .y = {.unit = "%"}};
     energy.y.quantity = "share of *U*_{el} below *q*";
-    area.y.quantity = "share of excess area below *q*";
+    area.y.quantity = "share of excess area *A* below *q*";
     work.y.quantity = "share of Δ*W*_{app} below *q*";
     work.horizontal_lines = {0.0, 100.0};
     std::size_t n = 0;

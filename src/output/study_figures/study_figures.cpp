@@ -95,7 +95,7 @@ const std::vector<Kind>& kinds() {
           "measurements"},
          stylus_scans},
         {{"S2", "Power spectral density by technique",
-          "C1D of each surface by technique, each within its reliable band", "measurements"},
+          "C1D by technique, each within its reliable band; a panel a surface", "measurements"},
          spectra_by_instrument},
         {{"S3", "Isotropic power spectral density",
           "C_iso against q; averages by the study's conversion, (11) or the inverse Abel integral", "as 1"},
@@ -126,8 +126,8 @@ const std::vector<Kind>& kinds() {
           "pairs on the stiffest elastomer"},
          scales_of_cost},
         {{"prediction", "Work of adhesion measured and predicted against the modulus",
-          "W_app by (7) against E* for each surface with its 95 % band; measured values with bars of W and E*, beside them "
-          "measured minus predicted in standard errors of both; χ² of all pairs",
+          "W_app by (7) against E* for each surface with its 95 % band; measured values with bars of W and E*, in two columns "
+          "measured minus predicted in standard errors of both below; χ² of all pairs",
           "pairs with a prediction"},
          prediction_against_modulus},
         {{"balances", "Which balance of energies",

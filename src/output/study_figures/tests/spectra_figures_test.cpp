@@ -109,7 +109,7 @@ TEST(FigureS2, AveragesEachInstrumentWithinItsBand) {
     const auto& stylus = series_of(drawn.figure.panels[0], "rough, stylus");
     EXPECT_NEAR(stylus.y[3], 1e-20, 1e-24);
     EXPECT_NE(afm.dash, stylus.dash);
-    EXPECT_EQ(afm.colour, stylus.colour);
+    EXPECT_NE(afm.colour, stylus.colour);
 }
 
 TEST(FigureS1, ShowsTheLongestScanWithItsPeaks) {

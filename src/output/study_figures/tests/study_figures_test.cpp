@@ -227,6 +227,8 @@ TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
     EXPECT_NEAR(hard.upper[0], 6.0, 1e-12);
     ASSERT_EQ(rough.notes.size(), 2u);
     EXPECT_EQ(rough.notes[0].text, "−1.0 σ");
+    // below every bar and the axis' line
+    for (const auto& note : rough.notes) EXPECT_LT(note.y, 0.0);
     const auto& curve = series_of(rough, "predicted by (7), 95 %");
     EXPECT_LT(curve.x[0], 1.0 / 0.75);
     EXPECT_GT(curve.x[curve.x.size() - 1], 2.0 / 0.75);
