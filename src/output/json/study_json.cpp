@@ -507,7 +507,7 @@ Json json_without_experiments(const study::StudyResult& result) {
     const auto& study = result.study;
     Json json{{"title", study.title}, {"description", study.description}};
     const auto said = verdict(result);
-    json["verdict"] = {{"answer", said.answer}, {"limits", said.limits}};
+    json["verdict"] = {{"answer", said.answer}, {"findings", said.findings}, {"limits", said.limits}};
     add_work(json, result);
     json["fits"] = fits_json(result);
     json["surfaces"] = Json::object();

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "fold.hpp"
 #include "markup.hpp"
 #include "setae/core/text.hpp"
+#include "setae/core/words.hpp"
 
 namespace setae::report {
 namespace {
@@ -168,54 +171,146 @@ Json figure_json(const study_figures::StudyFigure& figure) {
     return json;
 }
 
-std::string figure_html(const study_figures::StudyFigure& figure, std::size_t number, const std::string& study) {
-    const auto identifier = fmt::format("figure-{}", number + 1);
+/// "figure-4", "figure-prediction", "figure-spectra_UNCD": the stem of its files, which no other figure has.
+std::string anchor_of(const study_figures::StudyFigure& figure) {
+    constexpr std::string_view numbered = "figure_";
+    const std::string_view name = figure.name;
+    return "figure-" + escaped(name.starts_with(numbered) ? name.substr(numbered.size()) : name);
+}
+
+std::string title_of(const study_figures::StudyFigure& figure) {
+    return fmt::format("Figure {}: {}", escaped(figure.identifier), escaped(figure.title));
+}
+
+std::string caption_html(const study_figures::StudyFigure& figure, const FigurePage& page) {
+    std::string html = "<p class=\"caption\">" + prose(figure.caption) +
+                       (is_thinned(figure) ? " This page holds the points that the eye tells apart; figures/" +
+                                                 escaped(figure.name) + ".csv holds all."
+                                           : "") +
+                       "</p>";
+    if (const auto remark = page.remarks.find(figure.identifier); remark != page.remarks.end())
+        html += "<p class=\"caption\">" + remark->second + "</p>";
+    return html + fmt::format("<p class=\"command\">Made again by <code>{}</code></p>",
+                              escaped(fmt::format("setae plot {} --figure {}", shell_word(page.study),
+                                                  shell_word(figure.identifier))));
+}
+
+/// Buttons, panels, caption, command, data; report.js draws them from the JSON.
+std::string drawing_html(const study_figures::StudyFigure& figure, const FigurePage& page) {
+    constexpr double page_mm = 178.0;  // a figure is as wide for the page's text as for a journal's
+    const double share = std::min(1.0, figure.figure.width_mm / page_mm);
     std::string html = fmt::format(
-        "<section class=\"figure\" id=\"{0}\" aria-labelledby=\"{0}-title\"><h3 id=\"{0}-title\">Figure {1}: {2}</h3>",
-        identifier, escaped(figure.identifier), escaped(figure.title));
-    if (!figure.drawable())
-        return html + "<p class=\"reason\">Not drawn: " + escaped(figure.reason) + ".</p></section>\n";
-    html += fmt::format(
         "<div class=\"tools\" role=\"group\" aria-label=\"Figure {0}\">"
         "<button type=\"button\" data-action=\"x\" aria-pressed=\"false\">log x</button><button type=\"button\" data-action=\"y\" aria-pressed=\"false\">log y</button>"
         "<button type=\"button\" data-action=\"legend\" aria-pressed=\"true\">legend</button><button type=\"button\" data-action=\"reset\">whole view</button>"
         "<button type=\"button\" data-action=\"svg\">SVG</button>"
         "<button type=\"button\" data-action=\"csv\">CSV</button></div>",
         escaped(figure.identifier));
-    html += fmt::format("<div class=\"plots\" data-label=\"{}\"></div>", escaped(figure.title + ". " + figure.caption));
-    html += "<p class=\"caption\">" + prose(figure.caption) +
-            (is_thinned(figure) ? " This page holds the points that the eye tells apart; figures/" +
-                                      escaped(figure.name) + ".csv holds all."
-                                : "") +
-            "</p>";
     html += fmt::format(
-        "<p class=\"command\">Made again by <code>{}</code></p>",
-        escaped(fmt::format("setae plot {} --figure {}", shell_word(study), shell_word(figure.identifier))));
+        "<div class=\"drawing{}\" style=\"--share: {:.3f}\"><div class=\"plots\" style=\"--ratio: {:.3f}\" data-label=\"{}\"></div><div class=\"words\">{}</div></div>",
+        share < 0.7 ? " narrow" : "", share, figure.figure.width_mm / figure.figure.height_mm,
+        escaped(figure.title + ". " + figure.caption), caption_html(figure, page));
     html += fmt::format(
         "<details class=\"data\"><summary>Data of figure {0}</summary><div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Data of figure {0}\"><pre></pre></div></details>",
         escaped(figure.identifier));
     return html + "<script type=\"application/json\" class=\"figure-data\">" + script_json(figure_json(figure)) +
-           "</script></section>\n";
+           "</script>";
 }
 
-}  // namespace
+/// What stands before the colon of "spectra:NAME"; empty where there is none.
+std::string_view family_of(const study_figures::StudyFigure& figure) {
+    const std::string_view identifier = figure.identifier;
+    const auto colon = identifier.find(':');
+    return colon == std::string_view::npos ? std::string_view() : identifier.substr(0, colon);
+}
 
-std::string figures_html(const std::vector<study_figures::StudyFigure>& figures, const std::string& study) {
+using Figures = std::vector<const study_figures::StudyFigure*>;
+
+/// 4, prediction and 1, as far as they can be drawn; where none can, the first that can.
+Figures carrying(const std::vector<study_figures::StudyFigure>& figures) {
+    Figures found;
+    for (const char* wanted : {"4", "prediction", "1"})
+        for (const auto& figure : figures)
+            if (figure.drawable() && figure.identifier == wanted) found.push_back(&figure);
+    const auto first = std::find_if(figures.begin(), figures.end(), [](const auto& f) { return f.drawable(); });
+    if (found.empty() && first != figures.end()) found.push_back(&*first);
+    return found;
+}
+
+/// One after the other, each folded.
+std::string folded_html(const Figures& figures, const FigurePage& page, int level) {
     constexpr std::size_t most_bytes = 6'000'000;
     std::string html;
     std::size_t left_out = 0;
-    for (std::size_t i = 0; i < figures.size(); ++i) {
+    for (const auto* figure : figures) {
         // one a loop: of many loops the first
-        const bool one_of_many = figures[i].identifier.starts_with("loop:");
-        if (one_of_many && html.size() > most_bytes) ++left_out;
-        else html += figure_html(figures[i], i, study);
+        if (family_of(*figure) == "loop" && html.size() > most_bytes) ++left_out;
+        else
+            html += as_html(Fold{.identifier = anchor_of(*figure),
+                                 .kind = "figure",
+                                 .title = title_of(*figure),
+                                 .html = drawing_html(*figure, page),
+                                 .level = level});
     }
     if (left_out > 0)
         html += fmt::format(
             "<p class=\"reason\">Figures of {} more loops are not in this page, to keep it small: they are in the folder "
             "figures, and <code>setae plot {} --figure loop:NAME</code> draws one.</p>",
-            left_out, escaped(shell_word(study)));
+            left_out, escaped(shell_word(page.study)));
     return html;
+}
+
+/// The same; many of one family, such as one a loop, in a fold of their own.
+std::string by_family_html(const Figures& figures, const FigurePage& page) {
+    constexpr std::ptrdiff_t many = 6;
+    std::string html;
+    for (auto from = figures.begin(); from != figures.end();) {
+        const auto family = family_of(**from);
+        const auto to = family.empty() ? from + 1 : std::find_if(from, figures.end(), [&](const auto* figure) {
+            return family_of(*figure) != family;
+        });
+        const Figures members(from, to);
+        html += to - from > many
+                    ? as_html(Fold{.identifier = "figures-" + escaped(family),
+                                   .kind = "family",
+                                   .title = fmt::format("Figures {}:…", escaped(family)),
+                                   .remark = fmt::format("{} figures", members.size()),
+                                   .html = folded_html(members, page, 4)})
+                    : folded_html(members, page, 3);
+        from = to;
+    }
+    return html;
+}
+
+std::string undrawable_html(const Figures& figures) {
+    if (figures.empty()) return "";
+    std::string items;
+    for (const auto* figure : figures)
+        items += fmt::format("<li id=\"{}\"><strong>{}</strong>. <span class=\"reason\">Not drawn: {}.</span></li>",
+                             anchor_of(*figure), title_of(*figure), escaped(figure->reason));
+    return as_html(Fold{.identifier = "not-drawn",
+                        .kind = "text",
+                        .title = "What cannot be drawn",
+                        .remark = counted(figures.size(), "figure", "figures"),
+                        .html = "<ul>" + items + "</ul>"});
+}
+
+}  // namespace
+
+FigureParts figures_html(const std::vector<study_figures::StudyFigure>& figures, const FigurePage& page) {
+    FigureParts parts;
+    const auto first = carrying(figures);
+    for (const auto* figure : first)
+        parts.carrying += unfolded_html(Fold{.identifier = anchor_of(*figure),
+                                             .kind = "figure",
+                                             .title = title_of(*figure),
+                                             .html = drawing_html(*figure, page)});
+    Figures others, undrawable;
+    for (const auto& figure : figures)
+        if (!figure.drawable()) undrawable.push_back(&figure);
+        else if (std::find(first.begin(), first.end(), &figure) == first.end()) others.push_back(&figure);
+    parts.others = by_family_html(others, page) + undrawable_html(undrawable);
+    return parts;
 }
 
 }  // namespace setae::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,21 @@
 
 namespace setae::report {
 
-/// Every figure with caption, buttons, data and the command that makes it again; of one that cannot be drawn, the
-/// reason. report.js draws them from the JSON beside each. study: path of the study file, for the commands.
-[[nodiscard]] std::string figures_html(const std::vector<study_figures::StudyFigure>& figures,
-                                       const std::string& study);
+/// What a page says of its figures beside what they say themselves.
+struct FigurePage {
+    std::string study;                           ///< path of the study file, for the commands
+    std::map<std::string, std::string> remarks;  ///< HTML below the caption, by StudyFigure::identifier
+};
+
+/// Figures as HTML: report.js draws them from the JSON beside each, as they come near or are unfolded.
+struct FigureParts {
+    std::string carrying;  ///< that carry the verdict, open: 4, prediction and 1; where none of them can be drawn, the
+                           ///< first that can
+    std::string others;    ///< folded, then the reasons of those that cannot be drawn
+};
+
+/// Every figure with caption, buttons, data and the command that makes it again, as part "figure-NAME": "figure-4",
+/// "figure-prediction".
+[[nodiscard]] FigureParts figures_html(const std::vector<study_figures::StudyFigure>& figures, const FigurePage& page);
 
 }  // namespace setae::report

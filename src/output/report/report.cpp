@@ -10,6 +10,7 @@
 #include "figures.hpp"
 #include "markup.hpp"
 #include "sections.hpp"
+#include "setae/output/verdict.hpp"
 #include "summary.hpp"
 #include "tables.hpp"
 
@@ -31,27 +32,37 @@ std::string tables_html(const study::StudyResult& result, const Json& study) {
     return html.empty() ? "<p>There is no number to show.</p>" : html;
 }
 
+/// What a reader meets, in this order; empty ones are left out.
+std::vector<Chapter> chapters_of(const study::StudyResult& result,
+                                 const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run,
+                                 const Json& study) {
+    FigurePage page{.study = result.study.path, .remarks = {}};
+    if (result.prediction_test) page.remarks["prediction"] = prose(output::deviation_note(*result.prediction_test));
+    const auto parts = figures_html(figures, page);
+    const std::string undrawn =
+        "<noscript><p>Figures are drawn by a program in this page, which this browser does not run.</p></noscript>";
+    std::vector<Chapter> chapters{
+        {"verdict", "Verdict", verdict_html(result)},
+        {"figures", "Figures", parts.carrying.empty() ? "<p>No figure was asked for.</p>" : undrawn + parts.carrying},
+        {"limits", "What can and cannot be concluded", limits_html(result)},
+        {"tables", "Numbers", numbers_html(result, study) + tables_html(result, study)},
+        {"more-figures", "More figures", parts.others},
+        {"cut", "What was cut and why", cut_html(result)},
+        {"alerts", "Alerts", alerts_html(result)},
+        {"steps", "Steps and methods", steps_html(result) + methods_html(result)},
+        {"provenance", "Provenance", provenance_html(result, run)},
+        {"references", "References", references_html()},
+    };
+    std::erase_if(chapters, [](const Chapter& chapter) { return chapter.html.empty(); });
+    return chapters;
+}
+
 }  // namespace
 
 std::string as_html(const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures,
                     const RunRecord& run) {
     const auto study = output::json_without_curves(result, most_experiments);
-    const auto figure_part = figures_html(figures, result.study.path);
-    const std::vector<Chapter> chapters{
-        {"summary", "Summary", summary_html(result, study)},
-        {"limits", "What can and cannot be concluded", limits_html(result)},
-        {"parameters", "Parameters", tables_html(result, study)},
-        {"figures", "Figures",
-         figure_part.empty()
-             ? "<p>No figure was asked for.</p>"
-             : "<noscript><p>Figures are drawn by a program in this page, which this browser does not run.</p></noscript>" +
-                   figure_part},
-        {"cut", "What was cut and why", cut_html(result)},
-        {"alerts", "Alerts", alerts_html(result)},
-        {"steps", "Steps and methods", steps_html(result) + "<h3>Methods</h3>" + methods_html(result)},
-        {"provenance", "Provenance", provenance_html(result, run)},
-        {"references", "References", references_html()},
-    };
+    const auto chapters = chapters_of(result, figures, run, study);
     const auto title = escaped(result.study.title.empty() ? "Study" : result.study.title);
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -68,7 +79,8 @@ std::string as_html(const study::StudyResult& result, const std::vector<study_fi
                         escaped(study::version()), escaped(run.time));
     for (const auto& chapter : chapters)
         page += fmt::format("<li><a href=\"#{}\">{}</a></li>", chapter.identifier, chapter.title);
-    page += "</ul></nav>\n<main id=\"main\">\n";
+    page +=
+        "</ul><button type=\"button\" id=\"unfold\" aria-pressed=\"false\">Unfold everything</button></nav>\n<main id=\"main\">\n";
     for (const auto& chapter : chapters)
         page += fmt::format(
             "<section id=\"{0}\" aria-labelledby=\"{0}-heading\"><h2 id=\"{0}-heading\">{1}</h2>\n{2}</section>\n",

@@ -8,10 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "fold.hpp"
 #include "markup.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"
-#include "setae/output/study_tables.hpp"
+#include "setae/output/verdict.hpp"
 #include "table.hpp"
 
 namespace setae::report {
@@ -22,8 +23,9 @@ using study::StudyResult;
 
 /// A table of texts, the last column one of sentences.
 std::string plain_table(const std::string& identifier, const std::string& title,
-                        const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
-    DataTable table{identifier, title, "", {}, {}};
+                        const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
+                        bool open = false) {
+    DataTable table{identifier, title, "", {}, {}, open};
     for (const auto& column : columns) table.columns.push_back({column, ""});
     for (const auto& row : rows) {
         table.rows.emplace_back();
@@ -98,7 +100,7 @@ std::string cut_html(const StudyResult& result) {
             failed.push_back({"experiment", e.input.reference ? "reference" : e.input.surface, e.input.file, e.error});
     std::string html =
         failed.empty() ? "<p>Nothing failed.</p>"
-                       : plain_table("failed", "What failed, and why", {"kind", "surface", "file", "reason"}, failed);
+                       : plain_table("failed", "What failed, and why", {"kind", "surface", "file", "reason"}, failed, true);
     std::vector<std::vector<std::string>> excluded;
     for (const auto& e : result.experiments)
         if (e.input.excluded())
@@ -118,31 +120,21 @@ std::string cut_html(const StudyResult& result) {
 }
 
 std::string alerts_html(const StudyResult& result) {
-    const auto table = output::alert_table(result);
-    if (table.rows.empty()) return "<p>No alert.</p>";
-    std::vector<std::string> codes;
-    const auto text = [](const tables::TidyTable::Cell& cell) { return std::get<std::string>(cell); };
-    for (const auto& row : table.rows)
-        if (std::find(codes.begin(), codes.end(), text(row[0])) == codes.end()) codes.push_back(text(row[0]));
     std::string html;
-    for (const auto& code : codes) {
-        std::vector<std::vector<std::string>> rows;
-        for (const auto& row : table.rows)
-            if (text(row[0]) == code) rows.push_back({text(row[1]), text(row[2]), text(row[3])});
+    for (const auto& [code, alerts] : output::grouped_alerts(result)) {
+        const auto& action = alerts.front().action;
         const bool one_action =
-            std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row[2] == rows.front()[2]; });
+            std::all_of(alerts.begin(), alerts.end(), [&](const auto& alert) { return alert.action == action; });
         html += fmt::format(
-            "<details class=\"alerts\"{}><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary>",
-            rows.size() <= 3 ? " open" : "", escaped(code),
-            rows.size() == 1 ? "once" : fmt::format("{} times", rows.size()),
-            one_action ? "What to do: " + prose(rows.front()[2]) : "");
-        html += "<ul>";
-        for (const auto& row : rows)
-            html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(row[0]), prose(row[1]),
-                                one_action ? "" : " — " + prose(row[2]));
+            "<details class=\"alerts\"><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary><ul>",
+            escaped(code), alerts.size() == 1 ? "once" : fmt::format("{} times", alerts.size()),
+            one_action ? "What to do: " + prose(action) : "");
+        for (const auto& alert : alerts)
+            html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(alert.subject), prose(alert.message),
+                                one_action ? "" : " — " + prose(alert.action));
         html += "</ul></details>\n";
     }
-    return html;
+    return html.empty() ? "<p>No alert.</p>" : "<p>By kind, what misleads most first.</p>" + html;
 }
 
 std::string steps_html(const StudyResult& result) {
@@ -183,7 +175,7 @@ std::string methods_html(const StudyResult& result) {
     say("Balance (7) of [D19]: <i>W</i><sub>app</sub> = <i>W</i><sub>int</sub> <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − <i>γ</i><sub>1</sub> (<i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − 1) − "
         "<i>U</i><sub>el</sub>/<i>A</i><sub>app</sub>; (2) leaves the soft side's term, <i>γ</i><sub>1</sub>, out; (S13), after [PT01], does so with the area of small slopes, 1 + <i>h</i>′²/2. (10): <i>E</i><sub>loss</sub> = <i>W</i><sub>int</sub> "
         "<i>A</i><sub>true</sub>. One <i>W</i><sub>int</sub> is fitted to all pairs.");
-    return html + "</ul>";
+    return as_html(Fold{.identifier = "methods", .kind = "text", .title = "Methods", .html = html + "</ul>"});
 }
 
 std::string provenance_html(const StudyResult& result, const RunRecord& run) {
@@ -209,7 +201,7 @@ std::string provenance_html(const StudyResult& result, const RunRecord& run) {
     line("<i>W</i><sub>int</sub> given", result.study.work_of_adhesion
                                              ? escaped(format_value(result.study.work_of_adhesion->value, "J/m2"))
                                              : std::string("no"));
-    html += "</dl>";
+    html = as_html(Fold{.identifier = "run", .kind = "text", .title = "How this was made", .html = html + "</dl>"});
     std::vector<std::vector<std::string>> rows;
     for (const auto& input : result.inputs)
         rows.push_back(

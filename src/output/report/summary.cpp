@@ -12,7 +12,6 @@
 #include "setae/core/words.hpp"
 #include "setae/output/verdict.hpp"
 #include "table.hpp"
-#include "tables.hpp"
 
 namespace setae::report {
 namespace {
@@ -64,6 +63,20 @@ std::string r_squared(const Json& study, const std::string& fit) {
     return entry(study, pointer).is_number() ? fmt::format("<i>R</i>² = {}", number_html(study, pointer, {}, 3)) : "";
 }
 
+/// "reported: W_int = 37.0 ± 3.7 mJ m⁻², R² = 0.6700 ([D19], Fig. 4A)"; empty where nobody reported anything for a fit.
+std::string reported_of(const StudyResult& result, const Json& study, const std::string& fit) {
+    std::string text, source;
+    for (std::size_t i = 0; i < result.study.reported.size(); ++i) {
+        const auto& reported = result.study.reported[i];
+        if (reported.fit != fit) continue;
+        text += fmt::format("{}{} = {}", text.empty() ? "reported: " : ", ",
+                            reported.quantity == "work_of_adhesion" ? "<i>W</i><sub>int</sub>" : "<i>R</i>²",
+                            quantity_html(study, fmt::format("/reported/{}/reported", i), false));
+        source = escaped(reported.source);
+    }
+    return text.empty() ? "" : fmt::format("{} ({})", text, source);
+}
+
 std::string work_sentences(const StudyResult& result, const Json& study) {
     std::string text;
     if (result.work_of_adhesion)
@@ -74,23 +87,25 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
     std::string items;
     const auto item = [&](const std::string& key, const std::string& lead) {
         const auto place = joined("/fits", key);
-        if (!entry(study, place).is_object()) return;
-        items += fmt::format("<li>{}: <i>W</i><sub>int</sub> = {}, {}, from {} pairs.</li>", lead,
-                             quantity_html(study, joined(place, "work_of_adhesion")), r_squared(study, place),
-                             number_html(study, joined(place, "n"), {}, 0));
+        const auto reported = reported_of(result, study, key);
+        if (!entry(study, place).is_object()) {
+            if (!reported.empty()) items += fmt::format("<li>{}: no fit; {}.</li>", lead, reported);
+            return;
+        }
+        // as the verdict states it: pairs of one surface or elastomer correlated where that is known
+        const auto clustered = joined(place, "clustered");
+        items += fmt::format(
+            "<li>{}: <i>W</i><sub>int</sub> = {}, {}, from {} pairs{}.</li>", lead,
+            quantity_html(study, entry(study, joined(clustered, "standard_error")).is_number()
+                                     ? clustered
+                                     : joined(place, "work_of_adhesion")),
+            r_squared(study, place), number_html(study, joined(place, "n"), {}, 0),
+            reported.empty() ? "" : "; " + reported);
     };
     item("modified", "By approach, balance (7)");
     item("persson_tosatti", "By approach, balance (S13), area for small slopes, nothing for stretching the soft surface");
     item("without_area_change", "By approach, balance (2), nothing for stretching the soft surface");
     item("loop", "By the energy lost in loops, (10)");
-    for (std::size_t i = 0; i < result.study.reported.size(); ++i) {
-        const auto& reported = result.study.reported[i];
-        const bool work = reported.quantity == "work_of_adhesion";
-        items +=
-            fmt::format("<li>Reported for {}: {} = {} ({}).</li>", escaped(balance_name(reported.fit)),
-                        work ? "<i>W</i><sub>int</sub>" : "<i>R</i>²",
-                        quantity_html(study, fmt::format("/reported/{}/reported", i), false), escaped(reported.source));
-    }
     if (!items.empty()) text += "<ul>" + items + "</ul>";
     return text;
 }
@@ -104,6 +119,8 @@ std::string counted_measurements(const study::SurfaceResult& surface) {
 }
 
 std::string surface_sentences(const StudyResult& result, const Json& study) {
+    constexpr std::size_t most_sentences = 8;  // the table of surfaces has all
+    if (result.surfaces.size() > most_sentences) return "";
     std::string items;
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) {
@@ -128,20 +145,32 @@ std::string surface_sentences(const StudyResult& result, const Json& study) {
 
 }  // namespace
 
-std::string summary_html(const StudyResult& result, const Json& study) {
-    std::string answer;
-    for (const auto& sentence : output::verdict(result).answer) answer += (answer.empty() ? "" : " ") + prose(sentence);
-    return "<p class=\"lead\">" + answer + "</p><p>" + sentence_of_contents(result) + sentence_of_failures(result) +
-           "</p>" + work_sentences(result, study) + surface_sentences(result, study);
+std::string verdict_html(const StudyResult& result) {
+    const auto said = output::verdict(result);
+    std::string html;
+    for (const auto& sentence : said.answer) html += "<p class=\"lead\">" + prose(sentence) + "</p>";
+    html += "<p>" + sentence_of_contents(result) + sentence_of_failures(result);
+    if (!said.limits.empty())
+        html += fmt::format(" The answer has <a href=\"#limits\">{}</a>.",
+                            counted(said.limits.size(), "reservation", "reservations"));
+    return html + "</p>";
+}
+
+std::string numbers_html(const StudyResult& result, const Json& study) {
+    return work_sentences(result, study) + surface_sentences(result, study);
 }
 
 std::string limits_html(const StudyResult& result) {
-    const auto limits = output::verdict(result).limits;
-    if (limits.empty())
-        return "<p>Several surfaces and elastomers test the balance against roughness and modulus; nothing failed. How certain each number is stands beside it.</p>";
-    std::string items;
-    for (const auto& sentence : limits) items += "<li>" + prose(sentence) + "</li>";
-    return "<ul class=\"limits\">" + items + "</ul>";
+    const auto said = output::verdict(result);
+    const auto list = [](const char* lead, const std::vector<std::string>& sentences) {
+        std::string items;
+        for (const auto& sentence : sentences) items += "<li>" + prose(sentence) + "</li>";
+        return items.empty() ? "" : fmt::format("<p>{}</p><ul>{}</ul>", lead, items);
+    };
+    return list("What tests support:", said.findings) +
+           (said.limits.empty()
+                ? "<p>Several surfaces and elastomers test the balance against roughness and modulus; nothing failed. How certain each number is stands beside it.</p>"
+                : list("What cannot be concluded, and why:", said.limits));
 }
 
 }  // namespace setae::report

@@ -8,11 +8,13 @@
 
 namespace setae::report {
 
-/// The verdict, what was studied, what failed, the intrinsic work of adhesion by both ways and each surface's roughness, in
-/// sentences with numbers.
-[[nodiscard]] std::string summary_html(const study::StudyResult& result, const output::Json& study);
+/// The verdict in the terminal's words, what was studied and what failed.
+[[nodiscard]] std::string verdict_html(const study::StudyResult& result);
 
-/// What the study cannot tell, and why: a list, or a sentence where it has nothing to complain of.
+/// The intrinsic work of adhesion by both ways and each surface's roughness, in sentences with numbers.
+[[nodiscard]] std::string numbers_html(const study::StudyResult& result, const output::Json& study);
+
+/// What tests support, then what the study cannot tell, and why.
 [[nodiscard]] std::string limits_html(const study::StudyResult& result);
 
 }  // namespace setae::report

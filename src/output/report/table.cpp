@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "fold.hpp"
 #include "markup.hpp"
+#include "setae/core/words.hpp"
 
 namespace setae::report {
 namespace {
@@ -196,15 +198,14 @@ std::string quantity_html(const Json& study, const std::string& pointer, bool wi
 
 std::string as_html(const DataTable& table, const Json& study) {
     if (table.rows.empty()) return "";
-    std::string html =
-        fmt::format("<section class=\"table\" aria-labelledby=\"{0}-title\"><h3 id=\"{0}-title\">{1}</h3>",
-                    table.identifier, escaped(table.title));
+    const auto title = escaped(table.title);
+    std::string html;
     if (!table.note.empty()) html += "<p class=\"note\">" + table.note + "</p>";
     html += fmt::format(
-        "<div class=\"tools\"><button type=\"button\" class=\"copy\" data-table=\"{0}\" aria-label=\"Copy table: {1}\">Copy</button>"
+        "<div class=\"tools\"><button type=\"button\" class=\"copy\" aria-label=\"Copy table: {0}\">Copy</button>"
         "<span class=\"told\" role=\"status\"></span></div>"
-        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Table: {1}\"><table id=\"{0}\"><thead><tr>",
-        table.identifier, escaped(table.title));
+        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Table: {0}\"><table><thead><tr>",
+        title);
     std::vector<DisplayUnit> units;
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
         const auto& [heading, unit] = table.columns[column];
@@ -222,7 +223,13 @@ std::string as_html(const DataTable& table, const Json& study) {
             html += cell_html(row[column], study, units[column]);
         html += "</tr>\n";
     }
-    return html + "</tbody></table></div></section>\n";
+    html += "</tbody></table></div>";
+    return as_html(Fold{.identifier = "table-" + table.identifier,
+                        .kind = "table",
+                        .title = title,
+                        .remark = counted(table.rows.size(), "row", "rows"),
+                        .html = html,
+                        .open = table.open});
 }
 
 }  // namespace setae::report

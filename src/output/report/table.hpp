@@ -72,14 +72,16 @@ struct Column {
 
 /// A table of numbers of the study.
 struct DataTable {
-    std::string identifier;
+    std::string identifier;  ///< no other table of a page has it
     std::string title;
     std::string note;  ///< HTML: what stands in it
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows;
+    bool open = false;  ///< unfolded to begin with
 };
 
-/// A heading, a note, the table in a region that scrolls, with buttons that sort and copy. Nothing without rows.
+/// A fold "table-IDENTIFIER": a note, the table in a region that scrolls, with buttons that sort and copy. Nothing
+/// without rows.
 [[nodiscard]] std::string as_html(const DataTable& table, const output::Json& study);
 
 }  // namespace setae::report

@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "markup.hpp"
+#include "setae/output/verdict.hpp"
+
 namespace setae::report {
 namespace {
 
@@ -362,10 +365,11 @@ DataTable prediction_test(const StudyResult& result, const Json& study) {
     };
     table.note = fmt::format(
         "<i>χ</i>² = {} with {} degrees of freedom, <i>p</i> = {}, over the covariance of measured values and predictions: pairs of one surface share its spectrum, those of one "
-        "elastomer its modulus and surface energy{}. With a further scatter of the model of {}, <i>χ</i>² = {}.",
+        "elastomer its modulus and surface energy{}. With a further scatter of the model of {}, <i>χ</i>² = {}. {}",
         number("chi_squared/value", 2), number("degrees_of_freedom", 0), number("probability", 4),
         result.prediction_test->work_fitted ? "; <i>W</i><sub>int</sub> is fitted to these pairs" : "",
-        quantity_html(study, "/prediction_test/extra_scatter"), number("chi_squared_with_scatter/value", 2));
+        quantity_html(study, "/prediction_test/extra_scatter"), number("chi_squared_with_scatter/value", 2),
+        prose(output::deviation_note(*result.prediction_test)));
     for (std::size_t i = 0; i < result.prediction_test->pairs.size(); ++i) {
         const auto base = fmt::format("/prediction_test/pairs/{}", i);
         table.rows.push_back({TextCell{result.prediction_test->pairs[i].surface},
@@ -413,7 +417,7 @@ DataTable references(const StudyResult& result) {
     DataTable table{
         "references",
         "Smooth references",
-        fmt::format("Without roughness both branches give the same *W* and a loop costs what an ideal smooth "
+        fmt::format("Without roughness both branches give the same <i>W</i> and a loop costs what an ideal smooth "
                     "sphere's jumps do: two one-sided tests against a margin of {}.",
                     format_value(result.study.comparison.margin, "J/m2")),
         {{"elastomer", ""},
@@ -596,7 +600,7 @@ DataTable loop_table(const StudyResult& result) {
 
 DataTable loop_check_table(const StudyResult& result) {
     DataTable table{
-        "loop_checks",
+        "loop-checks",
         "Loops: other routes, contact point and energy",
         "The joint fit of force, displacement and contact radius beside the routes above; E* free of W; first touch and how far its estimates lie apart; "
         "the loss of an ideal smooth sphere in this machine, and the share of the work of approach that is recovered. Every fit stands in loop_fits.csv, every part of the energy in "

@@ -134,6 +134,7 @@ std::string summary(const StudyResult& result, std::size_t width) {
         result.study.title + "\n" + (result.study.description.empty() ? "" : result.study.description + "\n") + "\n";
     const auto said = verdict(result);
     for (const auto& sentence : said.answer) text += wrapped(sentence, width) + "\n";
+    for (const auto& sentence : said.findings) text += wrapped("+ " + sentence, width, 2) + "\n";
     for (const auto& sentence : said.limits) text += wrapped("- " + sentence, width, 2) + "\n";
     text += "\n";
     for (const auto& table : {reading::surfaces(result, reading::Spectra::all), reading::agreement(result),

@@ -67,7 +67,7 @@ TEST(Verdict, SaysThatTheBalanceFailsAndWhatScatterWouldMendIt) {
               "W_int 37.00 [36.36, 37.64] mJ/m².");
     EXPECT_TRUE(holds(said.answer[1], "13.00 ± 0.36 mJ/m² apart")) << said.answer[1];
     EXPECT_TRUE(std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) {
-        return holds(s, "(7) is contradicted by its pairs: soft on A is +3.0 standard errors from its prediction");
+        return holds(s, "(7) is contradicted by its pairs (χ² 194.0 of 3, p = 4·10⁻³³): soft on A is +3.0 standard errors from its prediction");
     }));
     tested.probability_with_scatter = 1e-3;
     EXPECT_FALSE(holds(verdict(result_of(tested, 0.050)).answer[0], "it does"));

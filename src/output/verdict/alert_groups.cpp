@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 20> telling{"LIKELIHOOD_FAILED",
                                                    "BAND_LIMITED",
                                                    "ONE_PLACE",
                                                    "HEIGHT_UNKNOWN",
-                                                   "NOT_CONFORMING",
+                                                   "WILL_NOT_CONFORM",
                                                    "MEASUREMENTS_SCATTER",
                                                    "MEASURED_SLOPES",
                                                    "SINGLE_INSTRUMENT_DECADE"};

@@ -14,15 +14,6 @@ namespace {
 
 using study::StudyResult;
 
-constexpr double improbable = 0.05;
-
-std::string pairs_text(int n) { return counted(static_cast<std::size_t>(n), "pair", "pairs"); }
-
-std::string test_text(const adhesion::PredictionTest& test) {
-    return fmt::format("χ² {:.1f} of {}, p = {}", test.chi_squared, test.degrees_of_freedom,
-                       probability_text(test.probability));
-}
-
 /// Whether (7) says what was measured.
 std::string sentence_of_test(const adhesion::PredictionTest& test) {
     if (test.probability >= improbable) return "Roughness explains the approach";
@@ -39,13 +30,11 @@ std::string sentence_of_loss(const StudyResult& result) {
     const auto& loss = work_of(result.loop->through_origin);
     const auto number = format_interval(loss, "J/m2");
     if (!result.modified) return fmt::format("By the loss, W_int is {}.", number);
-    const auto apart = difference(loss, work_of(*result.modified));
-    const auto interval = interval_of(apart);
-    if (!interval) return fmt::format("The loss says {}.", number);
-    const bool consistent = interval->lower <= 0.0 && interval->upper >= 0.0;
+    const auto apart = *loss_less_approach(result);
+    if (!interval_of(apart)) return fmt::format("The loss says {}.", number);
     return fmt::format(
         "The loss says {}: {}.", number,
-        consistent ? "consistent" : fmt::format("{} apart", format_uncertain(apart, "J/m2")));
+        may_be_zero(apart) ? "consistent" : fmt::format("{} apart", format_uncertain(apart, "J/m2")));
 }
 
 /// What measured and predicted works of adhesion say together; empty where nothing was measured.
@@ -108,6 +97,23 @@ std::vector<std::string> sentences_of_roughness(const StudyResult& result) {
 }
 
 }  // namespace
+
+std::string pairs_text(int n) { return counted(static_cast<std::size_t>(n), "pair", "pairs"); }
+
+std::string test_text(const adhesion::PredictionTest& test) {
+    return fmt::format("χ² {:.1f} of {}, p = {}", test.chi_squared, test.degrees_of_freedom,
+                       probability_text(test.probability));
+}
+
+std::optional<Estimate> loss_less_approach(const StudyResult& result) {
+    if (!result.loop || !result.modified) return std::nullopt;
+    return difference(work_of(result.loop->through_origin), work_of(*result.modified));
+}
+
+bool may_be_zero(const Estimate& difference) {
+    const auto interval = interval_of(difference);
+    return interval && interval->lower <= 0.0 && interval->upper >= 0.0;
+}
 
 const Estimate& work_of(const adhesion::WorkFit& fit) {
     return fit.clustered.uncertain() ? fit.clustered : fit.work_of_adhesion;

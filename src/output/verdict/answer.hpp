@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,39 @@ namespace setae::output {
 /// groups to say how much, else as independent.
 [[nodiscard]] const Estimate& work_of(const adhesion::WorkFit& fit);
 
+/// The sentences of Verdict::findings.
+[[nodiscard]] std::vector<std::string> findings_of(const study::StudyResult& result);
+
 /// The sentences of Verdict::limits.
 [[nodiscard]] std::vector<std::string> limits_of(const study::StudyResult& result);
+
+/// Below this probability a test contradicts.
+inline constexpr double improbable = 0.05;
+
+/// "χ² 193.8 of 15, p = 4·10⁻³³".
+[[nodiscard]] std::string test_text(const adhesion::PredictionTest& test);
+
+/// "4 pairs".
+[[nodiscard]] std::string pairs_text(int n);
+
+/// The loss's W_int less that of the approach; nothing where either is missing.
+[[nodiscard]] std::optional<Estimate> loss_less_approach(const study::StudyResult& result);
+
+/// Whether an interval of a difference holds 0; not where there is no interval.
+[[nodiscard]] bool may_be_zero(const Estimate& difference);
+
+/// Surfaces and elastomers of the pairs that have a measured work of adhesion and a prediction.
+struct Tested {
+    std::set<std::string> surfaces, elastomers;
+    std::size_t pairs = 0;
+};
+[[nodiscard]] Tested tested(const study::StudyResult& result);
+
+/// Balances that the pairs tell from (7), and those they do not: by ln L of each with its own W_int, spectra as the
+/// study takes them.
+struct Rivals {
+    std::vector<std::string> worse, alike, better;
+};
+[[nodiscard]] Rivals rivals_of(const study::StudyResult& result);
 
 }  // namespace setae::output

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <map>
-#include <set>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "answer.hpp"
+#include "bearings.hpp"
 #include "setae/core/uncertain_text.hpp"
+#include "setae/core/units.hpp"
 #include "setae/core/words.hpp"
 #include "setae/output/verdict.hpp"
 
@@ -17,21 +18,16 @@ using study::StudyResult;
 
 const auto fine = [](const auto& item) { return !item.failed(); };
 
-/// Surfaces and elastomers of the pairs that have a measured work of adhesion and a prediction.
-struct Tested {
-    std::set<std::string> surfaces, elastomers;
-    std::size_t pairs = 0;
-};
+/// The pair farthest from its prediction.
+const adhesion::PredictionResidual& worst_of(const adhesion::PredictionTest& test) {
+    return *std::max_element(test.pairs.begin(), test.pairs.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.standardised()) < std::abs(b.standardised());
+    });
+}
 
-Tested tested(const StudyResult& result) {
-    Tested found;
-    for (const auto& pair : result.pairs) {
-        if (!pair.approach || result.surface(pair.surface).failed()) continue;
-        ++found.pairs;
-        found.surfaces.insert(pair.surface);
-        found.elastomers.insert(pair.elastomer);
-    }
-    return found;
+/// Whether the farthest of so many normal deviations is seldom so far out.
+bool stands_out(double standardised, int n) {
+    return n * std::erfc(std::abs(standardised) / std::sqrt(2.0)) < improbable;
 }
 
 class Limits {
@@ -44,6 +40,8 @@ public:
             return std::move(sentences_);
         }
         say_of_failures();
+        say_of_test();
+        say_of_rivals();
         say_of_fits();
         say_of_design();
         say_of_spectra();
@@ -65,21 +63,41 @@ private:
                             result_.failures() == 1 ? "is" : "are"));
     }
 
-    void say_of_fits() {
-        if (result_.prediction_test && result_.prediction_test->probability < 0.05) {
-            const auto& pairs = result_.prediction_test->pairs;
-            const auto worst = std::max_element(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
-                return std::abs(a.standardised()) < std::abs(b.standardised());
-            });
+    void say_of_test() {
+        if (!result_.prediction_test) return;
+        const auto& test = *result_.prediction_test;
+        const auto& worst = worst_of(test);
+        const auto name = worst.elastomer + " on " + worst.surface;
+        if (test.probability < improbable)
             say(fmt::format(
-                "(7) is contradicted by its pairs: {} on {} is {:+.1f} standard errors from its prediction, and the "
+                "(7) is contradicted by its {} ({}): {} is {:+.1f} standard errors from its prediction, and the "
                 "errors of predictions share a spectrum and a modulus, so that one cause can move several.",
-                worst->elastomer, worst->surface, worst->standardised()));
-        }
+                test.n == 1 ? "pair" : "pairs", test_text(test), name, worst.standardised()));
+        else if (stands_out(worst.standardised(), test.n))
+            say(fmt::format("{} is {:+.1f} standard errors from its prediction, though the pairs together have p = {}. {}",
+                            name, worst.standardised(), probability_text(test.probability), deviation_note(test)));
+        if (test.probability < improbable && test.extra_scatter > 0.0)
+            say(fmt::format("A prediction by (7) for another pair is uncertain by {} beyond its own ±: the scatter that "
+                            "the pairs have.",
+                            format_value(test.extra_scatter, "J/m2", 2)));
+        if (!test.left_out.empty()) say("Not tested: " + listed(test.left_out) + ".");
+    }
+
+    void say_of_rivals() {
+        const auto rivals = rivals_of(result_);
+        if (!rivals.alike.empty())
+            say(fmt::format("The pairs do not tell (7) from {}: their likelihoods are alike.", listed(rivals.alike)));
+        if (!rivals.better.empty()) say(fmt::format("The pairs speak for {} and against (7).", listed(rivals.better)));
+    }
+
+    void say_of_fits() {
         if (result_.pairs.empty()) return;
         if (!result_.modified && result_.work_of_adhesion) say("No fit of approach: " + result_.modified.reason + ".");
         if (!result_.loop) say("No fit of loop energies: " + result_.loop.reason + ".");
         if (!result_.work_of_adhesion) say("No prediction: " + result_.work_of_adhesion.reason + ".");
+        if (const auto apart = loss_less_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
+            say(fmt::format("Loss and approach give different W_int, {} apart: (10) or (7) leaves out what the other has.",
+                            format_uncertain(*apart, "J/m2")));
     }
 
     void say_of_design() {
@@ -139,53 +157,16 @@ private:
                 " will not conform; it holds for conforming contact only, and 0 stands for them.");
     }
 
-    /// Alerts that bear on what can be concluded, each kind in a sentence with whom it concerns.
+    /// Alerts that bear on what can be concluded, each matter in a sentence with whom it concerns.
     void say_of_alerts() {
-        struct Bearing {
-            const char *code, *sentence;  ///< {} stands for names
-        };
-        constexpr Bearing bearings[] = {
-            {"INSTRUMENTS_DISAGREE",
-             "Instruments disagree on {} beyond chance: its spectrum is a compromise between them."},
-            {"NO_INSTRUMENT", "Of {} no instrument is stated: waves that it may have blurred count as seen."},
-            {"NO_TIP_RADIUS", "Of {} no tip radius is stated: waves that a tip may have hidden count as seen."},
-            {"SAME_MEASUREMENT", "{} lists the same data more than once: its intervals are too narrow."},
-            {"WAVES_BEYOND_DATA",
-             "Of {} waves shorter than the finest data are in no number; slope, true area and stored energy are lower bounds."},
-            {"BAND_LIMITED",
-             "Of {} waves longer than the longest measured are in no number; h_rms and stored energy are lower bounds."},
-            {"ONE_PLACE", "{} was measured in one place: whether others are like it is not known."},
-            {"MEASUREMENTS_SCATTER", "Places of {} differ beyond their waves: few places may not stand for the whole."},
-            {"HEIGHT_UNKNOWN",
-             "The height of the soft body of {} is not given: its modulus counts as that of a half-space and is too high for a lens."},
-            {"SINGLE_INSTRUMENT_DECADE",
-             "Some decades of {} are seen by one instrument alone: nothing checks them there."},
-            {"MEASURED_SLOPES", "Slopes of {} are not Gaussian: true areas are taken from the measured ones."},
-        };
         const auto groups = grouped_alerts(result_);
-        for (const auto& [code, sentence] : bearings) {
-            const auto group =
-                std::find_if(groups.begin(), groups.end(), [&, c = code](const auto& g) { return g.code == c; });
-            if (group == groups.end()) continue;
-            std::vector<std::string> names;
-            for (const auto& alert : group->alerts)
-                if (auto name = whom(alert); std::find(names.begin(), names.end(), name) == names.end())
-                    names.push_back(std::move(name));
-            say(fmt::format(fmt::runtime(sentence), listed(names)));
+        for (const auto& bearing : bearings()) {
+            std::vector<Subject> subjects;
+            for (const auto& group : groups)
+                if (std::find(bearing.codes.begin(), bearing.codes.end(), group.code) != bearing.codes.end())
+                    for (const auto& alert : group.alerts) subjects.push_back(subject_of(result_, alert));
+            if (!subjects.empty()) say(fmt::format(fmt::runtime(bearing.sentence), listed(names_of(subjects))));
         }
-    }
-
-    /// The surface an alert belongs to where one is named, else its subject's last part.
-    [[nodiscard]] std::string whom(const Alert& alert) const {
-        for (const auto& surface : result_.surfaces) {
-            const auto has = [&alert](const auto& alerts) {
-                return std::find(alerts.begin(), alerts.end(), alert) != alerts.end();
-            };
-            if (has(surface.alerts)) return surface.name;
-            for (const auto& m : surface.measurements)
-                if (has(m.alerts)) return m.name.empty() ? surface.name : m.name;
-        }
-        return alert.subject.substr(alert.subject.find_last_of('/') + 1);
     }
 
     const StudyResult& result_;
@@ -197,6 +178,15 @@ private:
 
 std::vector<std::string> limits_of(const StudyResult& result) { return Limits(result).take(); }
 
-Verdict verdict(const StudyResult& result) { return {answer_of(result), limits_of(result)}; }
+Verdict verdict(const StudyResult& result) { return {answer_of(result), findings_of(result), limits_of(result)}; }
+
+std::string deviation_note(const adhesion::PredictionTest& test) {
+    return test.work_fitted
+               ? "A deviation counts the errors of its pair alone, at the W_int stated. The test of all pairs counts what "
+                 "they share: one spectrum, modulus or surface energy that is off moves several pairs together, and W_int "
+                 "may move to where it suits them all best. One pair far off and a large p can stand side by side."
+               : "A deviation counts the errors of its pair alone. The test of all pairs counts what they share: one "
+                 "spectrum, modulus, surface energy or W_int that is off moves several pairs together and counts once.";
+}
 
 }  // namespace setae::output

@@ -61,7 +61,7 @@
   }
 
   async function copyTable(button) {
-    const table = document.getElementById(button.dataset.table);
+    const table = button.closest("section.table").querySelector("table");
     const told = button.parentElement.querySelector(".told");
     try {
       await navigator.clipboard.writeText(tableText(table));
@@ -250,7 +250,7 @@
     const tickvals = [];
     for (let power = Math.floor(low) - 1; power <= Math.ceil(high) + 1; ++power)
       for (const digit of high - low < 1 ? [1, 2, 3, 5, 7] : [1, 2, 5]) tickvals.push(Number(digit + "e" + power));
-    return { tickvals, ticktext: tickvals.map(shown) };
+    return { tickvals, ticktext: tickvals.map(shown), minor: {} };
   }
 
   function layoutOf(panel, state) {
@@ -371,11 +371,17 @@
   const config = { displayModeBar: false, responsive: false, doubleClick: "reset" };
   const drawnFigures = new Map();
 
-  /// Panels are a share of their figure's width, and as high for it as on paper.
+  /// Panels are a share of their figure's width, and as high for it as on paper; those much lower than others, such as
+  /// residuals, may be low.
+  function heightOf(figure, i, width, most) {
+    const shares = places(figure), [, , w, h] = shares[i];
+    const low = h < 0.6 * Math.max(...shares.map(place => place[3]));
+    return Math.round(Math.max(low ? 170 : 280, Math.min(most, (width * h * figure.height) / (w * figure.width))));
+  }
+
   function sizeOf(drawn, i) {
-    const { figure, plots } = drawn, [, , w, h] = places(figure)[i];
-    const width = plots[i].clientWidth;
-    return { width, height: Math.round(Math.max(300, Math.min(560, (width * h * figure.height) / (w * figure.width)))) };
+    const width = drawn.plots[i].clientWidth;
+    return { width, height: heightOf(drawn.figure, i, width, 560) };
   }
 
   function draw(section) {
@@ -402,7 +408,7 @@
         legend.append(element("li", {}, button));
       }
       legend.hidden = legend.children.length === 0;
-      const box = element("div", { class: "panel", style: `--share: calc(${100 * shares[i][2]}% - .75rem)` });
+      const box = element("div", { class: "panel", style: `--part: calc(${100 * shares[i][2]}% - .75rem)` });
       if (panel.title) box.append(element("p", { class: "panel-title" }, panel.title));
       box.append(plot, legend);
       drawn.plots.push(plot);
@@ -459,15 +465,16 @@
   }
 
   const sections = [...document.querySelectorAll("section.figure")].filter(section => section.querySelector(".plots"));
+  // what is folded has no place on the page and is not near
   const near = new IntersectionObserver(entries => {
     for (const { isIntersecting, target } of entries)
       if (isIntersecting) {
         near.unobserve(target);
-        draw(target);
+        draw(target.closest("section.figure"));
       }
   }, { rootMargin: "400px" });
   for (const section of sections) {
-    near.observe(section);
+    near.observe(section.querySelector(".plots"));
     for (const button of section.querySelectorAll(".tools button")) button.addEventListener("click", () => act(section, button.dataset.action));
     const data = section.querySelector("details.data");
     data.addEventListener("toggle", () => {
@@ -475,8 +482,10 @@
     });
   }
 
+  /// Figures drawn before and shown now, at the width they have now.
   function resizeAll() {
-    for (const drawn of drawnFigures.values()) drawn.plots.forEach((plot, i) => Plotly.relayout(plot, sizeOf(drawn, i)));
+    for (const drawn of drawnFigures.values())
+      drawn.plots.forEach((plot, i) => { if (plot.clientWidth) Plotly.relayout(plot, sizeOf(drawn, i)); });
   }
   let waiting = 0;
   let lastWidth = innerWidth;
@@ -487,20 +496,43 @@
     waiting = setTimeout(resizeAll, 120);
   });
 
-  // on paper: everything drawn, one column, everything unfolded
+  // ---- folds --------------------------------------------------------------------------------------------------------
+
+  const folds = [...document.querySelectorAll("main details:not(.data)")];
+  const unfold = document.getElementById("unfold");
+  let printing = false;
+
+  unfold.addEventListener("click", () => {
+    const open = unfold.getAttribute("aria-pressed") !== "true";
+    for (const fold of folds) fold.open = open;
+    unfold.setAttribute("aria-pressed", String(open));
+  });
+  // a window may have changed its width since
+  for (const fold of folds) fold.addEventListener("toggle", () => { if (fold.open && !printing) resizeAll(); });
+
+  /// A link to a part opens it, and what it is in.
+  function reveal() {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    if (!target) return;
+    for (let fold = target.querySelector(":scope > details") || target.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
+    target.scrollIntoView();
+  }
+  addEventListener("hashchange", reveal);
+  if (location.hash) reveal();
+
+  // on paper: everything unfolded, everything drawn, one column
   let folded = [];
   addEventListener("beforeprint", () => {
+    printing = true;
+    folded = folds.filter(fold => !fold.open);
+    for (const fold of folded) fold.open = true;
     sections.forEach(draw);
-    folded = [...document.querySelectorAll("details.alerts:not([open])")];
-    for (const details of folded) details.open = true;
     for (const { figure, plots } of drawnFigures.values())
-      plots.forEach((plot, i) => {
-        const [, , w, h] = places(figure)[i];
-        Plotly.relayout(plot, { width: 660, height: Math.round(Math.max(280, Math.min(420, (660 * h * figure.height) / (w * figure.width)))) });
-      });
+      plots.forEach((plot, i) => Plotly.relayout(plot, { width: 660, height: heightOf(figure, i, 660, 420) }));
   });
   addEventListener("afterprint", () => {
-    for (const details of folded) details.open = false;
+    for (const fold of folded) fold.open = false;
+    printing = false;
     resizeAll();
   });
 })();

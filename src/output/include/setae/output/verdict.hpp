@@ -11,7 +11,8 @@ namespace setae::output {
 /// What a study says, in sentences of plain text: symbols as "W_int", numbers with their unit.
 struct Verdict {
     std::vector<std::string> answer;  ///< whether roughness explains the approach, what the loss says; at least one
-    std::vector<std::string> limits;  ///< what cannot be concluded and why, worst first
+    std::vector<std::string> findings;  ///< what tests support: may be none
+    std::vector<std::string> limits;    ///< what cannot be concluded and why, worst first
 };
 
 /// The verdict from fits, tests and alerts.
@@ -20,6 +21,9 @@ struct Verdict {
 /// of adhesion are consistent where the 95 % interval of their difference holds 0. Their errors are those of
 /// WorkFit::clustered, where pairs are enough for it.
 [[nodiscard]] Verdict verdict(const study::StudyResult& result);
+
+/// Why a pair may be some standard errors from its prediction while the test of all pairs is passed, in sentences.
+[[nodiscard]] std::string deviation_note(const adhesion::PredictionTest& test);
 
 /// Alerts of one kind, by kind: what misleads most first, then in the order they were found.
 struct AlertGroup {

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bearings.hpp"
+
+#include <algorithm>
+
+namespace setae::output {
+namespace {
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+bool holds(const std::vector<Alert>& alerts, const Alert& alert) {
+    return std::find(alerts.begin(), alerts.end(), alert) != alerts.end();
+}
+
+}  // namespace
+
+const std::vector<Bearing>& bearings() {
+    static const std::vector<Bearing> list{
+        {{"NOT_CONVERGED", "TIP_NOT_CONVERGED"}, "An iteration for {} ended before its changes were small: its result may move."},
+        {{"UNREADABLE_MEMBER", "UNREADABLE_ARRAY"}, "What of {} cannot be read is in no number."},
+        {{"CHECKSUM"}, "A checksum of {} is wrong: what was read may be damaged."},
+        {{"UNIT_ASSUMED", "UNIT_GUESSED", "UNIT_MISMATCH", "UNITS_IMPLAUSIBLE"},
+         "The units of {} are not certain: its numbers scale with them."},
+        {{"SIZE_MISMATCH", "SIZE_FROM_NAME"}, "The size of {} is not certain: wavelengths and slopes scale with it."},
+        {{"SCALE_NOT_APPLIED", "SCALE_TWICE", "NO_HEIGHT_SCALE", "SENSITIVITY_MISSING"},
+         "The scale of heights of {} is not certain: heights, slopes and stored energy go with it."},
+        {{"BAD_CALIBRATION", "UNKNOWN_UNIT", "RECIPROCAL_UNITS", "PIXEL_SIZE_DISAGREES", "SCALE_BAR_UNCONFIRMED", "SCALE_BAR_AMBIGUOUS",
+          "SCALE_BAR_DISAGREES"},
+         "The size of a pixel of {} is not certain: heights and wavelengths scale with it."},
+        {{"AMBIGUOUS_COLUMNS", "COLUMN_GUESSED"}, "What the columns of {} hold is a guess."},
+        {{"UNTESTED_FORMAT"}, "The format of {} is read by its description alone: no real file has tested that."},
+        {{"ORIGINAL_MISSING", "COPY_DIFFERS", "NO_PROCESSED_COPY"},
+         "Of {} original and processed copy are not both there and alike: what others computed from it may rest on other data."},
+        {{"HIDDEN_MEASUREMENT"}, "Of {} the file says not to show it; it counts all the same."},
+        {{"MASK_NOT_APPLIED"}, "Points of {} that a mask selects count like all others."},
+        {{"INSTRUMENTS_DISAGREE", "DISAGREE"},
+         "Instruments disagree on {} beyond chance: its spectrum is a compromise between them."},
+        {{"NO_INSTRUMENT"}, "Of {} no instrument is stated: waves that it may have blurred count as seen."},
+        {{"NO_TIP_RADIUS"}, "Of {} no tip radius is stated: waves that a tip may have hidden count as seen."},
+        {{"SAME_MEASUREMENT"}, "Data of {} stand in the study more than once: intervals are too narrow."},
+        {{"CONSTANT"}, "All heights of {} are equal: its roughness is below what was recorded."},
+        {{"WAVES_BEYOND_DATA"},
+         "Of {} waves shorter than the finest data are in no number; slope, true area and stored energy are lower bounds."},
+        {{"BAND_LIMITED"},
+         "Of {} waves longer than the longest measured are in no number; h_rms and stored energy are lower bounds."},
+        {{"LOW_Q_GAP", "ROLLOFF_NOT_SEEN"},
+         "The spectrum of {} does not level off at its longest waves: a larger piece of it is rougher."},
+        {{"COVERAGE_GAP"}, "No measurement of {} sees the waves between those of its instruments."},
+        {{"CUTOFF_NOT_SEEN"},
+         "Where the spectrum of {} ends is not seen: slope, curvature and true area rest on an end that was assumed."},
+        {{"MODEL_MISSES"}, "A self-affine spectrum does not describe {}: what rests on its form is approximate."},
+        {{"SPECTRUM_WITHOUT_ERROR"}, "The spectrum of {} comes without errors: no ± follows from it."},
+        {{"SPREAD_INCOMPLETE"}, "The ± of {} leaves a part out: its intervals are too narrow."},
+        {{"ONE_PLACE"}, "One place of {} was measured: whether others are like it is not known."},
+        {{"FEW_PATCHES"}, "Maps of {} hold few independent patches: their ± is itself uncertain."},
+        {{"MEASUREMENTS_SCATTER"}, "Places of {} differ beyond their waves: few places may not stand for the whole."},
+        {{"SPIKES", "SCARS", "SCAN_DIRECTION", "CLIPPED", "QUANTISED"},
+         "Heights of {} carry marks of the instrument (spikes, scars, lines that jump, clipping or steps of the digitiser): a part of the roughness may be theirs."},
+        {{"TILT_LARGE", "CURVATURE_LEFT"}, "Tilt or bow of {} exceeds its roughness: the longest waves depend on how it is taken off."},
+        {{"UNDEF", "UNDEFINED"}, "Of {} some points are undefined: what stands there is in no number."},
+        {{"PIXEL_NOISE", "TRACE_NOISE"}, "Noise covers the shortest waves of {}."},
+        {{"VACUUM_ASSUMED", "TWO_EDGES", "LOW_CONTRAST"}, "Which edge of {} is the surface is not certain."},
+        {{"REENTRANT"}, "Contours of {} turn back: overhangs are in no number."},
+        {{"FOIL_THICKNESS", "FOIL_PROJECTION"},
+         "Contours of {} are silhouettes of a foil: waves shorter than some foil thicknesses read low."},
+        {{"SLOPES_INTEGRATED"}, "Heights of {} are integrals of slopes: their longest waves are the least certain."},
+        {{"SINGLE_INSTRUMENT_DECADE"}, "Some decades of {} are seen by one instrument alone: nothing checks them there."},
+        {{"ONE_DIRECTION"}, "Lines on {} see one direction: that the others are alike is assumed where no map shows it."},
+        {{"ANISOTROPIC", "STRETCHED"}, "The roughness of {} differs with direction: the isotropic spectrum is the mean over all."},
+        {{"NON_GAUSSIAN"}, "Slopes of {} are not Gaussian, which (9) assumes: true areas by it are approximate."},
+        {{"MEASURED_SLOPES"}, "Slopes of {} are not Gaussian: true areas are taken from the measured ones."},
+        {{"HEIGHT_UNKNOWN"},
+         "The height of the soft body of {} is not given: its modulus counts as that of a half-space and is too high for a lens."},
+        {{"MODULUS_IMPLAUSIBLE"}, "The modulus of {} is not what the molar mass of its network gives: one of the two is wrong."},
+        {{"POOR_FIT", "RANGE_SENSITIVE"},
+         "The JKR fit of {} leaves residuals or depends on its range: so do E* and W."},
+        {{"LARGE_STRAIN", "TABOR_RANGE"}, "The contact of {} is outside the range of JKR's theory."},
+        {{"CONTACT_POINT_UNKNOWN", "CONTACT_POINT_SPREAD"},
+         "Where {} first touches is not certain: E* from displacement goes with it."},
+        {{"STIFFNESS_UNRESOLVED"}, "The machine is soft beside the contact of {}: E* from displacement is not resolved."},
+        {{"NO_BASELINE", "DRIFT_UNKNOWN", "FORCE_SATURATED"},
+         "The zero, the drift or the end of the force of {} is not known: forces may be off by it."},
+        {{"NO_RETRACTION"}, "The record of {} ends before pull-off: it says nothing of the energy lost."},
+        {{"LOOP_UNDERSAMPLED"}, "The loop of {} is sampled coarsely: so is its energy."},
+        {{"FRAME_MISSING", "FRAMES_BAD", "FRAMES_OUTSIDE", "CLOCK_DOUBTFUL"},
+         "Contact radii of {} are missing in part, or their clock is doubtful."},
+        {{"TIME_BACKWARDS"}, "The time of {} runs backwards: which branch is which is not certain."},
+        {{"TWO_CONTACTS"}, "The record of {} holds several contacts, of which one is analysed."},
+        {{"CONFORMAL_INVALID"},
+         "At some wavelengths the roughness of {} stores more than it gains: the contact that (7) assumes is not to be expected there."},
+        {{"NEEDS_PRESSURE"},
+         "The roughness of {} closes under pressure alone: what approach measures may be partial contact."},
+        {{"REFERENCE_INCOMPLETE"}, "The smooth reference {} is not whole: it cannot tell the loss of roughness from the material's."},
+        {{"REFERENCE_HYSTERESIS"},
+         "The smooth reference on {} is not shown to be free of hysteresis: of that on rough surfaces a part is not the roughness's."},
+        {{"REFERENCE_LOSS"},
+         "The smooth reference on {} is not shown to lose no more than an ideal sphere: of the loss on rough surfaces a part is not the roughness's."}};
+    return list;
+}
+
+Subject subject_of(const study::StudyResult& result, const Alert& alert) {
+    const auto last_part = [](const std::string& path) { return path.substr(path.find_last_of('/') + 1); };
+    for (const auto& surface : result.surfaces) {
+        if (holds(surface.alerts, alert)) return {surface.name, ""};
+        for (const auto& m : surface.measurements)
+            if (holds(m.alerts, alert)) {
+                const auto name = m.file.empty() ? m.name : last_part(m.file);
+                return {name.empty() ? surface.name : name, surface.name};
+            }
+    }
+    return {last_part(alert.subject), ""};
+}
+
+std::vector<std::string> names_of(const std::vector<Subject>& subjects) {
+    constexpr std::size_t few = 3;
+    std::vector<std::string> own, of_surfaces;
+    for (const auto& subject : subjects) {
+        add_once(own, subject.name);
+        add_once(of_surfaces, subject.surface.empty() ? subject.name : subject.surface);
+    }
+    return own.size() > few ? of_surfaces : own;
+}
+
+}  // namespace setae::output
