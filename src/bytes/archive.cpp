@@ -180,8 +180,10 @@ std::string Archive::head(const std::string& name, std::uint64_t count) const {
     const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(zip_.get(), index, 0));
     if (!file) broken(source_, fmt::format("member '{}': {}", name, zip_strerror(zip_.get())));
     std::string content;
-    content.reserve(std::min({announced(zip_.get(), index, source_).size, most_expanded(compressed), count}));
-    std::vector<char> chunk(1 << 18);
+    const auto expected = std::min({announced(zip_.get(), index, source_).size, most_expanded(compressed), count});
+    content.reserve(expected);
+    // a map has ten thousands of small members: none pays for a large one's chunk
+    std::vector<char> chunk(std::clamp<std::uint64_t>(expected, 1 << 12, 1 << 18));
     while (content.size() < count) {
         const auto got =
             zip_fread(file.get(), chunk.data(), std::min<std::uint64_t>(chunk.size(), count - content.size()));

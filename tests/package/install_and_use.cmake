@@ -9,6 +9,12 @@ run(${CMAKE_COMMAND} -S ${EXAMPLES}/library -B ${WORK}/build -G ${GENERATOR} -DC
     -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 
+# the mappings came along and go by their names, wherever the folder stands
+file(RENAME ${WORK}/prefix ${WORK}/moved)
+file(COPY ${EXAMPLES}/../tests/cli/jkr/jkr_import_mapping_by_name/curve.txt DESTINATION ${WORK})
+run(${WORK}/moved/bin/setae jkr import ${WORK}/curve.txt --mapping eoh -o ${WORK}/sensor.csv)
+file(RENAME ${WORK}/moved ${WORK}/prefix)
+
 # the recipe plants E = 0.7 MPa, so E* = 0.933 MPa
 run(${WORK}/prefix/bin/setae lab make ${EXAMPLES}/tutorial/recipe.toml -o ${WORK}/data)
 run(${WORK}/prefix/bin/setae jkr import ${WORK}/data/loops/smoother_soft.csv -o ${WORK}/loop.csv)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -137,6 +138,136 @@ std::string big_endian(const std::vector<Number>& values) {
     }
     if (shared) members.emplace_back("shared-data/header.properties", common);
     return zip_archive(members);
+}
+
+/// The same as programs of 2015 wrote it: no kind of file in the header, style and duration by reference.
+[[nodiscard]] inline std::string jpk_force_file_of_2015() {
+    auto segment = jpk_segment("extend", 3, true);
+    auto common = segment.substr(segment.find('\x01') + 1);
+    segment.resize(segment.find('\x01'));
+    for (const char* own :
+         {"force-segment-header.settings.segment-settings.style=extend\n", "force-segment-header.duration=0.5\n"})
+        segment.erase(segment.find(own), std::string(own).size());
+    segment += "force-segment-header.force-segment-header-info.*=4\n";
+    common +=
+        "force-segment-header-info.4.settings.segment-settings.style=extend\nforce-segment-header-info.4.duration=0.5\n";
+    return zip_archive(
+        {{"header.properties",
+          "#Fri May 22 15:31:49 CEST 2015\ntype=force-scan-series\nforce-scan-series.header.position.x=1e-6\n"
+          "force-scan-series.header.position.y=-2e-6\n"},
+         {"segments/0/segment-header.properties", segment},
+         {"segments/0/channels/measuredHeight.dat", big_endian<std::int16_t>({4, 2, 0})},
+         {"segments/0/channels/vDeflection.dat", big_endian<std::int16_t>({0, 100, 200})},
+         {"shared-data/header.properties", common}});
+}
+
+/// A curve of a map for jpk_map_file(): raw heights and readings of extension and retraction.
+struct JpkMapCurve {
+    long number = 0;
+    double x = 0.0, y = 0.0;  ///< [m]
+    std::vector<std::vector<std::int16_t>> heights{{4, 2, 0}, {0, 2, 4}}, readings{{0, 100, 200}, {200, 100, -50}};
+};
+
+/// The header of a map: columns × rows over 4 µm × 2 µm around (1 µm, −1 µm), turned by an angle.
+[[nodiscard]] inline std::string jpk_map_header(int columns = 2, int rows = 1, double angle = 0.0, bool qi = false) {
+    const std::string pattern = fmt::format("{}-map.position-pattern.", qi ? "quantitative-imaging" : "force-scan");
+    return fmt::format("jpk-data-file={}\ntype={}-map\n{}type=grid-position-pattern\n",
+                       qi ? "spm-quantitative-image-data-file" : "spm-force-scan-map-file",
+                       qi ? "quantitative-imaging" : "force-scan", pattern) +
+           fmt::format(
+               "{0}grid.ilength={1}\n{0}grid.jlength={2}\n{0}grid.ulength=4e-6\n{0}grid.vlength=2e-6\n"
+               "{0}grid.xcenter=1e-6\n{0}grid.ycenter=-1e-6\n{0}grid.theta={3}\n",
+               pattern, columns, rows, angle);
+}
+
+/// A force map, or QI data: curves in folders of their numbers, conversions shared.
+[[nodiscard]] inline std::string jpk_map_file(const std::vector<JpkMapCurve>& curves,
+                                              const std::string& header = jpk_map_header()) {
+    Members members{{"header.properties", header}};
+    const std::string series = holds(header, "quantitative-imaging") ? "quantitative-imaging" : "force-scan";
+    std::string common;
+    for (const auto& curve : curves) {
+        const auto index = fmt::format("index/{}/", curve.number);
+        for (std::size_t k = 0; k < curve.heights.size(); ++k) {
+            auto properties =
+                jpk_segment(k == 0 ? "extend" : "retract", static_cast<int>(curve.heights[k].size()), true);
+            common = properties.substr(properties.find('\x01') + 1);
+            properties.resize(properties.find('\x01'));
+            const auto folder = fmt::format("{}segments/{}/", index, k);
+            members.emplace_back(folder + "segment-header.properties", properties);
+            members.emplace_back(folder + "channels/measuredHeight.dat", big_endian(curve.heights[k]));
+            members.emplace_back(folder + "channels/vDeflection.dat", big_endian(curve.readings[k]));
+        }
+        members.emplace_back(index + "header.properties",
+                             fmt::format("{0}-series.header.position.x={1}\n{0}-series.header.position.y={2}\n", series,
+                                         curve.x, curve.y));
+    }
+    members.emplace_back("shared-data/header.properties", common);
+    return zip_archive(members);
+}
+
+/// A curve of a sphere of 1 mm on soft solids of that contact modulus [Pa], around 20: a dry approach and a retraction
+/// that sticks by 15 nN; 160 samples a way, half a micrometre apart, contact in the middle.
+[[nodiscard]] inline JpkMapCurve jpk_contact(long number, double x, double y, double contact_modulus) {
+    constexpr int samples = 160, contact = 80;
+    constexpr double stiffness = 0.2, pull = 1.5e-8;
+    JpkMapCurve curve{.number = number, .x = x, .y = y, .heights = {{}, {}}, .readings = {{}, {}}};
+    const auto reading = [&](double travel, bool sticks) {
+        double deepest = std::max(travel, 0.0), shallowest = 0.0;
+        const auto force = [&](double depth) {
+            return 4.0 / 3.0 * contact_modulus * std::sqrt(1e-3) * std::pow(depth, 1.5);
+        };
+        for (int step = 0; step < 60; ++step) {  // the travel of the base is depth and deflection
+            const double depth = 0.5 * (deepest + shallowest);
+            (depth + force(depth) / stiffness > travel ? deepest : shallowest) = depth;
+        }
+        const double sticky = sticks && travel > -2e-6 && travel <= 2e-6 ? -pull : 0.0;
+        const double volts = (force(0.5 * (deepest + shallowest)) + sticky) / stiffness / 50e-9;
+        return static_cast<std::int16_t>(std::lround((volts - 0.25) / 0.001));
+    };
+    for (int i = 0; i < samples; ++i)
+        for (const bool back : {false, true}) {
+            const int down = back ? samples - 1 - i : i;
+            curve.heights[back].push_back(static_cast<std::int16_t>(samples - down));
+            curve.readings[back].push_back(reading(0.5e-6 * (down - contact), back));
+        }
+    return curve;
+}
+
+/// A section of a channel of Nanosurf's spectroscopy: 2 curves of 3 points, 16 bits signed, which stand for −range/2 to
+/// range/2.
+[[nodiscard]] inline std::string nanosurf_channel(int group, int channel, const char* frame, const char* name,
+                                                  const char* unit, double range) {
+    return fmt::format(
+        "[DataSet-{}:{}]\nPoints=3\nLines=2\nFrame={}\nDim0Unit=m\nDim1Unit=\nDim2Name={}\nDim2Unit={}\nDim2Range={}\n"
+        "Dim2Min={}\nSaveMode=Binary\nSaveBits=16\nSaveSign=Signed\nSaveOrder=Intel\n{}",
+        group, channel, frame, name, unit, range, -0.5 * range,
+        std::string_view(frame) == "Spec backward" ? "LineDim0Points=3\nLineDim1Points=2\n" : "");
+}
+
+/// Spectroscopy of Nanosurf: two curves, heights that fall on approach (1 µm over 2^16), deflections of 2^16 nm in all,
+/// or volts of 6.5536 in all; 48 N/m, 30 nm/V.
+[[nodiscard]] inline std::string nanosurf_force_file(const char* deflection_unit = "m") {
+    const double range = std::string_view(deflection_unit) == "m" ? 65536e-9 : 6.5536;
+    std::string head =
+        "[DataSet]\nGroupCount=2\nGr0-Ch0=DataSet-0:0\nGr0-Ch1=DataSet-0:1\nGr1-Ch0=DataSet-1:0\nGr1-Ch1=DataSet-1:1\n"
+        "[DataSet-Info]\nDate=07-08-2018\nCantilever type=Tap190\n"
+        "[DataSet\\Calibration\\Cantilever]\nProp0=D[48]*[N/m]\nProp1=D[190000]*[Hz]\n"
+        "[DataSet\\Calibration\\Scanhead]\nIn5=5,TipSignalDC,Deflection,m,3e-07,0\nIn16=17,TipSignalDC2,Deflection,N,1,0\n"
+        "[DataSet\\Parameters\\Spectroscopy]\nFwModTime=D[0.3]*[s]\nBwModTime=D[0.6]*[s]\n"
+        "[DataSet\\SpecInfos]\nSubSectionCount=2\nSubSection0=Setup\nSubSection1=Positions\n"
+        "[DataSet\\SpecInfos\\Setup]\nSpecMode=Point\n"
+        "[DataSet\\SpecInfos\\Positions]\nCount=2\nPoi0=1e-06;2e-06;0\nPoi1=3e-06;4e-06;0\n";
+    for (int group = 0; group < 2; ++group) {
+        const char* frame = group == 0 ? "Spec forward" : "Spec backward";
+        head += nanosurf_channel(group, 0, frame, "Z-Axis", "m", 65536e-6) +
+                nanosurf_channel(group, 1, frame, "Deflection", deflection_unit, range);
+    }
+    return head + "\n#!" +
+           bytes_of(std::vector<std::int16_t>{4,  2,  0,  8,  6,  4,   // heights of approach
+                                              0,  10, 20, 0,  30, 60,  // deflections
+                                              0,  2,  4,  4,  6,  0,   // of retraction, the second of two points
+                                              20, 10, -5, 60, 30, 0});
 }
 
 /// A force curve as Igor stores it: columns Raw, Defl, ZSnsr of five samples, floats of the order named.

@@ -7,8 +7,11 @@
 #include "program/terminal.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/layout.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/force_map_output.hpp"
+#include "setae/output/loop_answer.hpp"
 #include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli {
@@ -67,6 +70,10 @@ bool CurveArguments::concerns(const std::string& file) const {
     }
 }
 
+loops::LensAndCounterBody CurveArguments::bodies(const BodyArguments& given, const Table& of_curve) const {
+    return tip == "paraboloid" ? given.bodies(of_curve) : given.without_radius(of_curve);
+}
+
 loops::ForceCurveFitOptions CurveArguments::options() const {
     loops::ForceCurveFitOptions options{.shape = loops::tip_shape_named(tip),
                                         .half_angle = half_angle * pi / 180.0,
@@ -79,21 +86,34 @@ loops::ForceCurveFitOptions CurveArguments::options() const {
     return options;
 }
 
-std::vector<loops::NamedCurveFit> fit_curve(const std::string& file, const LoopArguments& loops,
-                                            const BodyArguments& bodies, const CurveArguments& curve) {
-    const auto opened = study::open_loop(loops.source(file));
-    const bool ball = curve.tip == "paraboloid";
-    return loops::fit_force_curve(
-        opened.table, ball ? bodies.bodies(opened.table) : bodies.without_radius(opened.table), curve.options());
+bool CurveArguments::concerns_map(const std::string& file, const LoopArguments& loops) const {
+    if (loops.curve_number) return false;
+    try {
+        return tables::open_force_curves(file).numbers.size() > 1;
+    } catch (const FormatError&) {
+        return false;  // a table taken for a curve, or what whoever reads it says
+    }
 }
 
-void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit>& segments) {
-    tables::TidyTable table{file,
+loops::ForceCurveAnalysis fit_curve(const std::string& file, const LoopArguments& loops, const BodyArguments& bodies,
+                                    const CurveArguments& curve) {
+    const auto opened = loops.open(file);
+    return loops::analyse_force_curve(opened.table, curve.bodies(bodies, opened.table), curve.options());
+}
+
+study::ForceMap fit_map(const std::string& file, const LoopArguments& loops, const BodyArguments& bodies,
+                        const CurveArguments& curve, parallel::Threads threads) {
+    return study::fit_force_map(file, loops.source(file).force_curve, curve.bodies(bodies, {}), curve.options(),
+                                threads);
+}
+
+void print_curve(const std::string& file, const loops::ForceCurveAnalysis& analysis) {
+    tables::TidyTable table{"",
                             {"segment", "tip", "model", "E* [kPa]", "E [kPa]", "W [mJ/m²]", "contact point [µm]",
                              "indentation [µm]", "n", "rms residual"},
                             {}};
     std::string reasons;
-    for (const auto& segment : segments) {
+    for (const auto& segment : analysis.segments) {
         if (!segment.fit) {
             reasons += fmt::format("  {}: {}\n", segment.name, segment.fit.reason);
             continue;
@@ -106,7 +126,15 @@ void print_curve(const std::string& file, const std::vector<loops::NamedCurveFit
                               fmt::format("{:.4g} … {:.4g}", 1e6 * fit.indentation_from, 1e6 * fit.indentation_to),
                               fmt::format("{}", fit.n), format_value(fit.rms_residual, "N", 3)});
     }
-    print(tables::as_text_within(table, output_size().width) + reasons);
+    const auto width = output_size().width;
+    print(wrapped(file + ": " + output::answer(analysis.summary), width, 2) + "\n" +
+          tables::as_text_within(table, width) + reasons);
+}
+
+void print_map(const study::ForceMap& map) {
+    const auto width = output_size().width;
+    print(wrapped(map.file + ": " + output::answer(map), width, 2) + "\n" +
+          tables::as_text_within(output::spread_table(map), width));
 }
 
 }  // namespace setae::cli

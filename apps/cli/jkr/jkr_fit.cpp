@@ -16,12 +16,17 @@
 #include "program/command_line.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/layout.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/loop_figure.hpp"
+#include "setae/output/file_names.hpp"
 #include "setae/output/fit_json.hpp"
+#include "setae/output/force_map_output.hpp"
+#include "setae/output/loop_answer.hpp"
 #include "setae/output/loop_tables.hpp"
 #include "setae/study_figures/loop_figures.hpp"
 
@@ -52,8 +57,7 @@ void add_branch(tables::TidyTable& table, const char* branch, const loops::Branc
         table.rows.push_back({branch, fit->method, uncertain_number(fit->contact_modulus, 1e6),
                               uncertain_number(fit->youngs_modulus, 1e6), uncertain_number(fit->work_of_adhesion, 1e-3),
                               fmt::format("{:.3f}", fit->correlation), fmt::format("{:.3g}", fit->chi2_reduced),
-                              fmt::format("{}", fit->n),
-                              fmt::format("{:.3g} {}", fit->rms_residual, fit->residual_unit)});
+                              fmt::format("{}", fit->n), format_value(fit->rms_residual, fit->residual_unit, 3)});
     };
     add(analysis.radius_force);
     add(analysis.radius_force_effective_variance);
@@ -75,30 +79,30 @@ std::string hold_text(const loops::HoldGrowth& hold) {
     return text;
 }
 
-/// E*, W of both ways and the loss in one line.
-std::string answer_of(const loops::LoopAnalysis& a) {
-    const auto& fit = a.loading.primary();
-    auto text = fmt::format("E* {}, W {} on loading ({})", format_uncertain(fit.contact_modulus, "Pa"),
-                            format_uncertain(fit.work_of_adhesion, "J/m2"), a.loading.range.name);
-    if (a.pull_off)
-        text += fmt::format(", {} at pull-off ({})", format_uncertain(a.pull_off->work_of_adhesion, "J/m2"),
-                            format_uncertain(a.pull_off->force, "N"));
-    if (a.loop) text += fmt::format(", loss {}", format_uncertain(a.loop->estimate(), "J"));
-    return text;
+/// A text that begins behind so many characters of its first line, in lines below one another.
+std::string indented(const std::string& text, std::size_t indent, std::size_t width) {
+    std::string lines;
+    for (const char c : wrapped(text, width - indent))
+        lines += c == '\n' ? "\n" + std::string(indent, ' ') : std::string(1, c);
+    return lines;
 }
 
 void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     tables::TidyTable table{
-        "", {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "correlation", "χ²_red", "n", "rms residual"}, {}};
+        "", {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "corr.", "χ²_red", "n", "rms residual"}, {}};
     add_branch(table, "loading", a.loading);
     if (a.unloading) add_branch(table, "unloading", *a.unloading);
-    std::string text = file + ": " + answer_of(a) + "\n" + tables::as_text(table);
-    text += fmt::format("  range: {}\n  samples dropped after jump-in → W:", a.loading.range.name);
+    const auto width = output_size().width;
+    std::string text = wrapped(file + ": " + output::answer(a), width, 2) + "\n" + tables::as_text_within(table, width);
+    text += fmt::format("  range: {}\n", a.loading.range.name);
+    std::string dropped = "samples dropped after jump-in → W:";
     for (const auto& s : a.loading.sensitivity)
-        text += s.fit ? fmt::format("  {} → {:.1f} mJ/m²", s.dropped, 1e3 * s.fit->work_of_adhesion.value) : "";
-    text += '\n';
+        if (s.fit)
+            dropped += fmt::format("{} {} → {:.1f} mJ/m²", dropped.ends_with(':') ? "" : ",", s.dropped,
+                                   1e3 * s.fit->work_of_adhesion.value);
+    text += "  " + indented(dropped, 4, width - 2) + "\n";
     const auto line = [&](const char* what, const std::string& value) {
-        text += fmt::format("  {:<28} {}\n", what, value);
+        text += fmt::format("  {:<28} {}\n", what, indented(value, 31, width));
     };
     const auto value = [](const Estimate& v, const char* unit) { return format_uncertain(v, unit); };
     if (a.contact_points) {
@@ -115,7 +119,7 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
                  fit ? fmt::format("{:.4g}", 1e-6 * fit->contact_modulus.value) : "–",
                  fit ? fmt::format("{:.4g}", 1e3 * fit->work_of_adhesion.value) : "–"});
         }
-        text += tables::as_text(beside);
+        text += tables::as_text_within(beside, width);
         line("spread of these", fmt::format("{} ({:.2g} % of the penetration), dW/dδ0 {:.3g} mJ/m² per nm",
                                             format_value(points.spread, "m"), 100.0 * points.spread_share,
                                             1e-6 * points.work_by_contact_point));
@@ -163,12 +167,39 @@ private:
     std::vector<study_figures::NamedScan> scans_;
 };
 
+/// All curves of a file of several.
+void fit_curves_of(const std::string& file, const std::string& name, const Arguments& arguments, output::Json& list) {
+    const auto map =
+        fit_map(file, arguments.request.loops, arguments.request.bodies, arguments.curve, arguments.common.workers());
+    const auto written =
+        arguments.output.empty() ? std::vector<std::string>{} : output::write_force_map(map, arguments.output, name);
+    if (arguments.common.json) {
+        list.push_back(output::to_json(map));
+        return;
+    }
+    print_map(map);
+    for (const auto& path : written) print(path + " written\n");
+    if (written.empty()) print("nothing written: -o FOLDER keeps a table of the curves, and maps\n");
+}
+
 /// Force curves among the files.
 ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& files, output::Json& list) {
+    std::vector<std::string> stems;
+    for (const auto& file : files) stems.push_back(figure_name(file));
+    const auto names = output::file_names(stems);
+    std::size_t at = 0;
     return for_each_item(files, [&](const std::string& file) {
-        const auto segments = fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
-        if (arguments.common.json) list.push_back({{"file", file}, {"segments", output::to_json(segments)}});
-        else print_curve(file, segments);
+        const auto& name = names[at++];
+        if (arguments.curve.concerns_map(file, arguments.request.loops)) {
+            fit_curves_of(file, name, arguments, list);
+            return;
+        }
+        const auto analysis = fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
+        if (arguments.common.json)
+            list.push_back({{"file", file},
+                            {"segments", output::to_json(analysis.segments)},
+                            {"summary", output::to_json(analysis.summary)}});
+        else print_curve(file, analysis);
     });
 }
 
@@ -217,9 +248,10 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
     return code;
 }
 
-/// -o draws one loop.
-void require_one_loop_to_draw(const std::string& output, const std::vector<std::string>& curves,
-                              const std::vector<std::string>& loops) {
+/// -o is the figure of one loop, or the folder of what files of many force curves give.
+void check_output(const std::string& output, const std::vector<std::string>& curves,
+                  const std::vector<std::string>& loops) {
+    if (!file_figures::is_figure_path(output) && loops.empty()) return;
     if (!file_figures::is_figure_path(output))
         throw InvalidArgument(fmt::format(
             "{}: cannot tell the format from the name; expected an ending {}; --tidy OUT.csv writes the fits", output,
@@ -239,7 +271,7 @@ ExitCode run(const Arguments& arguments) {
     loops.loops.files.clear();
     for (const auto& file : arguments.request.loops.expanded())
         (arguments.curve.concerns(file) ? curves : loops.loops.files).push_back(file);
-    if (!arguments.output.empty()) require_one_loop_to_draw(arguments.output, curves, loops.loops.files);
+    if (!arguments.output.empty()) check_output(arguments.output, curves, loops.loops.files);
     std::optional<loops::GlobalFit> global;
     std::vector<ExitCode> codes;
     if (!curves.empty()) codes.push_back(fit_curves(arguments, curves, list));
@@ -262,7 +294,10 @@ Action declare(Options& options) {
     arguments->request.add_to(options);
     arguments->models.add_to(options);
     arguments->curve.add_to(options);
-    options.add("-o,--output", arguments->output, "figure OUT.svg, .pdf or .png of the one loop with its fits");
+    options.add(
+        "-o,--output", arguments->output,
+        "figure OUT.svg, .pdf or .png of the one loop with its fits; of files of many force curves a folder: NAME.csv, a row "
+        "a curve, and NAME.gwy, maps of E*, E, W, pull-off and loss");
     arguments->figure.add_to(options);
     options.add("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
     options.add("--figures", arguments->figures,

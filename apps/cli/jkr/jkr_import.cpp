@@ -7,10 +7,12 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "jkr/loop_arguments.hpp"
 #include "program/command.hpp"
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/constants.hpp"
@@ -21,6 +23,7 @@
 #include "setae/tables/clocks.hpp"
 #include "setae/tables/column_guess.hpp"
 #include "setae/tables/loop_file.hpp"
+#include "setae/tables/mapping_folder.hpp"
 #include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli::jkr_import_command {
@@ -28,6 +31,7 @@ namespace {
 
 constexpr const char* explanation =
     "without --map, columns are guessed from names and units; the guess is shown, --column overrules it, --save-map keeps it\n"
+    "expressions name columns by their header in lower case, other characters as '_', or by a beginning of that; with --mapping, by its names\n"
     "force > 0 presses, displacement grows into the contact, contact_radius is 0 out of contact; SI after import\n"
     "clocks      F = 2 E* a (delta - a^2/(3R)) holds at any state: the camera's offset is where its frames satisfy it best\n"
     "the result is a loop file, docs/reference/loop-format.md; sphere_radius and the like in it need not be given again\n";
@@ -139,21 +143,30 @@ struct Understood {
 };
 
 Understood understood(const Arguments& arguments, const std::string& file) {
-    if (!arguments.loops.map.empty()) return {.mapping = tables::read_mapping(arguments.loops.map)};
+    const auto chosen = assignments(arguments.columns, "--column");
+    if (const auto mapping = arguments.loops.mapping())
+        return {.mapping = tables::with_results(tables::read_mapping(*mapping), chosen)};
     if (!is_foreign_table(file)) return {};
     Understood result{.guess = tables::guess_columns(file, table_options(arguments))};
     if (!arguments.common.json) print(tables::describe(*result.guess));
-    result.mapping = tables::mapping_from(
-        *result.guess, assignments(arguments.columns, "--column"),
-        arguments.loops.camera.empty() ? tables::LoopColumns::complete : tables::LoopColumns::force_record);
+    const auto wanted =
+        arguments.loops.camera.empty() ? tables::LoopColumns::complete : tables::LoopColumns::force_record;
+    try {
+        result.mapping = tables::mapping_from(*result.guess, chosen, wanted);
+    } catch (const FormatError& error) {
+        const auto fitting = tables::fitting_mappings(file, mapping_folder());
+        if (fitting.empty()) throw;
+        throw InvalidArgument(fmt::format("{}; a mapping that came with setae reads it: --mapping {}", error.what(),
+                                          fmt::join(fitting, ", or --mapping ")));
+    }
     return result;
 }
 
 void import(const Arguments& arguments, const std::string& file, output::Json& list) {
     const auto how = understood(arguments, file);
     if (how.mapping && !arguments.save_map.empty()) tables::write_mapping(arguments.save_map, *how.mapping);
-    const auto opened = how.mapping ? study::open_loop(arguments.loops.source(file), *how.mapping)
-                                    : study::open_loop(arguments.loops.source(file));
+    const auto opened =
+        how.mapping ? study::open_loop(arguments.loops.source(file), *how.mapping) : arguments.loops.open(file);
     auto metadata = tables::loop_metadata(opened.table);
     metadata.emplace("source", std::filesystem::path(file).filename().string());
     for (const auto& [key, value] : assignments(arguments.entries, "--set")) metadata[key] = value;
@@ -203,7 +216,7 @@ Action declare(Options& options) {
     arguments->loops.add_to(options);
     options.add(
         "--column", arguments->columns,
-        "ROLE=COLUMN overrules the guess, such as force=Load or displacement=3 (from 1); also contact_radius, time");
+        "ROLE=COLUMN overrules the guess, such as force=Load or displacement=3 (from 1), or ROLE=EXPRESSION over columns, such as force=\"3.01 N/m * mems\"; also contact_radius, time");
     options.add("--encoding", arguments->encoding, "utf-8, utf-16 or latin-1; default: found")
         .one_of({"utf-8", "utf-16", "latin-1"});
     options.add("--separator", arguments->separator, "tab, comma, semicolon or blank; default: found")

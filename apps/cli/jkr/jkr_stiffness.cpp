@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/core/errors.hpp"
@@ -16,6 +17,7 @@
 #include "setae/loops/machine_stiffness.hpp"
 #include "setae/output/json.hpp"
 #include "setae/study/open_loop.hpp"
+#include "setae/tables/mapping_folder.hpp"
 
 namespace setae::cli::jkr_stiffness_command {
 namespace {
@@ -62,8 +64,9 @@ ExitCode run(const Arguments& arguments) {
         throw InvalidArgument("a loop on something rigid is wanted: setae jkr stiffness RIGID.csv");
     output::Json all = output::Json::array();
     const ExitCode code = for_each_item(arguments.files, [&](const std::string& file) {
-        const auto loop = study::open_loop(
-            {.file = file, .mapping = arguments.map.empty() ? std::nullopt : std::optional(arguments.map)});
+        study::LoopSource source{.file = file};
+        if (!arguments.map.empty()) source.mapping = tables::mapping_path(arguments.map, mapping_folder());
+        const auto loop = study::open_loop(source);
         const auto found = loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(loop.table));
         if (arguments.common.json) all.push_back(as_json(file, found));
         else print(as_text(file, found));
@@ -79,7 +82,8 @@ Action declare(Options& options) {
     options
         .add("files", arguments->files, "loops of the machine on something rigid: force against the stage's position")
         .of_inputs();
-    options.add("--map", arguments->map, "mapping file (TOML) that names the columns of a foreign table");
+    options.add("--map,--mapping", arguments->map,
+                "mapping (TOML) that names the columns of a foreign table: its file or its name");
     options.example("setae jkr stiffness rigid.csv", "stiffness of the machine from a loop on something rigid");
     return action(options, arguments, explanation, run);
 }

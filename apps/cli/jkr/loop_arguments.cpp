@@ -5,11 +5,14 @@
 #include <filesystem>
 #include <string_view>
 
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/machine_stiffness.hpp"
+#include "setae/study/force_map.hpp"
 #include "setae/tables/loop_file.hpp"
+#include "setae/tables/mapping_folder.hpp"
 
 namespace setae::cli {
 namespace {
@@ -31,7 +34,7 @@ std::optional<Estimate> stiffness_of(const LoopAnalysisArguments& arguments, con
 }
 
 AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& file) {
-    AnalysedLoop loop{.file = file, .opened = study::open_loop(request.loops.source(file))};
+    AnalysedLoop loop{.file = file, .opened = request.loops.open(file)};
     loop.bodies = request.bodies.bodies(loop.opened.table);
     loop.options = request.analysis.options(loop.opened.table);
     loop.analysis = study::analyse_loop(loop.opened, file, loop.bodies, loop.options);
@@ -45,7 +48,9 @@ void LoopArguments::add_to(Options& options) {
         .add("files", files,
              "loops: tables with units in the header, setae's loop files, workbooks, force curves, or folders of them")
         .of_inputs();
-    options.add("--map", map, "mapping file (TOML) that names the columns of a foreign table");
+    options.add(
+        "--map,--mapping", map,
+        "mapping (TOML) that names the columns of a foreign table: its file, or its name where it came with setae, such as eoh");
     options.add(
         "--camera", camera,
         "of the camera on its own clock: a table of time and contact_radius, or its pictures (TIFF stack, AVI, folder)");
@@ -61,6 +66,8 @@ void LoopArguments::add_to(Options& options) {
     options.add("--spring-constant", spring_constant, "of the cantilever of a force curve, such as \"0.05 N/m\"")
         .quantity(positive(dimension::stiffness));
     options.add("--sensitivity", sensitivity, "of its deflection, such as \"55 nm/V\"");
+    options.add("--curve-number", curve_number,
+                "one force curve of a file of many, as the file counts them; without it `jkr fit` fits them all");
 }
 
 std::vector<std::string> LoopArguments::expanded() const {
@@ -83,18 +90,27 @@ std::vector<std::string> LoopArguments::expanded() const {
 
 study::LoopSource LoopArguments::source(const std::string& file) const {
     study::LoopSource source{.file = file};
-    if (!map.empty()) source.mapping = map;
+    source.mapping = mapping();
     if (!camera.empty()) {
         source.camera = study::CameraInput{.file = camera,
                                            .clock_offset = given(clock_offset, dimension::time),
                                            .pixel_size = given(pixel, dimension::length),
                                            .frame_rate = frame_rate,
                                            .fringes = fringes};
-        if (!camera_map.empty()) source.camera->mapping = camera_map;
+        if (!camera_map.empty()) source.camera->mapping = tables::mapping_path(camera_map, mapping_folder());
     }
     source.force_curve.spring_constant = given(spring_constant, dimension::stiffness);
     if (!sensitivity.empty()) source.force_curve.sensitivity = tables::parse_sensitivity(sensitivity);
     return source;
+}
+
+std::optional<std::string> LoopArguments::mapping() const {
+    return map.empty() ? std::nullopt : std::optional(tables::mapping_path(map, mapping_folder()));
+}
+
+study::OpenedLoop LoopArguments::open(const std::string& file) const {
+    const auto wanted = source(file);
+    return curve_number ? study::open_force_curve(file, *curve_number, wanted.force_curve) : study::open_loop(wanted);
 }
 
 void BodyArguments::add_to(Options& options) {

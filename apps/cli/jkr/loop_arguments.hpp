@@ -21,12 +21,18 @@ struct LoopArguments {
     std::vector<std::string> files;
     std::string map, camera, camera_map, clock_offset, pixel, spring_constant, sensitivity;
     std::optional<double> frame_rate;
+    std::optional<long> curve_number;
     bool fringes = false;
 
     void add_to(Options& options);
     /// The files, those of folders in alphabetical order. @throws InvalidArgument where there is none.
     [[nodiscard]] std::vector<std::string> expanded() const;
     [[nodiscard]] study::LoopSource source(const std::string& file) const;
+    /// The file of the mapping that was named, by its path or by the name it has among those that came with the
+    /// program; nothing where none was. @throws FileError.
+    [[nodiscard]] std::optional<std::string> mapping() const;
+    /// The loop, or the force curve of the number wanted.
+    [[nodiscard]] study::OpenedLoop open(const std::string& file) const;
 };
 
 /// Options that say what was pressed on what.

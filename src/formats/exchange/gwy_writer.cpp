@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gwy_writer.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +12,7 @@
 
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/formats/quantity_maps.hpp"
 #include "writing.hpp"
 
 namespace setae::formats {
@@ -31,6 +33,11 @@ public:
     Object& object(const std::string& name, const char* type, const Object& value) {
         begin(name, 'o').bytes_ += value.framed(type);
         outside_ += value.outside_;
+        return *this;
+    }
+    /// Numbers whose bytes these are.
+    Object& reals(const char* name, const std::string& numbers) {
+        begin(name, 'D').raw(static_cast<std::uint32_t>(numbers.size() / sizeof(double))).bytes_ += numbers;
         return *this;
     }
     /// `count` numbers whose bytes follow what is here.
@@ -63,18 +70,25 @@ private:
     std::uint64_t outside_ = 0;
 };
 
-/// A field but for its heights, which stand last.
-Object field_of(const topography::HeightMap& map, const char* unit_z) {
+/// A field but for its numbers, which stand last.
+Object field_of(const std::array<Index, 2>& shape, const std::array<double, 2>& size, const std::string& unit_z) {
     Object unit_xy, unit;
     unit_xy.text("unitstr", "m");
     unit.text("unitstr", unit_z);
-    const auto [nx, ny] = map.shape();
     Object field;
-    field.integer("xres", static_cast<std::int32_t>(nx)).integer("yres", static_cast<std::int32_t>(ny));
-    field.real("xreal", map.size[0]).real("yreal", map.size[1]).real("xoff", 0.0).real("yoff", 0.0);
-    field.object("si_unit_xy", "GwySIUnit", unit_xy).object("si_unit_z", "GwySIUnit", unit);
-    return field.reals_outside("data", static_cast<std::uint32_t>(nx * ny));
+    field.integer("xres", static_cast<std::int32_t>(shape[0])).integer("yres", static_cast<std::int32_t>(shape[1]));
+    field.real("xreal", size[0]).real("yreal", size[1]).real("xoff", 0.0).real("yoff", 0.0);
+    return field.object("si_unit_xy", "GwySIUnit", unit_xy).object("si_unit_z", "GwySIUnit", unit);
 }
+
+/// The same whose heights stand elsewhere.
+Object field_outside(const topography::HeightMap& map, const char* unit_z) {
+    auto field = field_of(map.shape(), map.size, unit_z);
+    return field.reals_outside("data", static_cast<std::uint32_t>(map.heights.size()));
+}
+
+constexpr std::uint64_t most_gwy_bytes = std::numeric_limits<std::uint32_t>::max() - (1u << 20);
+constexpr const char* undefined_note = "masked, and given the mean height";
 
 Object metadata_of(const topography::Metadata& metadata, bool masked) {
     Object object;
@@ -83,7 +97,7 @@ Object metadata_of(const topography::Metadata& metadata, bool masked) {
     if (!metadata.acquisition_time.empty()) object.text("Date", metadata.acquisition_time);
     if (!metadata.instrument.name.empty()) object.text("Instrument", metadata.instrument.name);
     if (!metadata.instrument.type.empty()) object.text("Instrument type", metadata.instrument.type);
-    if (masked) object.text(gwy_undefined_key, "masked, and given the mean height");
+    if (masked) object.text(gwy_undefined_key, undefined_note);
     return object;
 }
 
@@ -101,12 +115,11 @@ void write_gwy(const std::string& path, const topography::Measurement& measureme
     const auto& map = required_map(measurement, path, "Gwyddion's format");
     const auto points = static_cast<std::uint64_t>(map.heights.size());
     const bool masked = map.heights.isNaN().any();
-    constexpr std::uint64_t room = std::numeric_limits<std::uint32_t>::max() - (1u << 20);
     Object container;
     container.text("/0/data/title", map.metadata.name)
         .object("/0/meta", "GwyContainer", metadata_of(map.metadata, masked));
-    const auto field = field_of(map, "m"), mask = field_of(map, "");
-    if (points * sizeof(double) * (masked ? 2 : 1) + container.size() > room)
+    const auto field = field_outside(map, "m"), mask = field_outside(map, "");
+    if (points * sizeof(double) * (masked ? 2 : 1) + container.size() > most_gwy_bytes)
         throw InvalidArgument(
             fmt::format("{}: Gwyddion's files hold less than 4 GiB, {} × {} points need more; write it as .x3p", path,
                         map.heights.rows(), map.heights.cols()));
@@ -125,6 +138,33 @@ void write_gwy(const std::string& path, const topography::Measurement& measureme
     auto framed = first.framed("GwyContainer");
     framed.resize(framed.size() - behind.bytes().size());
     bytes::write_whole_file(path, {"GWYP", framed, heights, behind.bytes(), marks});
+}
+
+void write_quantity_maps(const std::string& path, const std::vector<QuantityMap>& maps,
+                         const std::array<double, 2>& size) {
+    if (maps.empty()) throw InvalidArgument(path + ": no map to write");
+    const std::array<Index, 2> shape{maps.front().values.rows(), maps.front().values.cols()};
+    const auto points = static_cast<std::uint64_t>(shape[0] * shape[1]);
+    if (2 * points * sizeof(double) * maps.size() > most_gwy_bytes)
+        throw InvalidArgument(
+            fmt::format("{}: Gwyddion's files hold less than 4 GiB, {} maps of {} × {} points need more", path,
+                        maps.size(), shape[0], shape[1]));
+    Object container;
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+        const auto& [name, unit, values] = maps[k];
+        if (values.rows() != shape[0] || values.cols() != shape[1])
+            throw InvalidArgument(fmt::format("{}: '{}' has {} × {} points, the maps before {} × {}", path, name,
+                                              values.rows(), values.cols(), shape[0], shape[1]));
+        const auto channel = [k](const char* what) { return fmt::format("/{}/{}", k, what); };
+        container.text(channel("data/title"), name)
+            .object(channel("data"), "GwyDataField",
+                    field_of(shape, size, unit).reals("data", row_bytes(values, mean_height(values))));
+        if (!values.isNaN().any()) continue;
+        container.object(channel("mask"), "GwyDataField",
+                         field_of(shape, size, "").reals("data", row_bytes(values.isNaN().cast<double>(), 0.0)));
+        container.object(channel("meta"), "GwyContainer", Object().text(gwy_undefined_key, undefined_note));
+    }
+    bytes::write_whole_file(path, {"GWYP", container.framed("GwyContainer")});
 }
 
 }  // namespace setae::formats

@@ -10,7 +10,7 @@
 #include "setae/formats/format.hpp"
 #include "setae/formats/netcdf.hpp"
 #include "setae/tables/column_guess.hpp"
-#include "setae/tables/force_curve.hpp"
+#include "setae/tables/force_map.hpp"
 #include "setae/tables/loop_file.hpp"
 
 using namespace setae::tests;
@@ -92,20 +92,29 @@ void must_import_or_refuse(const std::string& content) {
     } catch (const Error&) {
     }
     try {
-        (void)tables::read_force_curve(source, {.spring_constant = 1.0});
+        const auto curves = tables::open_force_curves(source, {.spring_constant = 1.0});
+        for (const long number : curves.numbers) try {
+                const auto curve = curves.read(number);
+                if (curves.grid) (void)curves.grid->pixel(curve.x, curve.y);
+            } catch (const Error&) {
+            }
     } catch (const Error&) {
     }
 }
 
 std::vector<std::pair<std::string, std::string>> import_samples() {
-    return {{"workbook", xlsx_loop()},
-            {"words", "force [mN],state,depth [um]\n1,free,2\n3,contact,4\n"},
-            {"grouped", "force [mN]\tdepth [um]\n1,234\t5.5\n2,345\t6.5\n"},
-            {"jpk-force", jpk_force_file()},
-            {"jpk-force with shared header", jpk_force_file(true)},
-            {"afm-workshop", afm_workshop_file()},
-            {"igor-force", igor_force_file("SpringConstant: 0.5\rIndexes: 0,3,5\r")},
-            {"nt-mdt", nt_mdt_file()}};
+    return {
+        {"workbook", xlsx_loop()},
+        {"words", "force [mN],state,depth [um]\n1,free,2\n3,contact,4\n"},
+        {"grouped", "force [mN]\tdepth [um]\n1,234\t5.5\n2,345\t6.5\n"},
+        {"jpk-force", jpk_force_file()},
+        {"jpk-force with shared header", jpk_force_file(true)},
+        {"jpk-force of 2015", jpk_force_file_of_2015()},
+        {"jpk-force-map", jpk_map_file({{.number = 0, .x = 0.0, .y = -1e-6}, {.number = 7, .x = 2e-6, .y = -1e-6}})},
+        {"nanosurf-force", nanosurf_force_file()},
+        {"afm-workshop", afm_workshop_file()},
+        {"igor-force", igor_force_file("SpringConstant: 0.5\rIndexes: 0,3,5\r")},
+        {"nt-mdt", nt_mdt_file()}};
 }
 
 /// A copy with a few bits turned.

@@ -39,10 +39,7 @@ OpenedLoop read_unmapped(const LoopSource& source) {
     if (tables::is_loop_file(file)) return {.table = tables::read_loop(source.file)};
     if (tables::force_curve_format(file)) {
         auto curve = tables::read_force_curve(file, source.force_curve);
-        if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())
-            throw FormatError(source.file, {},
-                              fmt::format("the file does not say the {}; give it: --spring-constant, --sensitivity",
-                                          missing->second));
+        require_constants(curve, source.file);
         return {.table = std::move(curve)};
     }
     auto loop = tables::read_loop_table(
@@ -132,6 +129,13 @@ std::vector<std::string> LoopSource::files() const {
     }
     if (camera->mapping) names.push_back(*camera->mapping);
     return names;
+}
+
+void require_constants(const Table& curve, const std::string& file) {
+    if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())
+        throw FormatError(
+            file, {},
+            fmt::format("the file does not say the {}; give it: --spring-constant, --sensitivity", missing->second));
 }
 
 OpenedLoop open_loop(const LoopSource& source) {

@@ -16,12 +16,21 @@ namespace {
 struct Reader {
     const char* identifier;
     bool (*detect)(const bytes::Source&);
-    ForceCurveData (*read)(const bytes::Source&);
+    ForceCurveFile (*open)(const bytes::Source&);
 };
-constexpr Reader readers[] = {{"jpk-force", is_jpk_force, read_jpk_force},
-                              {"afm-workshop", is_afm_workshop, read_afm_workshop},
-                              {"igor-force", is_igor_force, read_igor_force},
-                              {"nt-mdt", is_nt_mdt_text, read_nt_mdt_text}};
+
+/// A file of one curve, which has the number 0.
+template <ForceCurveData (*read)(const bytes::Source&)>
+ForceCurveFile one(const bytes::Source& source) {
+    return {.numbers = {0}, .read = [source](long) { return read(source); }};
+}
+
+constexpr Reader readers[] = {{"jpk-force", is_jpk_force, one<read_jpk_force>},
+                              {"jpk-force-map", is_jpk_map, open_jpk_map},
+                              {"nanosurf-force", is_nanosurf_force, open_nanosurf_force},
+                              {"afm-workshop", is_afm_workshop, one<read_afm_workshop>},
+                              {"igor-force", is_igor_force, one<read_igor_force>},
+                              {"nt-mdt", is_nt_mdt_text, one<read_nt_mdt_text>}};
 
 void require_positive(const std::optional<double>& value, const char* name) {
     if (value && !(std::isfinite(*value) && *value > 0.0))
@@ -100,14 +109,54 @@ Table table_of(const ForceCurveData& data, const ForceCurveOptions& constants) {
     return table;
 }
 
+/// The table with what the file and the options say of it.
+Table described_table(const ForceCurveData& data, const ForceCurveOptions& options, const std::string& name,
+                      const char* format) {
+    auto constants = data.constants;
+    if (options.spring_constant) constants.spring_constant = options.spring_constant;
+    if (options.sensitivity) constants.sensitivity = options.sensitivity;
+    auto table = table_of(data, constants);
+    table.metadata = data.metadata;
+    table.metadata["file"] = name;
+    table.metadata["format"] = format;
+    if (constants.spring_constant)
+        table.metadata["spring_constant"] = fmt::format("{} N/m", *constants.spring_constant);
+    if (constants.sensitivity)
+        table.metadata["sensitivity"] =
+            fmt::format("{} {}", *constants.sensitivity, data.reading == Reading::amperes ? "m/A" : "m/V");
+    if (const auto names = missing(data, constants); !names.empty()) table.metadata["missing"] = names;
+    std::vector<std::string> segments;
+    for (const auto& segment : data.segments) segments.push_back(segment.name);
+    table.metadata["segments"] = fmt::format("{}", fmt::join(segments, ", "));
+    return table;
+}
+
 }  // namespace
+
+std::optional<std::array<Index, 2>> MapGrid::pixel(double place_x, double place_y) const {
+    const double across = place_x - x, up = place_y - y, cosine = std::cos(angle), sine = std::sin(angle);
+    const double column = std::floor((0.5 + (across * cosine + up * sine) / width) * static_cast<double>(columns)),
+                 row = std::floor((0.5 - (up * cosine - across * sine) / height) * static_cast<double>(rows));
+    if (!(column >= 0.0 && column < static_cast<double>(columns) && row >= 0.0 && row < static_cast<double>(rows)))
+        return std::nullopt;
+    return std::array{static_cast<Index>(column), static_cast<Index>(row)};
+}
 
 const std::vector<ForceCurveFormat>& force_curve_formats() {
     static const std::vector<ForceCurveFormat> formats{
-        {"jpk-force", "JPK force curve", ".jpk-force",
+        {"jpk-force", "JPK force curve", ".jpk-force .jpk-qi-series",
          "ZIP with a header of properties and a big-endian channel a file for each segment; conversions "
          "from converter to volts, metres and newtons are followed in the order the file names them",
          "JPK Instruments, data format of NanoWizard, version 0.x to 2", true},
+        {"jpk-force-map", "JPK force map, QI data", ".jpk-force-map .jpk-qi-data",
+         "ZIP with a force curve in each numbered folder of 'index'; places, grid and what the segments share from its "
+         "headers",
+         "JPK Instruments, data format of NanoWizard, version 2; Gwyddion's module jpkscan", true},
+        {"nanosurf-force", "Nanosurf force curves", ".nid",
+         "easyScan and later: sections of text, then integers; the channels Deflection and Z-Axis Sensor, else Z-Axis, of "
+         "'Spec forward', 'Spec backward' and the pauses, a line a curve; spring constant and sensitivity from the "
+         "calibration, durations from the parameters of spectroscopy",
+         "names of sections and keys as Nanosurf's Python package NSFopen 2.1 takes them", false},
         {"afm-workshop", "AFM Workshop force curve", ".csv",
          "text with 'Force-Distance Curve' in the first line; height and force or volts of extension, then of retraction",
          "files of AFM Workshop instruments, format 3", true},
@@ -137,33 +186,37 @@ std::optional<std::string> force_curve_format(const bytes::Source& source) {
     return std::nullopt;
 }
 
-Table read_force_curve(const bytes::Source& source, const ForceCurveOptions& options) {
+ForceCurves open_force_curves(const bytes::Source& source, const ForceCurveOptions& options) {
     require_positive(options.spring_constant, "spring constant");
     require_positive(options.sensitivity, "sensitivity");
     for (const auto& reader : readers) {
         if (!reader.detect(source)) continue;
-        const auto data = reader.read(source);
-        auto constants = data.constants;
-        if (options.spring_constant) constants.spring_constant = options.spring_constant;
-        if (options.sensitivity) constants.sensitivity = options.sensitivity;
-        auto table = table_of(data, constants);
-        table.metadata = data.metadata;
-        table.metadata["file"] = source.name;
-        table.metadata["format"] = reader.identifier;
-        if (constants.spring_constant)
-            table.metadata["spring_constant"] = fmt::format("{} N/m", *constants.spring_constant);
-        if (constants.sensitivity)
-            table.metadata["sensitivity"] =
-                fmt::format("{} {}", *constants.sensitivity, data.reading == Reading::amperes ? "m/A" : "m/V");
-        if (const auto names = missing(data, constants); !names.empty()) table.metadata["missing"] = names;
-        std::vector<std::string> segments;
-        for (const auto& segment : data.segments) segments.push_back(segment.name);
-        table.metadata["segments"] = fmt::format("{}", fmt::join(segments, ", "));
-        return table;
+        const auto file = reader.open(source);
+        return {.format = reader.identifier,
+                .numbers = file.numbers,
+                .grid = file.grid,
+                .read = [read = file.read, options, name = source.name, format = reader.identifier](long number) {
+                    const auto data = read(number);
+                    return PlacedCurve{described_table(data, options, name, format), data.x, data.y};
+                }};
     }
     throw FormatError(
         source.name, {},
-        "no force curve setae reads (JPK, AFM Workshop, Asylum, NT-MDT text); import tables by a mapping");
+        "no force curve setae reads (JPK, Nanosurf, AFM Workshop, Asylum, NT-MDT text); import tables by a mapping");
+}
+
+ForceCurves open_force_curves(const std::string& path, const ForceCurveOptions& options) {
+    return open_force_curves(bytes::file_source(path), options);
+}
+
+Table read_force_curve(const bytes::Source& source, const ForceCurveOptions& options) {
+    const auto curves = open_force_curves(source, options);
+    if (curves.numbers.size() != 1)
+        throw FormatError(source.name, {},
+                          fmt::format("{} force curves, expected one; `setae jkr fit` fits them all, --curve-number "
+                                      "takes one of {} to {}",
+                                      curves.numbers.size(), curves.numbers.front(), curves.numbers.back()));
+    return curves.read(curves.numbers.front()).table;
 }
 
 Table read_force_curve(const std::string& path, const ForceCurveOptions& options) {

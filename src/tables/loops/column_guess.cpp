@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "expression_text.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/whole_file.hpp"
@@ -279,6 +280,36 @@ std::size_t column_named(const ColumnGuess& guess, const std::string& role, cons
                                   found.empty() ? "no" : "more than one", wanted, role, fmt::join(names, ", ")));
 }
 
+/// The column that an expression names.
+std::size_t column_in_expression(const ColumnGuess& guess, const std::string& role, const std::string& name) {
+    std::vector<std::size_t> found;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < guess.columns.size(); ++k) {
+        const auto own = name_in_expressions(guess.columns[k].name), numbered = fmt::format("column{}", k + 1);
+        if (name == own || name == numbered) return k;
+        if (own.starts_with(bytes::lowered(name))) found.push_back(k);
+        names.push_back(own.empty() ? numbered : own);
+    }
+    if (found.size() == 1) return found.front();
+    throw FormatError(guess.path, {},
+                      fmt::format("{} column '{}' of the expression for {}, the file has {}",
+                                  found.empty() ? "no" : "more than one", name, role, fmt::join(names, ", ")));
+}
+
+bool names_column(const ColumnGuess& guess, const std::string& text) {
+    const auto position = spelled<std::size_t>(text).value_or(0);
+    return (position >= 1 && position <= guess.columns.size()) ||
+           std::any_of(guess.columns.begin(), guess.columns.end(), [&](const ColumnGuess::Shown& column) {
+               return !column.name.empty() &&
+                      bytes::lowered(column.name) == bytes::lowered(parse_header_cell(text).name);
+           });
+}
+
+/// Whether a choice is no column but an expression over columns.
+bool is_expression(const ColumnGuess& guess, const std::string& text) {
+    return text.find_first_of("+-*/^()") != std::string::npos && !names_column(guess, text);
+}
+
 /// The column of a role; nothing where there is none.
 std::optional<RoleCandidate> decided(const ColumnGuess& guess, const RoleGuess& role,
                                      const std::map<std::string, std::string>& chosen) {
@@ -319,6 +350,25 @@ MappedColumn mapped(const ColumnGuess& guess, const std::string& name, std::size
     return result;
 }
 
+Dimension dimension_of_role(const std::string& role) {
+    return role == "force" ? dimension::force : role == "time" ? dimension::time : dimension::length;
+}
+
+/// A role that is computed from columns.
+void add_expression(const ColumnGuess& guess, const std::string& role, const std::string& text, Mapping& mapping) {
+    const auto parts = expression_text(text, mapping.constants.size() + 1);
+    for (const auto& name : parts.names) {
+        const auto column = column_in_expression(guess, role, name);
+        require_usable(guess, role, column);
+        const auto known = std::any_of(mapping.columns.begin(), mapping.columns.end(),
+                                       [&](const MappedColumn& other) { return other.name == name; });
+        if (!known) mapping.columns.push_back(mapped(guess, name, column));
+    }
+    mapping.constants.insert(mapping.constants.end(), parts.constants.begin(), parts.constants.end());
+    mapping.results.push_back({role, parts.expression, dimension_of_role(role)});
+    mapping.notes.push_back(fmt::format("{}: {}, chosen", role, text));
+}
+
 void require_roles(const ColumnGuess& guess, const std::map<std::string, std::string>& chosen) {
     for (const auto& [role, column] : chosen) {
         const bool known = std::any_of(guess.roles.begin(), guess.roles.end(),
@@ -339,6 +389,12 @@ Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::
     mapping.file = guess.file;
     std::set<std::string> found;
     for (const auto& role : guess.roles) {
+        if (const auto choice = chosen.find(role.role);
+            choice != chosen.end() && is_expression(guess, choice->second)) {
+            add_expression(guess, role.role, choice->second, mapping);
+            found.insert(role.role);
+            continue;
+        }
         const auto candidate = decided(guess, role, chosen);
         if (!candidate) continue;
         if (guess.columns[candidate->column].note == undefined_note && !chosen.contains(role.role)) {
@@ -349,10 +405,8 @@ Mapping mapping_from(const ColumnGuess& guess, const std::map<std::string, std::
         require_usable(guess, role.role, candidate->column);
         const std::string name = candidate->from_area ? "contact_area" : role.role + "_column";
         mapping.columns.push_back(mapped(guess, name, candidate->column));
-        const auto dimension = role.role == "force"  ? dimension::force
-                               : role.role == "time" ? dimension::time
-                                                     : dimension::length;
-        mapping.results.push_back({role.role, candidate->from_area ? "sqrt(contact_area / _pi)" : name, dimension});
+        mapping.results.push_back(
+            {role.role, candidate->from_area ? "sqrt(contact_area / _pi)" : name, dimension_of_role(role.role)});
         mapping.notes.push_back(
             fmt::format("{}: {}, {}", role.role, label(guess, candidate->column), candidate->reason));
         found.insert(role.role);

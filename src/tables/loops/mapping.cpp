@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "expression.hpp"
+#include "expression_text.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/toml_reader.hpp"
 #include "setae/core/errors.hpp"
@@ -149,6 +150,28 @@ Mapping read_mapping(const std::string& path) {
     return mapping;
 }
 
+Mapping with_results(Mapping mapping, const std::map<std::string, std::string>& expressions) {
+    for (const auto& [name, text] : expressions) {
+        const auto canonical = canonical_dimension(name);
+        if (!canonical)
+            throw InvalidArgument(
+                fmt::format("'{}' = {}: expected force, displacement, contact_radius or time", name, text));
+        const auto parts = expression_text(text, mapping.constants.size() + 1);
+        mapping.constants.insert(mapping.constants.end(), parts.constants.begin(), parts.constants.end());
+        try {
+            require_expression(parts.expression, names_of(mapping));
+        } catch (const InvalidArgument& error) {
+            throw InvalidArgument(fmt::format("{} = {}: {}; the mapping {} has {}", name, text, error.what(),
+                                              mapping.path, fmt::join(names_of(mapping), ", ")));
+        }
+        const auto replaced = std::find_if(mapping.results.begin(), mapping.results.end(),
+                                           [&](const MappedResult& result) { return result.name == name; });
+        if (replaced == mapping.results.end()) mapping.results.push_back({name, parts.expression, *canonical});
+        else *replaced = {name, parts.expression, *canonical};
+    }
+    return mapping;
+}
+
 namespace {
 
 std::string listed_headers(const RawTable& table) {
@@ -236,6 +259,9 @@ Table read_mapped_table(const std::string& path, const Mapping& mapping) {
             table.columns.push_back(
                 {result.name, si_unit(result.dimension), evaluate(result.expression, inputs, result.dimension)});
         } catch (const InvalidArgument& error) {
+            if (mapping.path.empty())
+                throw FormatError(path, {},
+                                  fmt::format("{} = \"{}\": {}", result.name, result.expression, error.what()));
             throw FormatError(
                 mapping.path, {},
                 fmt::format("{} = \"{}\" for {}: {}", result.name, result.expression, path, error.what()));

@@ -10,7 +10,9 @@
 #include "gwy_sample_parts.hpp"
 #include "sample_files.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
+#include "setae/formats/quantity_maps.hpp"
 
 using namespace setae::tests;
 
@@ -189,6 +191,32 @@ TEST(GwyWriter, LinesAreRefusedWithWhatHoldsThem) {
     const topography::LineScan line{Array1D::Zero(3), 1.0, false, {}};
     EXPECT_EQ(message_of([&] { format_to_write("a.gwy").write("a.gwy", line); }),
               "a.gwy: Gwyddion's format holds maps alone, this is a line; write it as .x3p, .sdf, .nc, .npy or .csv");
+}
+
+TEST(QuantityMaps, StandInTheirUnitsWithUndefinedPointsMasked) {
+    Array2D modulus(3, 2);
+    modulus << 1.0, 2.0, 3.0, 4.0, NAN, 6.0;
+    const TemporaryFolder folder;
+    write_quantity_maps(folder.path("a.gwy"), {{"contact_modulus", "Pa", modulus}, {"height", "m", 1e-9 * modulus}},
+                        {6e-6, 2e-6});
+    const auto channels = open(folder.path("a.gwy"));
+    ASSERT_EQ(channels.size(), 2U);
+    EXPECT_EQ(channels[0].info.name, "contact_modulus");
+    EXPECT_EQ(channels[0].info.unit, "Pa");
+    EXPECT_FALSE(channels[0].info.is_height);
+    const auto height = std::get<HeightMap>(channels[1].read());
+    EXPECT_EQ(height.size, (std::array{6e-6, 2e-6}));
+    const Array2D expected = 1e-9 * modulus;
+    EXPECT_TRUE((height.heights == expected || (height.heights.isNaN() && expected.isNaN())).all());
+}
+
+TEST(QuantityMaps, RefuseWhatIsNoGrid) {
+    EXPECT_THROW(write_quantity_maps("a.gwy", {}, {1.0, 1.0}), InvalidArgument);
+    EXPECT_EQ(message_of([] {
+                  write_quantity_maps("a.gwy", {{"a", "Pa", Array2D::Zero(3, 2)}, {"b", "N", Array2D::Zero(2, 2)}},
+                                      {1.0, 1.0});
+              }),
+              "a.gwy: 'b' has 2 × 2 points, the maps before 3 × 2");
 }
 
 }  // namespace

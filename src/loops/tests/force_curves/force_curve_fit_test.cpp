@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/loops/force_curve_fit.hpp"
+#include "setae/loops/force_curve_summary.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -171,6 +172,73 @@ TEST(ForceCurve, ShapesAreNamedBothWays) {
     for (const TipShape shape : {TipShape::paraboloid, TipShape::cone, TipShape::three_sided_pyramid})
         EXPECT_EQ(tip_shape_named(to_string(shape)), shape);
     EXPECT_THROW((void)tip_shape_named("con"), InvalidArgument);
+}
+
+/// ∮F dδ of a dry approach and a sticky retraction over the whole way.
+double hysteresis() {
+    constexpr Index n = 400000;
+    const double from = -first_touch, step = 2.1e-6 / static_cast<double>(n);
+    double energy = 0.0;
+    for (Index i = 0; i < n; ++i) {
+        const double depth = from + (static_cast<double>(i) + 0.5) * step;
+        energy += (dry_force(depth) - sticky_force(depth)) * step;
+    }
+    return energy;
+}
+
+TEST(ForceCurveSummary, SaysModulusPullOffWorkAndLoss) {
+    const ForceCurveSummary found = summary_of_force_curve(curve(dry_force, sticky_force), tip_on_gel());
+    EXPECT_EQ(found.fitted_segment, "extend");
+    EXPECT_NEAR(found.contact_modulus->value / gel.contact_modulus, 1.0, 1e-4);
+    EXPECT_NEAR(found.pull_off_force->value / contact::jkr::pull_off_at_fixed_load(gel).force, 1.0, 0.01);
+    EXPECT_NEAR(found.work_of_adhesion->value / gel.work_of_adhesion, 1.0, 0.01);
+    EXPECT_TRUE(found.work_by_pull_off);
+    EXPECT_NEAR(found.energy_loss->value / hysteresis(), 1.0, 0.01);
+}
+
+TEST(ForceCurveSummary, WithAdhesionTheRetractionTellsModulusAndWork) {
+    const ForceCurveSummary found =
+        summary_of_force_curve(curve(dry_force, sticky_force), tip_on_gel(), {.model = ContactModel::jkr});
+    EXPECT_EQ(found.fitted_segment, "retract");
+    EXPECT_FALSE(found.work_by_pull_off);
+    EXPECT_NEAR(found.work_of_adhesion->value / gel.work_of_adhesion, 1.0, 0.02);
+}
+
+TEST(ForceCurveSummary, ErrorOfTheLossIsItsScatter) {
+    constexpr int runs = 200;
+    constexpr double noise = 2e-11;
+    double sum = 0.0, squares = 0.0, errors = 0.0;
+    for (int run = 0; run < runs; ++run) {
+        std::mt19937_64 generator(run);
+        Table table = curve(dry_force, sticky_force);
+        for (Column& column : table.columns)
+            if (column.name == "force") column.values = tests::with_noise(column.values, noise, generator);
+        const ForceCurveSummary found = summary_of_force_curve(table, tip_on_gel());
+        sum += found.energy_loss->value / runs;
+        squares += found.energy_loss->value * found.energy_loss->value / runs;
+        errors += found.energy_loss->standard_error / runs;
+    }
+    // 200 runs know a standard deviation to 5 %
+    EXPECT_NEAR(errors / std::sqrt(squares - sum * sum), 1.0, 0.2);
+}
+
+TEST(ForceCurveSummary, WhatIsMissingHasItsReason) {
+    const auto attached = [](double depth) { return dry_force(depth) - 2e-2 * std::max(-depth, 0.0) * depth / 1e-6; };
+    EXPECT_NE(summary_of_force_curve(curve(dry_force, attached, 1e-11), tip_on_gel())
+                  .energy_loss.reason.find("retract segment does not return to free flight"),
+              std::string::npos);
+    Table table = curve(dry_force, dry_force, 1e-11);
+    EXPECT_NE(summary_of_force_curve(table, tip_on_gel()).pull_off_force.reason.find("no attraction stands out"),
+              std::string::npos);
+    for (Column& column : table.columns) column.values = Array1D(column.values.head(600));
+    const ForceCurveSummary approach = summary_of_force_curve(table, tip_on_gel());
+    EXPECT_TRUE(approach.contact_modulus);
+    EXPECT_EQ(approach.energy_loss.reason, "the curve has no retraction");
+    EXPECT_EQ(summary_of_force_curve(table, tip_on_gel(), {.model = ContactModel::jkr}).contact_modulus.reason,
+              "the curve has no retraction");
+    const ForceCurveSummary cone = summary_of_force_curve(curve(dry_force, sticky_force), tip_on_gel(),
+                                                          {.shape = TipShape::cone, .half_angle = 0.5});
+    EXPECT_EQ(cone.work_of_adhesion.reason, "the pull-off of a cone tells no W");
 }
 
 }  // namespace

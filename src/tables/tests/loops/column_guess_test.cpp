@@ -2,10 +2,12 @@
 #include "setae/tables/column_guess.hpp"
 
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "import_samples.hpp"
+#include "setae/tables/mapping_folder.hpp"
 
 using namespace setae::tests;
 
@@ -182,6 +184,82 @@ TEST(MappedTable, TextAndEmptyColumnsAreRefused) {
     EXPECT_TRUE(holds(message("F,x\n,1\n,2\n"), "column 'f' holds no number at all"));
     EXPECT_TRUE(
         holds(message("F,x\n1 mN,1\n2 N,2\n"), "holds text ('1 mN' on line 2)"));  // units in cells may be mixed
+}
+
+const char* const sensor_table = "Piezo position [um];MEMS displ. [nm];Time [s]\n1;100;0\n2;300;1\n";
+
+TEST(ExpressionForARole, NamesColumnsByTheirHeadersAndTakesQuantities) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("t.csv", sensor_table);
+    for (const char* force :
+         {"3.01 N/m * mems", "mems_displ*3.01N/m", "column2 * 3010 mN/m", "2 * mems * 1.505e0 N/m"}) {
+        SCOPED_TRACE(force);
+        const auto mapping = mapping_from(guess_columns(path), {{"force", force}, {"displacement", "piezo - mems"}});
+        const auto table = read_mapped_table(path, mapping);
+        EXPECT_NEAR(table.at("force")[1], 3.01 * 300e-9, 1e-18);
+        EXPECT_NEAR(table.at("displacement")[1], 2e-6 - 300e-9, 1e-18);
+        EXPECT_EQ(table.at("time")[1], 1.0);
+        // the mapping is a template like any other
+        write_mapping(folder.path("m.toml"), mapping);
+        EXPECT_NEAR(read_mapped_table(path, read_mapping(folder.path("m.toml"))).at("force")[1], 3.01 * 300e-9, 1e-18);
+    }
+}
+
+TEST(ExpressionForARole, MistakesAreNamed) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("t.csv", sensor_table);
+    const auto message = [&](const char* force) {
+        return message_of([&] {
+            (void)read_mapped_table(path, mapping_from(guess_columns(path), {{"force", force}, {"displacement", "1"}}));
+        });
+    };
+    EXPECT_TRUE(holds(message("3.01 N/m * volts"),
+                      "no column 'volts' of the expression for force, the file has piezo_position, mems_displ, time"));
+    EXPECT_TRUE(holds(message("3.01 * mems"), "the expression is no N"));
+    EXPECT_TRUE(holds(message("3.01 N/m * mems +"), "force"));
+    EXPECT_TRUE(
+        holds(message_of([&] {
+                  (void)mapping_from(guess_of("a x [N];a y [m]\n1;2\n"), {{"force", "1 * a"}, {"displacement", "2"}});
+              }),
+              "more than one column 'a'"));
+}
+
+TEST(ExpressionForARole, ReplacesThatOfAMapping) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("t.csv", sensor_table);
+    const auto mapping = read_mapping(
+        folder.write("m.toml",
+                     "[columns.mems]\nposition = 2\n[columns.piezo]\nposition = 1\n[constants]\nk = \"3 N/m\"\n"
+                     "[table]\nforce = \"k * mems\"\ndisplacement = \"piezo\"\n"));
+    const auto table = read_mapped_table(path, with_results(mapping, {{"force", "2 * k * mems - 1 nN"}}));
+    EXPECT_NEAR(table.at("force")[0], 6.0 * 100e-9 - 1e-9, 1e-18);
+    EXPECT_NEAR(table.at("displacement")[0], 1e-6, 1e-18);
+    EXPECT_TRUE(holds(message_of([&] {
+                          (void)with_results(mapping, {{"force", "k * volts"}});
+                      }),
+                      "has k, mems, piezo"));
+    EXPECT_THROW((void)with_results(mapping, {{"speed", "k"}}), InvalidArgument);
+}
+
+TEST(MappingFolder, FindsMappingsByPathAndByName) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("t.csv", sensor_table);
+    std::filesystem::create_directory(folder.path("mappings"));
+    const std::string places = "[columns.a]\nposition = 1\n[columns.b]\nposition = 2\n";
+    const auto own =
+        folder.write("mappings/sensor.toml",
+                     places + "[constants]\nk = \"3 N/m\"\n[table]\nforce = \"k * b\"\ndisplacement = \"a\"\n");
+    (void)folder.write("mappings/other.toml",
+                       "[columns.a]\nheader = \"Load\"\n[table]\nforce = \"a\"\ndisplacement = \"a\"\n");
+    (void)folder.write("mappings/broken.toml", "force = ");
+    const auto mappings = folder.path("mappings");
+    EXPECT_EQ(mapping_names(mappings), (std::vector<std::string>{"broken", "other", "sensor"}));
+    EXPECT_EQ(mapping_path("sensor", mappings), own);
+    EXPECT_EQ(mapping_path(own, ""), own);
+    EXPECT_EQ(fitting_mappings(path, mappings), (std::vector<std::string>{"sensor"}));
+    EXPECT_TRUE(holds(message_of([&] { (void)mapping_path("sensors", mappings); }), "did you mean 'sensor'?"));
+    EXPECT_TRUE(mapping_names(folder.path("none")).empty());
+    EXPECT_TRUE(holds(message_of([&] { (void)mapping_path("eoh", folder.path("none")); }), "by name there are: none"));
 }
 
 }  // namespace

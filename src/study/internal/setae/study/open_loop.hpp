@@ -29,6 +29,9 @@ struct OpenedLoop {
 /// The same through a mapping in memory, in place of the source's. @throws as above.
 [[nodiscard]] OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping);
 
+/// @throws FormatError for a force curve whose constants nobody said.
+void require_constants(const Table& curve, const std::string& file);
+
 /// The bodies as far as the loop's metadata say them; radius 0 where they do not.
 [[nodiscard]] loops::LensAndCounterBody bodies_stated_in(const Table& loop);
 

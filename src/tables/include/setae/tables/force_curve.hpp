@@ -23,7 +23,7 @@ struct ForceCurveOptions {
 
 /// A file format of force curves.
 struct ForceCurveFormat {
-    std::string identifier;  ///< "jpk-force", "afm-workshop", "igor-force", "nt-mdt"
+    std::string identifier;  ///< "jpk-force", "jpk-force-map", "nanosurf-force", "afm-workshop", "igor-force", "nt-mdt"
     std::string name;
     std::string extensions;
     std::string description;
@@ -46,7 +46,7 @@ struct ForceCurveFormat {
 /// measured and metadata["missing"] names the constants. metadata: "format", "spring_constant" [N/m] and "sensitivity"
 /// where known, "segments" (their names), the file's own lines.
 /// @throws FileError; FormatError with member, key or line for a truncated or damaged file, channels of different
-/// length, an unknown scaling; InvalidArgument for k or s ≤ 0.
+/// length, an unknown scaling, a file of several curves (open_force_curves); InvalidArgument for k or s ≤ 0.
 [[nodiscard]] Table read_force_curve(const bytes::Source& source, const ForceCurveOptions& options = {});
 [[nodiscard]] Table read_force_curve(const std::string& path, const ForceCurveOptions& options = {});
 

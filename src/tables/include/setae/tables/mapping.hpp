@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +58,12 @@ struct Mapping {
 /// @throws FileError; FormatError for text that is no TOML, an unknown key (with the nearest known one), a missing or
 /// wrong unit, an expression that does not parse or names what is not there.
 [[nodiscard]] Mapping read_mapping(const std::string& path);
+
+/// The mapping with other expressions for some of its results, such as {"force", "3.05 N/m * mems"}: numbers with a
+/// unit and the mapping's own columns and constants. A result it lacked is added.
+/// @throws InvalidArgument for a result other than force, displacement, contact_radius and time, and an expression that
+/// does not parse or names what the mapping has not.
+[[nodiscard]] Mapping with_results(Mapping mapping, const std::map<std::string, std::string>& expressions);
 
 /// A mapping as TOML that read_mapping reads back to the same mapping: a template for other files of the same layout.
 /// @throws InvalidArgument for a constant that is not finite, or a name expressions cannot use.

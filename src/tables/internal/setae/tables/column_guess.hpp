@@ -55,7 +55,8 @@ struct ColumnGuess {
 [[nodiscard]] std::string describe(const ColumnGuess& guess);
 
 /// The mapping a guess amounts to. `chosen` names a column for a role, by its header or by its position from 1, and
-/// overrules the guess.
+/// overrules the guess; or it is an expression such as "3.01 N/m * mems", which names columns by the words of their
+/// header in lower case joined with '_', or by a beginning that no other column has, or as "column2".
 /// @throws FormatError where a role has two candidates and none was chosen (both are named), where force, or, unless
 /// the radius comes from elsewhere, both displacement and contact radius are missing, where a column has no unit or
 /// holds text. A column without any number is left out with a note, unless it was chosen.

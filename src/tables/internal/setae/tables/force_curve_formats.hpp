@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "setae/bytes/source.hpp"
 #include "setae/core/arrays.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/tables/force_curve.hpp"
+#include "setae/tables/force_map.hpp"
 
 namespace setae::tables {
 
@@ -28,11 +32,27 @@ struct ForceCurveData {
     Reading reading = Reading::volts;
     double travel_sign = 1.0;  ///< travel of the base into the sample over height: −1 where heights fall on approach
     ForceCurveOptions constants;
+    double x = undefined, y = undefined;  ///< where it was taken [m]; NaN where the file does not tell
     std::map<std::string, std::string> metadata;
+};
+
+/// A file of several force curves, opened.
+struct ForceCurveFile {
+    std::optional<MapGrid> grid;
+    std::vector<long> numbers;                        ///< of the curves
+    std::function<ForceCurveData(long number)> read;  ///< from any thread
 };
 
 [[nodiscard]] bool is_jpk_force(const bytes::Source& source);
 [[nodiscard]] ForceCurveData read_jpk_force(const bytes::Source& source);
+
+/// Force maps and QI data.
+[[nodiscard]] bool is_jpk_map(const bytes::Source& source);
+[[nodiscard]] ForceCurveFile open_jpk_map(const bytes::Source& source);
+
+/// Spectroscopy of Nanosurf: as many curves as its channels have lines.
+[[nodiscard]] bool is_nanosurf_force(const bytes::Source& source);
+[[nodiscard]] ForceCurveFile open_nanosurf_force(const bytes::Source& source);
 
 [[nodiscard]] bool is_afm_workshop(const bytes::Source& source);
 [[nodiscard]] ForceCurveData read_afm_workshop(const bytes::Source& source);

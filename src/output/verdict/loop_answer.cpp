@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/loop_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/statistics.hpp"
+#include "setae/core/uncertain_text.hpp"
+#include "setae/core/units.hpp"
+#include "setae/core/words.hpp"
+
+namespace setae::output {
+namespace {
+
+using loops::ForceCurveSummary;
+using loops::Outcome;
+
+std::string text_or_reason(const Outcome<Estimate>& outcome, const char* unit) {
+    return outcome ? format_uncertain(*outcome, unit) : fmt::format("– ({})", outcome.reason);
+}
+
+/// How far W of loading runs with the samples dropped at the beginning; empty where it does not.
+std::string work_by_range(const loops::BranchAnalysis& loading) {
+    std::vector<double> works;
+    for (const auto& tried : loading.sensitivity)
+        if (tried.fit) works.push_back(tried.fit->work_of_adhesion.value);
+    if (works.size() < 2) return "";
+    const auto [first, last] = std::minmax_element(works.begin(), works.end());
+    const auto least = format_value(*first, "J/m2", 3), most = format_value(*last, "J/m2", 3);
+    if (least == most) return "";
+    const auto blank = least.find(' ');
+    const bool one_unit = most.ends_with(least.substr(blank));
+    return fmt::format(" ({} to {} by its range)", one_unit ? least.substr(0, blank) : least, most);
+}
+
+bool fits_poorly(const loops::LoopAnalysis& loop) {
+    return std::any_of(loop.alerts.begin(), loop.alerts.end(), [](const Alert& alert) {
+        return alert.code == "POOR_FIT" && alert.message.starts_with("loading");
+    });
+}
+
+std::string loading_text(const loops::LoopAnalysis& loop) {
+    const auto& fit = loop.loading.primary();
+    if (!fit.converged) return "E* –, W – on loading (the fit did not converge)";
+    return fmt::format("E* {}, W {}{} on loading{}", format_uncertain(fit.contact_modulus, "Pa"),
+                       format_uncertain(fit.work_of_adhesion, "J/m2"), work_by_range(loop.loading),
+                       fits_poorly(loop) ? ", which is no JKR curve" : "");
+}
+
+/// Reasons of what curves do not say, the most frequent first.
+std::string reasons_text(const study::ForceMap& map) {
+    std::map<std::string, int> counts;
+    for (const auto& curve : map.curves) {
+        const auto& modulus =
+            curve.summary ? curve.summary->contact_modulus : Outcome<Estimate>::missing(curve.summary.reason);
+        if (!modulus) ++counts[modulus.reason];
+    }
+    std::vector<std::pair<int, std::string>> ranked;
+    std::size_t all = 0;
+    for (const auto& [reason, count] : counts) {
+        ranked.emplace_back(-count, reason);
+        all += static_cast<std::size_t>(count);
+    }
+    if (all == 0) return "";
+    std::sort(ranked.begin(), ranked.end());
+    return fmt::format("; {} without E*, most often: {}", counted(all, "curve", "curves"), ranked.front().second);
+}
+
+/// Median and half the range of the middle 68 % of a quantity over the curves.
+Outcome<Estimate> middle_of(const study::ForceMap& map, Outcome<Estimate> ForceCurveSummary::*value) {
+    std::vector<double> values;
+    for (const auto& curve : map.curves)
+        if (curve.summary && (*curve.summary).*value) values.push_back(((*curve.summary).*value)->value);
+    if (values.empty()) return Outcome<Estimate>::missing("no curve tells it");
+    std::sort(values.begin(), values.end());
+    const double below = normal_probability(-1.0);
+    const double middle = sorted_quantile(values, 0.5),
+                 scatter = 0.5 * (sorted_quantile(values, 1.0 - below) - sorted_quantile(values, below));
+    const bool rounding = scatter <= 1e-9 * std::abs(middle);  // one curve, or curves all alike
+    return Estimate{middle, rounding ? undefined : scatter, "middle 68 %"};
+}
+
+}  // namespace
+
+std::string answer(const loops::LoopAnalysis& loop) {
+    const auto loss =
+        loop.loop ? Outcome<Estimate>(loop.loop->estimate()) : Outcome<Estimate>::missing(loop.loop.reason);
+    return fmt::format(
+        "{}, {}, loss {}", loading_text(loop),
+        loop.pull_off ? fmt::format("{} at pull-off ({})", format_uncertain(loop.pull_off->work_of_adhesion, "J/m2"),
+                                    format_uncertain(loop.pull_off->force, "N"))
+                      : fmt::format("pull-off – ({})", loop.pull_off.reason),
+        text_or_reason(loss, "J"));
+}
+
+std::string answer(const ForceCurveSummary& curve) {
+    const auto modulus = fmt::format("E* {}{}", text_or_reason(curve.contact_modulus, "Pa"),
+                                     curve.fitted_segment.empty() ? "" : " on " + curve.fitted_segment);
+    const auto pull_off = text_or_reason(curve.pull_off_force, "N"),
+               work = text_or_reason(curve.work_of_adhesion, "J/m2");
+    const bool one_reason = curve.work_by_pull_off && !curve.pull_off_force;
+    return fmt::format("{}, {}, loss {}", modulus,
+                       one_reason ? fmt::format("pull-off and W {}", pull_off)
+                                  : fmt::format("pull-off {}, W {}{}", pull_off, work,
+                                                curve.work_by_pull_off && curve.work_of_adhesion ? " by it" : ""),
+                       text_or_reason(curve.energy_loss, "J"));
+}
+
+std::string answer(const study::ForceMap& map) {
+    const auto grid = map.grid ? fmt::format(" on a grid of {} × {}", map.grid->columns, map.grid->rows) : "";
+    const auto value = [&](Outcome<Estimate> ForceCurveSummary::*quantity, const char* unit) {
+        return text_or_reason(middle_of(map, quantity), unit);
+    };
+    return fmt::format("{}{}: E* {}, pull-off {}, W {}, loss {}, median ± scatter{}",
+                       counted(map.curves.size(), "curve", "curves"), grid,
+                       value(&ForceCurveSummary::contact_modulus, "Pa"), value(&ForceCurveSummary::pull_off_force, "N"),
+                       value(&ForceCurveSummary::work_of_adhesion, "J/m2"), value(&ForceCurveSummary::energy_loss, "J"),
+                       reasons_text(map));
+}
+
+}  // namespace setae::output
