@@ -118,9 +118,10 @@ void add_residuals(Panel& panel, const StudyResult& result, const std::vector<co
     }
 }
 
-/// χ² in the upper left corner, above all values.
-void add_test(Panel& panel, const adhesion::PredictionTest& test) {
-    const double step = row_share * (*panel.y.to - *panel.y.from);
+/// χ² in the upper left corner, above all values; on a page the scatter of the model below it, for which a column is
+/// too low.
+void add_test(Panel& panel, const adhesion::PredictionTest& test, bool page) {
+    const double step = (page ? row_share : 0.13) * (*panel.y.to - *panel.y.from);
     double height = *panel.y.to;
     const auto write = [&](const std::string& text) {
         panel.notes.push_back({.text = text,
@@ -130,7 +131,8 @@ void add_test(Panel& panel, const adhesion::PredictionTest& test) {
     };
     write(fmt::format("χ² = {:.1f}, {} degrees of freedom, p = {}", test.chi_squared, test.degrees_of_freedom,
                       probability_text(test.probability)));
-    if (test.extra_scatter > 0.0) write(fmt::format("scatter of the model: {:.1f} mJ/m²", mJ * test.extra_scatter));
+    if (page && test.extra_scatter > 0.0)
+        write(fmt::format("scatter of the model: {:.1f} mJ/m²", mJ * test.extra_scatter));
 }
 
 std::string test_in_words(const adhesion::PredictionTest& test) {
@@ -206,21 +208,21 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
     // bands of surfaces that hardly conform may reach far beyond: they are cut at the axis. Panels of a page say in a
     // row below the data how far apart measured and predicted are, for which a column is too narrow
     const bool page = wide(request);
-    const double extent = highest - lowest, below = page ? 0.28 : 0.08;
+    const double extent = highest - lowest, below = page ? 0.36 : 0.08;
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         auto& panel = figure.panels[p];
         panel.y.from = lowest - below * extent;
         panel.y.to = highest + (result.prediction_test ? 0.35 : 0.08) * extent;
         if (page) add_residuals(panel, result, pairs_on(result, surfaces[p]->name), lowest);
     }
-    if (result.prediction_test) add_test(figure.panels.front(), *result.prediction_test);
+    if (result.prediction_test) add_test(figure.panels.front(), *result.prediction_test, page);
     arrange(figure, request.options.width, 66.0);
     drawn.figure = figure;
     drawn.caption = fmt::format(
         "Work of adhesion measured on approach and predicted by (7) at W_int = {} ({}), against the contact modulus, for each surface. Line: prediction, floored at 0; shaded: its 95 % band, "
         "errors of spectrum, surface energy and W_int. Bars: one standard error of measured work and modulus; {} measured minus predicted in standard errors of both{}. {}.{}{}",
         with_error(*result.work_of_adhesion, mJ, "mJ/m2"), result.work_of_adhesion_source,
-        page ? "below the data" : "with the data's points",
+        page ? "below the data" : "in the file of its numbers",
         result.study.work_of_adhesion ? "" : ", that of the fitted W_int left out",
         result.prediction_test ? test_in_words(*result.prediction_test) : "No χ²: " + result.prediction_test.reason,
         energy.differ ? fmt::format(" Elastomers have different surface energies: curves are drawn at their mean, {}.",
