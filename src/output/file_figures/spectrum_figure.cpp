@@ -20,9 +20,27 @@ const figures::Axis wavevector_axis{.quantity = "wavevector *q*", .unit = "1/m",
 StudyFigure of_measurements(const study::SurfaceResult& surface, const Look& look) {
     study::StudyResult result;
     result.surfaces.push_back(surface);
-    auto& name = result.surfaces.front().name;
-    name = "one surface";  // as the caption calls it
-    return study_figures::study_figure(result, "spectra:" + name, {.width = look.width});
+    auto& drawn = result.surfaces.front();
+    drawn.name = "one surface";                                    // as the caption calls it
+    if (drawn.measurements.size() == 1) drawn.average.curve = {};  // it would hide the one measurement
+    return study_figures::study_figure(result, "spectra:" + drawn.name, {.width = look.width});
+}
+
+/// The standard errors of one measurement's modes, where its lines tell them.
+void add_errors(const study::SurfaceResult& surface, const Table& table, StudyFigure& drawn) {
+    const auto* errors = table.find("standard_error");
+    if (surface.measurements.size() != 1 || !errors || errors->values.isNaN().all()) return;
+    const auto& C1D = table.at("C1D");
+    constexpr double least = 0.01;  // of the value: bars that reach below 0 end there on a logarithmic axis
+    auto& series = drawn.figure.panels.front().series;
+    series.insert(series.begin(), {.label = "one standard error",
+                                   .x = table.at("wavevector"),
+                                   .lower = (C1D - errors->values).max(least * C1D),
+                                   .upper = C1D + errors->values,
+                                   .mark = Mark::band,
+                                   .colour = black,
+                                   .in_legend = false});
+    drawn.caption += " Shaded: one standard error between its lines, mode by mode.";
 }
 
 /// A table that was given, with its standard errors.
@@ -139,6 +157,7 @@ StudyFigure spectrum_figure(const study::SurfaceResult& surface, const Table& ta
     drawn.title = title_of(surface, table);
     drawn.command = look.command;
     if (!drawn.drawable()) return drawn;
+    add_errors(surface, table, drawn);
     add_model(table, drawn);
     add_isotropic(table, look, drawn);
     return drawn;

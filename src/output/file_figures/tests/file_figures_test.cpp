@@ -53,6 +53,10 @@ TEST(SpectrumFigure, ShowsWhatIsKeptAndWhatIsCut) {
     EXPECT_LE(series_of(drawn.figure.panels[0], "map").x.maxCoeff(), 1e7);
     EXPECT_GE(series_of(drawn.figure.panels[0], "map, cut").x.minCoeff(), 1e7);
     EXPECT_EQ(drawn.figure.width_mm, 85.0);
+    // no average hides the one measurement; its errors are shaded
+    EXPECT_THROW((void)series_of(drawn.figure.panels[0], "average"), std::runtime_error);
+    const auto& errors = series_of(drawn.figure.panels[0], "one standard error");
+    EXPECT_NEAR(errors.upper[7] / errors.lower[7], 1.1 / 0.9, 1e-9);
 }
 
 TEST(SpectrumFigure, DrawsTheFitWithinAndBeyondItsRange) {
