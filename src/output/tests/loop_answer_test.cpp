@@ -24,7 +24,7 @@ loops::LoopAnalysis loop() {
 
 TEST(LoopAnswer, SaysModulusWorkWithItsRangePullOffAndLoss) {
     EXPECT_EQ(answer(loop()),
-              "E* 1.84 ± 0.20 MPa, W 40 ± 11 mJ/m² (36.1 to 69.6 mJ/m² by its range) on loading, "
+              "E* 1.84 ± 0.20 MPa, W 40 ± 11 mJ/m² (36.1 to 69.6 by range) on loading, "
               "59.820 ± 0.010 mJ/m² at pull-off (-2.11430 ± 0.00030 µN), loss 1.6141 ± 0.0017 pJ");
 }
 
@@ -53,9 +53,10 @@ TEST(CurveAnswer, SaysWhereEachNumberIsFrom) {
     curve.pull_off_force = Estimate{-0.54e-9, 0.08e-9};
     curve.work_of_adhesion = Estimate{23e-6, 3.4e-6};
     curve.energy_loss = Outcome<Estimate>::missing("the curve has no retraction");
-    EXPECT_EQ(answer(curve),
-              "E* 27.9 ± 1.3 kPa on extend, pull-off -0.540 ± 0.080 nN, W 23.0 ± 3.4 µJ/m² by it, loss – (the curve has no "
-              "retraction)");
+    EXPECT_EQ(
+        answer(curve),
+        "E* 27.9 ± 1.3 kPa on extend, pull-off -0.540 ± 0.080 nN, W 23.0 ± 3.4 µJ/m² by it, loss – (the curve has no "
+        "retraction)");
 }
 
 TEST(CurveAnswer, SaysOneReasonOnce) {

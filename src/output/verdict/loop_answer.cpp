@@ -25,18 +25,26 @@ std::string text_or_reason(const Outcome<Estimate>& outcome, const char* unit) {
     return outcome ? format_uncertain(*outcome, unit) : fmt::format("– ({})", outcome.reason);
 }
 
-/// How far W of loading runs with the samples dropped at the beginning; empty where it does not.
-std::string work_by_range(const loops::BranchAnalysis& loading) {
-    std::vector<double> works;
-    for (const auto& tried : loading.sensitivity)
-        if (tried.fit) works.push_back(tried.fit->work_of_adhesion.value);
-    if (works.size() < 2) return "";
-    const auto [first, last] = std::minmax_element(works.begin(), works.end());
-    const auto least = format_value(*first, "J/m2", 3), most = format_value(*last, "J/m2", 3);
-    if (least == most) return "";
-    const auto blank = least.find(' ');
-    const bool one_unit = most.ends_with(least.substr(blank));
-    return fmt::format(" ({} to {} by its range)", one_unit ? least.substr(0, blank) : least, most);
+/// The unit behind a number, with its blank.
+std::string unit_behind(const std::string& text) { return text.substr(std::min(text.rfind(' '), text.size())); }
+
+/// A number without its unit where that is the unit of another.
+std::string without_unit_of(const std::string& other, const std::string& text) {
+    const auto unit = unit_behind(text);
+    return unit == unit_behind(other) ? text.substr(0, text.size() - unit.size()) : text;
+}
+
+/// W of loading, and how far it runs with the samples dropped at the beginning where it does.
+std::string work_with_range(const loops::BranchAnalysis& loading) {
+    const auto work = format_uncertain(loading.primary().work_of_adhesion, "J/m2");
+    std::vector<double> tried;
+    for (const auto& beginning : loading.sensitivity)
+        if (beginning.fit) tried.push_back(beginning.fit->work_of_adhesion.value);
+    if (tried.size() < 2) return work;
+    const auto [least, most] = std::minmax_element(tried.begin(), tried.end());
+    const auto from = format_value(*least, "J/m2", 3), to = format_value(*most, "J/m2", 3);
+    if (from == to) return work;
+    return fmt::format("{} ({} to {} by range)", work, without_unit_of(work, from), without_unit_of(work, to));
 }
 
 bool fits_poorly(const loops::LoopAnalysis& loop) {
@@ -48,9 +56,8 @@ bool fits_poorly(const loops::LoopAnalysis& loop) {
 std::string loading_text(const loops::LoopAnalysis& loop) {
     const auto& fit = loop.loading.primary();
     if (!fit.converged) return "E* –, W – on loading (the fit did not converge)";
-    return fmt::format("E* {}, W {}{} on loading{}", format_uncertain(fit.contact_modulus, "Pa"),
-                       format_uncertain(fit.work_of_adhesion, "J/m2"), work_by_range(loop.loading),
-                       fits_poorly(loop) ? ", which is no JKR curve" : "");
+    return fmt::format("E* {}, W {} on loading{}", format_uncertain(fit.contact_modulus, "Pa"),
+                       work_with_range(loop.loading), fits_poorly(loop) ? ", which is no JKR curve" : "");
 }
 
 /// Reasons of what curves do not say, the most frequent first.
