@@ -61,6 +61,56 @@ def draw_all(page):
     page.frames(3)
 
 
+def unfold(page):
+    page.run("for (const fold of document.querySelectorAll('main details:not(.data)')) fold.open = true")
+    page.frames(2)
+
+
+def tutorial_page(program, output):
+    """The report of the tutorial's study, made as the tutorial says."""
+    folder = os.path.join(output, "mine")
+    shutil.rmtree(folder, ignore_errors=True)
+    subprocess.run([program, "lab", "make", "examples/tutorial/recipe.toml", "-o", folder], check=True, stdout=subprocess.DEVNULL)
+    with open("docs/tutorials/tutorial.md", encoding="utf-8") as file:
+        study = re.search(r"```toml file=mine/adhesion.toml\n(.*?)```", file.read(), re.DOTALL).group(1)
+    with open(os.path.join(folder, "adhesion.toml"), "w", encoding="utf-8") as file:
+        file.write(study)
+    subprocess.run([program, "study", os.path.join(folder, "adhesion.toml"), "--no-figures", "--no-cache", "--progress", "none"], check=True, stdout=subprocess.DEVNULL)
+    return os.path.join(folder, "adhesion_results", "report.html")
+
+
+def check_height(page, path, name):
+    """The answer and its figures within a few screens; the rest waits in folds."""
+    page.open(path)
+    draw_all(page)
+    height = page.run("document.documentElement.scrollHeight")
+    print(f"{name}: {height} px high at 1366 px")
+    check(height <= 6000, f"{name}: {height} px high before anything is unfolded, expected at most 6000")
+    check(page.run("document.querySelectorAll('main details[open]').length") == 0, f"{name}: something is unfolded to begin with")
+
+
+def check_parts(page, path, name):
+    """Each identifier once, each link with its target, and links, keys and a button that unfold."""
+    page.open(path)
+    twice = page.run("[...document.querySelectorAll('[id]')].map(e => e.id).filter((id, i, all) => all.indexOf(id) !== i)")
+    check(not twice, f"{name}: stand twice: {twice}")
+    lost = page.run("[...document.querySelectorAll('a[href^=\"#\"]')].map(a => decodeURIComponent(a.getAttribute('href').slice(1))).filter(id => !document.getElementById(id))")
+    check(not lost, f"{name}: links lead nowhere: {lost}")
+    shown = lambda part: page.run(f"document.querySelector('{part}').checkVisibility()")  # noqa: E731
+    check(not shown("#table-fits table"), f"{name}: tables are not folded")
+    page.run("location.hash = '#table-fits'")
+    page.frames(3)
+    check(shown("#table-fits table"), f"{name}: a link does not unfold its table")
+    page.run("document.querySelector('#table-fits summary').focus()")
+    page.enter()
+    page.frames(2)
+    check(not shown("#table-fits table"), f"{name}: Enter does not fold a table")
+    page.run("document.getElementById('unfold').focus()")
+    page.enter()
+    page.frames(2)
+    check(page.run("[...document.querySelectorAll('main details:not(.data)')].every(d => d.open)"), f"{name}: the button does not unfold everything")
+
+
 def quiet(page, name):
     check(not page.console, f"{name}: the console says {page.console[:3]}")
     others = [url for url in page.requests if not url.startswith(("file:", "data:", "blob:"))]
@@ -68,12 +118,15 @@ def quiet(page, name):
 
 
 def check_layout(page, path, name):
-    for width, height in ((1366, 768), (683, 384), (400, 700)):  # 683 is 1366 at 200 %
+    for width, height in ((1366, 768), (683, 384), (390, 700)):  # 683 is 1366 at 200 %
         page.resize(width, height)
         page.open(path)
         draw_all(page)
-        check(page.run("document.documentElement.scrollWidth <= innerWidth"), f"{name}: wider than the window at {width} px: " + str(page.run(
-            "[...document.querySelectorAll('main *')].filter(e => e.getBoundingClientRect().right > innerWidth && !e.closest('.scroll')).slice(0, 3).map(e => e.outerHTML.slice(0, 120))")))
+        for _ in range(2):  # folded, then unfolded
+            check(page.run("document.documentElement.scrollWidth <= innerWidth"), f"{name}: wider than the window at {width} px: " + str(page.run(
+                "[...document.querySelectorAll('main *')].filter(e => e.getBoundingClientRect().right > innerWidth && !e.closest('.scroll')).slice(0, 3).map(e => e.outerHTML.slice(0, 120))")))
+            unfold(page)
+            draw_all(page)
         quiet(page, f"{name} at {width} px")
     page.resize(1366, 768)
     levels = page.run("[...document.querySelectorAll('h1,h2,h3,h4')].map(h => Number(h.tagName[1]))")
@@ -100,8 +153,8 @@ def check_keyboard(page, name):
 
 
 def check_tables(page, study):
-    head = "document.querySelector('#surfaces th:nth-child(3)')"
-    values = "[...document.querySelectorAll('#surfaces tbody tr td:nth-child(3) [data-part=value]')].map(s => Number(s.dataset.value))"
+    head = "document.querySelector('#table-surfaces th:nth-child(3)')"
+    values = "[...document.querySelectorAll('#table-surfaces tbody tr td:nth-child(3) [data-part=value]')].map(s => Number(s.dataset.value))"
     before = page.run(values)
     for direction, order in (("ascending", sorted(before)), ("descending", sorted(before, reverse=True))):
         page.run(head + ".querySelector('button').focus()")
@@ -109,12 +162,12 @@ def check_tables(page, study):
         check(page.run(head + ".getAttribute('aria-sort')") == direction, f"sorting by Enter does not say {direction}")
         check(page.run(values) == order, f"rows are not {direction}")
     page.run(head.replace("3", "1") + ".querySelector('button').click()")
-    names = page.run("[...document.querySelectorAll('#surfaces tbody tr td:first-child')].map(c => c.textContent)")
+    names = page.run("[...document.querySelectorAll('#table-surfaces tbody tr td:first-child')].map(c => c.textContent)")
     check(names == sorted(names), f"names are not in order: {names}")
-    page.run("document.querySelector('[data-table=surfaces]').focus()")
+    page.run("document.querySelector('#table-surfaces button.copy').focus()")
     page.enter()
     time.sleep(0.2)
-    said = page.run("document.querySelector('[data-table=surfaces]').parentElement.querySelector('.told').textContent")
+    said = page.run("document.querySelector('#table-surfaces .told').textContent")
     check(said.startswith("Copied"), f"copying says '{said}'")
     lines = [line.split("\t") for line in page.run("navigator.clipboard.readText()").splitlines()]
     check(all(len(line) == len(lines[0]) for line in lines), "copied rows differ in length")
@@ -124,7 +177,7 @@ def check_tables(page, study):
         height = study["surfaces"][row["surface"]]["rms_height"]
         check(float(row["h_rms [m]"]) == height["value"] and float(row["h_rms interval_high [m]"]) == height["interval"]["upper"], f"{row['surface']}: copied {row}")
     # without a clipboard the text is selected
-    page.run("navigator.clipboard.writeText = () => Promise.reject(new Error('refused')); document.querySelector('[data-table=surfaces]').click()")
+    page.run("navigator.clipboard.writeText = () => Promise.reject(new Error('refused')); document.querySelector('#table-surfaces button.copy').click()")
     time.sleep(0.1)
     check("PUNCD" in page.run("getSelection().toString()"), "without a clipboard nothing is selected")
     page.run("getSelection().removeAllRanges()")
@@ -229,7 +282,7 @@ def check_figures(page):
         svg = page.downloaded(name + ".svg")
         check(svg.startswith("<svg") and len(re.findall(r'class="[^"]*\bsubplot\b', svg)) >= 2 and "<script" not in svg, f"{name}.svg is not whole")
     check("&lt;/script&gt;" in page.downloaded("figure_1.svg") or "</script>" not in page.downloaded("figure_1.svg"), "a name is taken for markup in SVG")
-    check(page.run("document.querySelector('#figure-3').textContent").find("Not drawn: no experiment has a contact radius.") >= 0, "the reason is not shown")
+    check(page.run("document.querySelector('#figure-S5').textContent").find("Not drawn: no experiment has a contact radius.") >= 0, "the reason is not shown")
     check(page.run(f"{plots(1)}[0].getAttribute('role') === 'img' && {plots(1)}[0].getAttribute('aria-label').includes('What <is> drawn.')"), "a plot has no words")
 
 
@@ -238,11 +291,12 @@ def check_print(page, path, output):
     page.paper(os.path.join(output, "published.pdf"))
     drawn = page.run("[...document.querySelectorAll('section.figure .plots')].every(p => p.querySelector('.main-svg'))")
     check(drawn, "figures are missing on paper")
+    check(page.run("document.querySelectorAll('main details[open]').length") == 0, "what was folded stays unfolded after printing")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("pages", "cache", "output"):
+    for name in ("pages", "setae", "cache", "output"):
         parser.add_argument("--" + name, required=True)
     options = parser.parse_args()
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -264,7 +318,15 @@ def main():
             page.picture(os.path.join(options.output, name + ".png"))
             if axe:
                 check_axe(page, axe, name)
+                unfold(page)
+                draw_all(page)
+                check_axe(page, axe, name + ", unfolded")
+        tutorial = tutorial_page(options.setae, options.output)
+        for name, file in (("published", path("published")), ("tutorial", tutorial)):
+            check_height(page, file, name)
+            check_parts(page, file, name)
         page.open(path("published"))
+        unfold(page)
         study = json.loads(page.run("document.getElementById('study').textContent"))
         check_shown_numbers(page, "published")
         check_tables(page, study)
@@ -272,6 +334,7 @@ def main():
         check_keyboard(page, "published")
         quiet(page, "published")
         page.open(path("hostile"))
+        unfold(page)
         check(page.run("document.title") == HOSTILE, "a hostile title is changed")
         check(page.run("document.querySelectorAll('script').length") == page.run("document.querySelectorAll('script[type]').length") + 2, "a name became a script")
         draw_all(page)
@@ -280,7 +343,7 @@ def main():
         quiet(page, "hostile")
         page.open(path("many"))
         draw_all(page)
-        drag = page.run(f"""(async () => {{ const plot = {plots(1)}[0]; const times = [];
+        drag = page.run(f"""(async () => {{ const plot = {plots("spectra_many")}[0]; const times = [];
             for (let i = 0; i < 10; ++i) {{ const start = performance.now(); await Plotly.relayout(plot, {{'xaxis.range': [4 + 0.1 * i, 9 + 0.05 * i]}}); await new Promise(requestAnimationFrame); times.push(performance.now() - start); }}
             return times.sort((a, b) => a - b)[5]; }})()""")
         print(f"sixty spectra of 600 points: {drag:.0f} ms a frame while their range moves")

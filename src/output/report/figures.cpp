@@ -262,7 +262,7 @@ std::string folded_html(const Figures& figures, const FigurePage& page, int leve
 
 /// The same; many of one family, such as one a loop, in a fold of their own.
 std::string by_family_html(const Figures& figures, const FigurePage& page) {
-    constexpr std::ptrdiff_t many = 6;
+    constexpr std::ptrdiff_t many = 3;
     std::string html;
     for (auto from = figures.begin(); from != figures.end();) {
         const auto family = family_of(**from);
@@ -270,13 +270,12 @@ std::string by_family_html(const Figures& figures, const FigurePage& page) {
             return family_of(*figure) != family;
         });
         const Figures members(from, to);
-        html += to - from > many
-                    ? as_html(Fold{.identifier = "figures-" + escaped(family),
-                                   .kind = "family",
-                                   .title = fmt::format("Figures {}:…", escaped(family)),
-                                   .remark = fmt::format("{} figures", members.size()),
-                                   .html = folded_html(members, page, 4)})
-                    : folded_html(members, page, 3);
+        html += to - from > many ? as_html(Fold{.identifier = "figures-" + escaped(family),
+                                                .kind = "family",
+                                                .title = fmt::format("Figures {}:…", escaped(family)),
+                                                .remark = fmt::format("{} figures", members.size()),
+                                                .html = folded_html(members, page, 4)})
+                                 : folded_html(members, page, 3);
         from = to;
     }
     return html;

@@ -20,7 +20,8 @@ std::string section_html(const Fold& part, const std::string& html) {
 }  // namespace
 
 std::string as_html(const Fold& fold) {
-    return section_html(fold, "<details" + std::string(fold.open ? " open" : "") + "><summary>" + heading_of(fold) + "</summary>" + fold.html + "</details>");
+    return section_html(fold, "<details" + std::string(fold.open ? " open" : "") + "><summary>" + heading_of(fold) +
+                                  "</summary>" + fold.html + "</details>");
 }
 
 std::string unfolded_html(const Fold& part) { return section_html(part, heading_of(part) + part.html); }

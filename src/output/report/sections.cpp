@@ -98,9 +98,9 @@ std::string cut_html(const StudyResult& result) {
     for (const auto& e : result.experiments)
         if (e.failed())
             failed.push_back({"experiment", e.input.reference ? "reference" : e.input.surface, e.input.file, e.error});
-    std::string html =
-        failed.empty() ? "<p>Nothing failed.</p>"
-                       : plain_table("failed", "What failed, and why", {"kind", "surface", "file", "reason"}, failed, true);
+    std::string html = failed.empty() ? "<p>Nothing failed.</p>"
+                                      : plain_table("failed", "What failed, and why",
+                                                    {"kind", "surface", "file", "reason"}, failed, true);
     std::vector<std::vector<std::string>> excluded;
     for (const auto& e : result.experiments)
         if (e.input.excluded())
@@ -211,16 +211,18 @@ std::string provenance_html(const StudyResult& result, const RunRecord& run) {
 }
 
 std::string references_html() {
-    return "<p>Whoever publishes numbers or figures of this page cites the paper whose method they follow, and setae:</p><ul class=\"references\">"
-           "<li>[D19] S. Dalvi, A. Gujrati, S. R. Khanal, L. Pastewka, A. Dhinojwala, T. D. B. Jacobs: Linking energy loss in soft adhesion to surface roughness. Proc. Natl. Acad. Sci. USA 116 "
-           "(2019) 25484. doi:10.1073/pnas.1913126116</li>"
-           "<li>[J17] T. D. B. Jacobs, T. Junge, L. Pastewka: Quantitative characterization of surface topography using spectral analysis. Surf. Topogr.: Metrol. Prop. 5 (2017) 013001. "
-           "doi:10.1088/2051-672X/aa51f8</li>"
-           "<li>[PT01] B. N. J. Persson, E. Tosatti: The effect of surface roughness on the adhesion of elastic solids. J. Chem. Phys. 115 (2001) 5597. doi:10.1063/1.1398300</li>"
-           "<li>[JKR] K. L. Johnson, K. Kendall, A. D. Roberts: Surface energy and the contact of elastic solids. Proc. R. Soc. Lond. A 324 (1971) 301. doi:10.1098/rspa.1971.0141</li>"
-           "<li>[setae] The setae developers: setae, from measured roughness to soft adhesion, version " +
-           escaped(study::version()) +
-           ". GPL-3.0-or-later.</li></ul>"
+    const auto list =
+        "<ul class=\"references\">"
+        "<li>[D19] S. Dalvi, A. Gujrati, S. R. Khanal, L. Pastewka, A. Dhinojwala, T. D. B. Jacobs: Linking energy loss in soft adhesion to surface roughness. Proc. Natl. Acad. Sci. USA 116 "
+        "(2019) 25484. doi:10.1073/pnas.1913126116</li>"
+        "<li>[J17] T. D. B. Jacobs, T. Junge, L. Pastewka: Quantitative characterization of surface topography using spectral analysis. Surf. Topogr.: Metrol. Prop. 5 (2017) 013001. "
+        "doi:10.1088/2051-672X/aa51f8</li>"
+        "<li>[PT01] B. N. J. Persson, E. Tosatti: The effect of surface roughness on the adhesion of elastic solids. J. Chem. Phys. 115 (2001) 5597. doi:10.1063/1.1398300</li>"
+        "<li>[JKR] K. L. Johnson, K. Kendall, A. D. Roberts: Surface energy and the contact of elastic solids. Proc. R. Soc. Lond. A 324 (1971) 301. doi:10.1098/rspa.1971.0141</li>"
+        "<li>[setae] The setae developers: setae, from measured roughness to soft adhesion, version " +
+        escaped(study::version()) + ". GPL-3.0-or-later.</li></ul>";
+    return "<p>Whoever publishes numbers or figures of this page cites the paper whose method they follow, and setae.</p>" +
+           as_html(Fold{.identifier = "cited", .kind = "text", .title = "What to cite", .html = list}) +
            "<p class=\"note\">Figures are drawn by plotly.js 4.1.1, © 2012–2026 Plotly, Inc., MIT licence; it is part of this page. The page asks no network for anything.</p>";
 }
 

@@ -94,16 +94,16 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
         }
         // as the verdict states it: pairs of one surface or elastomer correlated where that is known
         const auto clustered = joined(place, "clustered");
-        items += fmt::format(
-            "<li>{}: <i>W</i><sub>int</sub> = {}, {}, from {} pairs{}.</li>", lead,
-            quantity_html(study, entry(study, joined(clustered, "standard_error")).is_number()
-                                     ? clustered
-                                     : joined(place, "work_of_adhesion")),
-            r_squared(study, place), number_html(study, joined(place, "n"), {}, 0),
-            reported.empty() ? "" : "; " + reported);
+        items += fmt::format("<li>{}: <i>W</i><sub>int</sub> = {}, {}, from {} pairs{}.</li>", lead,
+                             quantity_html(study, entry(study, joined(clustered, "standard_error")).is_number()
+                                                      ? clustered
+                                                      : joined(place, "work_of_adhesion")),
+                             r_squared(study, place), number_html(study, joined(place, "n"), {}, 0),
+                             reported.empty() ? "" : "; " + reported);
     };
     item("modified", "By approach, balance (7)");
-    item("persson_tosatti", "By approach, balance (S13), area for small slopes, nothing for stretching the soft surface");
+    item("persson_tosatti",
+         "By approach, balance (S13), area for small slopes, nothing for stretching the soft surface");
     item("without_area_change", "By approach, balance (2), nothing for stretching the soft surface");
     item("loop", "By the energy lost in loops, (10)");
     if (!items.empty()) text += "<ul>" + items + "</ul>";

@@ -16,7 +16,9 @@ namespace {
 using adhesion::PredictionResidual;
 using study::StudyResult;
 
-Estimate work(double value, double error) { return {.value = value, .standard_error = error, .degrees_of_freedom = 3.0}; }
+Estimate work(double value, double error) {
+    return {.value = value, .standard_error = error, .degrees_of_freedom = 3.0};
+}
 
 adhesion::WorkFit fit(double value, double error) {
     adhesion::WorkFit found;
@@ -42,8 +44,10 @@ StudyResult result_of(const adhesion::PredictionTest& tested, double loss) {
     result.study.title = "Two ways";
     result.surfaces.push_back({.name = "A", .error = "kept short"});
     result.modified = fit(0.037, 2e-4);
-    result.loop = adhesion::LossFits{.through_origin = fit(loss, 3e-4), .through_origin_without_ideal_loss = {},
-                                     .with_intercept = {}, .with_intercept_without_ideal_loss = {}};
+    result.loop = adhesion::LossFits{.through_origin = fit(loss, 3e-4),
+                                     .through_origin_without_ideal_loss = {},
+                                     .with_intercept = {},
+                                     .with_intercept_without_ideal_loss = {}};
     result.prediction_test = tested;
     return result;
 }
@@ -56,7 +60,8 @@ TEST(Verdict, SaysThatRoughnessExplainsTheApproachAndTheLossAgrees) {
     EXPECT_EQ(said.answer[0],
               "Roughness explains the approach: W_int 37.00 [36.36, 37.64] mJ/m² (4 pairs, χ² 0.4 of 3, p = 0.94).");
     EXPECT_TRUE(holds(said.answer[1], "mJ/m²: consistent.")) << said.answer[1];
-    EXPECT_FALSE(std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) { return holds(s, "contradicted"); }));
+    EXPECT_FALSE(
+        std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) { return holds(s, "contradicted"); }));
 }
 
 TEST(Verdict, SaysThatTheBalanceFailsAndWhatScatterWouldMendIt) {
@@ -67,10 +72,38 @@ TEST(Verdict, SaysThatTheBalanceFailsAndWhatScatterWouldMendIt) {
               "W_int 37.00 [36.36, 37.64] mJ/m².");
     EXPECT_TRUE(holds(said.answer[1], "13.00 ± 0.36 mJ/m² apart")) << said.answer[1];
     EXPECT_TRUE(std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) {
-        return holds(s, "(7) is contradicted by its pairs (χ² 194.0 of 3, p = 4·10⁻³³): soft on A is +3.0 standard errors from its prediction");
+        return holds(
+            s,
+            "(7) is contradicted by its pairs (χ² 194.0 of 3, p = 4·10⁻³³): soft on A is +3.0 standard errors from its prediction");
     }));
     tested.probability_with_scatter = 1e-3;
     EXPECT_FALSE(holds(verdict(result_of(tested, 0.050)).answer[0], "it does"));
+}
+
+TEST(Verdict, ExplainsAPairFarOffWhereAllTogetherAreNot) {
+    auto tested = test(2.0, 0.57, 0.0);
+    tested.pairs.front().residual = -3.3e-3;
+    tested.work_fitted = true;
+    const auto limits = verdict(result_of(tested, 0.0372)).limits;
+    const auto found = std::find_if(limits.begin(), limits.end(), [](const auto& s) {
+        return holds(s,
+                     "soft on A is -3.3 standard errors from its prediction, though the pairs together have p = 0.57.");
+    });
+    ASSERT_NE(found, limits.end());
+    EXPECT_TRUE(holds(*found, deviation_note(tested)));
+    tested.pairs.front().residual = 2.0e-3;
+    for (const auto& sentence : verdict(result_of(tested, 0.0372)).limits)
+        EXPECT_FALSE(holds(sentence, "standard errors from")) << "one of four pairs may be two off";
+}
+
+TEST(Verdict, SaysThatLossAndApproachDiffer) {
+    const auto differ = verdict(result_of(test(0.4, 0.94, 0.0), 0.050));
+    EXPECT_TRUE(std::any_of(differ.limits.begin(), differ.limits.end(),
+                            [](const auto& s) { return holds(s, "Loss and approach give different W_int"); }));
+    EXPECT_TRUE(differ.findings.empty());
+    const auto agree = verdict(result_of(test(0.4, 0.94, 0.0), 0.0372));
+    ASSERT_EQ(agree.findings.size(), 1u);
+    EXPECT_TRUE(holds(agree.findings.front(), "Energy lost in loops goes with true area"));
 }
 
 TEST(Verdict, OfNothingSaysSo) {

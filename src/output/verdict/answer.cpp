@@ -32,9 +32,8 @@ std::string sentence_of_loss(const StudyResult& result) {
     if (!result.modified) return fmt::format("By the loss, W_int is {}.", number);
     const auto apart = *loss_less_approach(result);
     if (!interval_of(apart)) return fmt::format("The loss says {}.", number);
-    return fmt::format(
-        "The loss says {}: {}.", number,
-        may_be_zero(apart) ? "consistent" : fmt::format("{} apart", format_uncertain(apart, "J/m2")));
+    return fmt::format("The loss says {}: {}.", number,
+                       may_be_zero(apart) ? "consistent" : fmt::format("{} apart", format_uncertain(apart, "J/m2")));
 }
 
 /// What measured and predicted works of adhesion say together; empty where nothing was measured.
@@ -86,11 +85,11 @@ std::vector<std::string> sentences_of_roughness(const StudyResult& result) {
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) continue;
         const auto& spectrum = surface.used();
-        sentences.push_back(fmt::format(
-            "{}: h_rms {}, h'_rms {}, A_true/A_app {}.", surface.name,
-            format_uncertain(spectrum.estimate([](const auto& p) { return p.rms_height; }), "m"),
-            format_uncertain(spectrum.estimate([](const auto& p) { return p.rms_slope; }), "1"),
-            format_uncertain(spectrum.estimate([](const auto& p) { return p.area_ratio(); }, 1.0), "1")));
+        sentences.push_back(
+            fmt::format("{}: h_rms {}, h'_rms {}, A_true/A_app {}.", surface.name,
+                        format_uncertain(spectrum.estimate([](const auto& p) { return p.rms_height; }), "m"),
+                        format_uncertain(spectrum.estimate([](const auto& p) { return p.rms_slope; }), "1"),
+                        format_uncertain(spectrum.estimate([](const auto& p) { return p.area_ratio(); }, 1.0), "1")));
         if (sentences.size() == 3) break;
     }
     return sentences;
@@ -124,8 +123,9 @@ std::vector<std::string> answer_of(const StudyResult& result) {
     if (sentences.empty()) sentences = sentences_of_prediction(result);
     if (sentences.empty()) sentences = sentences_of_roughness(result);
     if (sentences.empty())
-        sentences.emplace_back(result.successes() > 0 ? "Loops were analysed; no surface says what they should be."
-                                                      : "Nothing can be concluded: no part of the study gave a result.");
+        sentences.emplace_back(result.successes() > 0
+                                   ? "Loops were analysed; no surface says what they should be."
+                                   : "Nothing can be concluded: no part of the study gave a result.");
     return sentences;
 }
 

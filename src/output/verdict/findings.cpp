@@ -19,9 +19,10 @@ std::string finding_of_test(const StudyResult& result) {
     const auto over = tested(result);
     if (!result.prediction_test || result.prediction_test->probability < improbable) return "";
     if (over.surfaces.size() < 2 || over.elastomers.size() < 2) return "";
-    return fmt::format("One W_int and balance (7) describe {} of {} surfaces and {} elastomers within their errors ({}).",
-                       pairs_text(result.prediction_test->n), over.surfaces.size(), over.elastomers.size(),
-                       test_text(*result.prediction_test));
+    return fmt::format(
+        "One W_int and balance (7) describe {} of {} surfaces and {} elastomers within their errors ({}).",
+        pairs_text(result.prediction_test->n), over.surfaces.size(), over.elastomers.size(),
+        test_text(*result.prediction_test));
 }
 
 std::string finding_of_rivals(const StudyResult& result) {
@@ -63,8 +64,9 @@ std::string finding_of_references(const StudyResult& result) {
             std::find(names.begin(), names.end(), reference.elastomer) == names.end())
             names.push_back(reference.elastomer);
     if (names.empty()) return "";
-    return fmt::format("Smooth references on {} have the same W in both branches to within {}: what rough surfaces have beyond is the roughness's.",
-                       listed(names), format_value(result.study.comparison.margin, "J/m2", 2));
+    return fmt::format(
+        "Smooth references on {} have the same W in both branches to within {}: what rough surfaces have beyond is the roughness's.",
+        listed(names), format_value(result.study.comparison.margin, "J/m2", 2));
 }
 
 }  // namespace
@@ -106,8 +108,8 @@ Rivals rivals_of(const StudyResult& result) {
 
 std::vector<std::string> findings_of(const StudyResult& result) {
     std::vector<std::string> sentences;
-    for (const auto& find : std::array{finding_of_test, finding_of_rivals, finding_of_loss, finding_of_instruments,
-                                       finding_of_references})
+    for (const auto& find :
+         std::array{finding_of_test, finding_of_rivals, finding_of_loss, finding_of_instruments, finding_of_references})
         if (auto sentence = find(result); !sentence.empty()) sentences.push_back(std::move(sentence));
     return sentences;
 }

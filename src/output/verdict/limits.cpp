@@ -74,12 +74,14 @@ private:
                 "errors of predictions share a spectrum and a modulus, so that one cause can move several.",
                 test.n == 1 ? "pair" : "pairs", test_text(test), name, worst.standardised()));
         else if (stands_out(worst.standardised(), test.n))
-            say(fmt::format("{} is {:+.1f} standard errors from its prediction, though the pairs together have p = {}. {}",
-                            name, worst.standardised(), probability_text(test.probability), deviation_note(test)));
+            say(fmt::format(
+                "{} is {:+.1f} standard errors from its prediction, though the pairs together have p = {}. {}", name,
+                worst.standardised(), probability_text(test.probability), deviation_note(test)));
         if (test.probability < improbable && test.extra_scatter > 0.0)
-            say(fmt::format("A prediction by (7) for another pair is uncertain by {} beyond its own ±: the scatter that "
-                            "the pairs have.",
-                            format_value(test.extra_scatter, "J/m2", 2)));
+            say(fmt::format(
+                "A prediction by (7) for another pair is uncertain by {} beyond its own ±: the scatter that "
+                "the pairs have.",
+                format_value(test.extra_scatter, "J/m2", 2)));
         if (!test.left_out.empty()) say("Not tested: " + listed(test.left_out) + ".");
     }
 
@@ -91,13 +93,14 @@ private:
     }
 
     void say_of_fits() {
+        if (const auto apart = loss_less_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
+            say(fmt::format(
+                "Loss and approach give different W_int, {} apart: (10) or (7) leaves out what the other has.",
+                format_uncertain(*apart, "J/m2")));
         if (result_.pairs.empty()) return;
         if (!result_.modified && result_.work_of_adhesion) say("No fit of approach: " + result_.modified.reason + ".");
         if (!result_.loop) say("No fit of loop energies: " + result_.loop.reason + ".");
         if (!result_.work_of_adhesion) say("No prediction: " + result_.work_of_adhesion.reason + ".");
-        if (const auto apart = loss_less_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
-            say(fmt::format("Loss and approach give different W_int, {} apart: (10) or (7) leaves out what the other has.",
-                            format_uncertain(*apart, "J/m2")));
     }
 
     void say_of_design() {

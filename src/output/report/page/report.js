@@ -381,7 +381,7 @@
 
   function sizeOf(drawn, i) {
     const width = drawn.plots[i].clientWidth;
-    return { width, height: heightOf(drawn.figure, i, width, 560) };
+    return { width, height: heightOf(drawn.figure, i, width, 440) };
   }
 
   function draw(section) {

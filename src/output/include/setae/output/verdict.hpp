@@ -10,7 +10,7 @@ namespace setae::output {
 
 /// What a study says, in sentences of plain text: symbols as "W_int", numbers with their unit.
 struct Verdict {
-    std::vector<std::string> answer;  ///< whether roughness explains the approach, what the loss says; at least one
+    std::vector<std::string> answer;    ///< whether roughness explains the approach, what the loss says; at least one
     std::vector<std::string> findings;  ///< what tests support: may be none
     std::vector<std::string> limits;    ///< what cannot be concluded and why, worst first
 };
