@@ -3,6 +3,7 @@
 """experimentalist.py SETAE: a folder of measurements and loops becomes the figure of the paper in at most six commands."""
 import csv
 import json
+import re
 import shutil
 
 from terminal import require, require_close, terminal
@@ -36,17 +37,24 @@ radius_noise = "0.1 um"
 """
 
 
-def write_study(folder):
-    """The study as an experimenter writes it by hand, who knows tips, constants and which file is what."""
-    scans = [(f"rough/stylus_{k}.csv", 'instrument = "stylus", tip_radius = "5 ± 0.2 um"') for k in (1, 2, 3)]
-    scans += [(f"rough/afm_{k}.txt", 'instrument = "afm", tip_radius = "10 ± 0.5 nm"') for k in (1, 2, 3)]
-    scans += [(f"rough/tem_{k}.csv", 'instrument = "tem"') for k in (1, 2, 3)]
-    study = 'rough_solid = { youngs_modulus = "1100 GPa", poisson_ratio = 0.06 }\n[surfaces.rough]\nmeasurements = [\n'
-    study += "".join(f'  {{ file = "{file}", {known} }},\n' for file, known in scans) + "]\n"
-    for name in ("soft", "stiff"):
-        study += f'[elastomers.{name}]\nsurface_energy = "25 ± 1 mJ/m2"\nsphere_radius = "1.25 mm"\n'
-        study += f'[[experiments]]\nfile = "loops/rough_{name}.csv"\nsurface = "rough"\nelastomer = "{name}"\n'
-    (folder / "mine/study.toml").write_text(study, encoding="utf-8")
+ANSWERS = {
+    r'# tip_radius = "\?" *# such as "10.*': 'tip_radius = "10 ± 0.5 nm"',
+    r'# tip_radius = "\?" *# such as "5.*': 'tip_radius = "5 ± 0.2 um"',
+    r'# (\[|[a-z_]* = )': r"\1",
+    r"power_spectrum.*": "",
+    r'youngs_modulus = "\?"': 'youngs_modulus = "1100 GPa"',
+    r'poisson_ratio = "\?"': "poisson_ratio = 0.06",
+    r'surface_energy = "\?"': 'surface_energy = "25 ± 1 mJ/m2"',
+    r'sphere_radius = "\?"': 'sphere_radius = "1.25 mm"',
+}
+
+
+def answer(draft):
+    """Fills in what the draft asks, as an experimenter does who knows tips and constants."""
+    text = draft.read_text(encoding="utf-8").split("\n# Left out:")[0]
+    for asked, known in ANSWERS.items():
+        text = re.sub("^" + asked, known, text, flags=re.MULTILINE)
+    draft.write_text(text, encoding="utf-8")
 
 
 def main():
@@ -57,9 +65,10 @@ def main():
         truth = json.loads((user.folder / "made/truth.json").read_text(encoding="utf-8"))
 
         user.typed = 0  # the files are there
-        listing = user.types("setae info mine/rough/*")
+        listing = user.types("setae info mine")
         require(listing.count("\n") >= 9, f"info lists {listing.count(chr(10))} lines for nine files")
-        write_study(user.folder)
+        user.types("setae study init mine -o mine/study.toml")
+        answer(user.folder / "mine/study.toml")
         user.types("setae study mine/study.toml --dry-run")  # exit code 1 where a file is missing
         screen = user.types("setae study mine/study.toml --no-figures")
         require(len(screen.splitlines()) <= 40, f"the screen has {len(screen.splitlines())} lines")

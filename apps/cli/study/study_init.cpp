@@ -72,6 +72,7 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "study file to be written; its paths are relative to its folder")
         .default_shown();
     options.flag("--force", arguments->force, "replace a file that is there");
+    options.example("setae study init data -o study.toml", "a draft of what the files say, and of what they leave open");
     return action(options, arguments, explanation, run);
 }
 
