@@ -14,6 +14,7 @@
 #include "markup.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/words.hpp"
+#include "setae/figures/typesetting.hpp"
 
 namespace setae::report {
 namespace {
@@ -25,7 +26,7 @@ Json values(const ArrayView1D& array) { return output::numbers(array); }
 /// Quantity and unit as HTML, as text, and as the CSV names them.
 Json axis_json(const figures::Axis& axis) {
     const auto unit = typeset_unit(axis.unit);
-    Json json{{"quantity", axis.quantity},
+    Json json{{"quantity", figures::plain_text(axis.quantity)},
               {"unit", axis.unit.empty() ? "1" : axis.unit},
               {"html", typeset(axis.quantity)},
               {"shown_unit", unit}};
@@ -132,12 +133,16 @@ Json map_json(const figures::HeatMap& map) {
     return json;
 }
 
-Json panel_json(const figures::Panel& panel, Index most) {
-    Json json{{"title", panel.title},
-              {"x", axis_json(panel.x)},
-              {"y", axis_json(panel.y)},
-              {"legend", panel.legend},
-              {"series", Json::array()}};
+/// "A  residuals": what stands above a panel.
+std::string heading_text(const figures::Heading& heading) {
+    return heading.letter + (heading.letter.empty() || heading.words.empty() ? "" : "  ") + heading.words;
+}
+
+Json panel_json(const figures::Figure& figure, std::size_t index, Index most) {
+    const auto& panel = figure.panels[index];
+    Json json{{"title", panel.title},    {"heading", heading_text(figures::heading_of(figure, index))},
+              {"x", axis_json(panel.x)}, {"y", axis_json(panel.y)},
+              {"legend", panel.legend},  {"series", Json::array()}};
     for (std::size_t i = 0; i < panel.series.size(); ++i)
         json["series"].push_back(series_json(panel.series[i], i, most));
     if (!panel.horizontal_lines.empty()) json["lines"] = panel.horizontal_lines;
@@ -166,8 +171,8 @@ Json figure_json(const study_figures::StudyFigure& figure) {
               {"width", figure.figure.width_mm},
               {"height", figure.figure.height_mm},
               {"panels", Json::array()}};
-    for (const auto& panel : figure.figure.panels)
-        json["panels"].push_back(panel_json(panel, most_points(figure.figure)));
+    for (std::size_t p = 0; p < figure.figure.panels.size(); ++p)
+        json["panels"].push_back(panel_json(figure.figure, p, most_points(figure.figure)));
     return json;
 }
 

@@ -88,6 +88,22 @@ void add_measured(Panel& panel, const StudyResult& result, const PairResult& pai
                          residual ? fmt::format(", {:+.2f} standard errors apart", residual->standardised()) : "")}});
 }
 
+/// A pair that nobody measured: its prediction alone, hollow.
+void add_predicted(Panel& panel, const StudyResult& result, const PairResult& pair) {
+    const auto& modulus = result.elastomer(pair.elastomer).contact_modulus;
+    const auto place = place_of_elastomer(result, pair.elastomer);
+    panel.series.push_back({.label = pair.elastomer + ", not measured",
+                            .x = Array1D::Constant(1, MPa * modulus.value),
+                            .y = Array1D::Constant(1, mJ * pair.modified->work.floored),
+                            .mark = Mark::points,
+                            .colour = colour_of_place(place),
+                            .symbol = static_cast<int>(place),
+                            .hollow = true,
+                            .in_legend = false,
+                            .names = {fmt::format("{}: predicted {}, not measured", pair.elastomer,
+                                                  with_error(pair.modified->estimate, mJ, "mJ/m2"))}});
+}
+
 /// "+3.9 σ": measured minus predicted in standard errors.
 std::string apart_in_words(double apart) {
     const auto size = fmt::format("{:.1f} σ", std::abs(apart));
@@ -189,7 +205,10 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
                                 .dash = 0});
         highest = std::max(highest, mJ * curve.work_of_adhesion.maxCoeff());
         for (const auto* pair : pairs_on(result, surface->name)) {
-            if (!pair->approach) continue;
+            if (!pair->approach) {
+                add_predicted(panel, result, *pair);
+                continue;
+            }
             add_measured(panel, result, *pair);
             const double error = std::sqrt(pair->approach->variance());
             highest = std::max(highest, mJ * (pair->approach->value + error));
@@ -220,8 +239,12 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
     drawn.figure = figure;
     drawn.caption = fmt::format(
         "Work of adhesion measured on approach and predicted by (7) at W_int = {} ({}), against the contact modulus, for each surface. Line: prediction, floored at 0; shaded: its 95 % band, "
-        "errors of spectrum, surface energy and W_int. Bars: one standard error of measured work and modulus; {} measured minus predicted in standard errors of both{}. {}.{}{}",
+        "errors of spectrum, surface energy and W_int. {}Bars: one standard error of measured work and modulus; {} measured minus predicted in standard errors of both{}. {}.{}{}",
         with_error(*result.work_of_adhesion, mJ, "mJ/m2"), result.work_of_adhesion_source,
+        std::any_of(result.pairs.begin(), result.pairs.end(),
+                    [](const auto& pair) { return pair.modified && !pair.approach; })
+            ? "Hollow: predicted, not measured. "
+            : "",
         page ? "below the data" : "in the file of its numbers",
         result.study.work_of_adhesion ? "" : ", that of the fitted W_int left out",
         result.prediction_test ? test_in_words(*result.prediction_test) : "No χ²: " + result.prediction_test.reason,

@@ -35,6 +35,7 @@ const std::vector<Bearing>& bearings() {
         {{"ORIGINAL_MISSING", "COPY_DIFFERS", "NO_PROCESSED_COPY"},
          "Of {} original and processed copy are not both there and alike: what others computed from it may rest on other data."},
         {{"HIDDEN_MEASUREMENT"}, "Of {} the file says not to show it; it counts all the same."},
+        {{"CHANNEL_CHOSEN"}, "Of several channels of heights of {} the first counts, as the study names none."},
         {{"MASK_NOT_APPLIED"}, "Points of {} that a mask selects count like all others."},
         {{"INSTRUMENTS_DISAGREE", "DISAGREE"},
          "Instruments disagree on {} beyond chance: its spectrum is a compromise between them."},

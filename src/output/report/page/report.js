@@ -3,7 +3,7 @@
 (() => {
   "use strict";
 
-  const palette = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#F0E442"];
+  const palette = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#F0E442", "#332288", "#AA4499", "#117733", "#BBAA33", "#888888"];
   const symbols = ["circle", "square", "triangle-up", "diamond", "triangle-down", "pentagon"];
   const dashes = ["solid", "9px,5px", "2px,4px", "10px,4px,2px,4px", "16px,5px", "10px,4px,2px,4px,2px,4px"];
   const font = "Liberation Sans, Arial, Helvetica, sans-serif";
@@ -311,7 +311,7 @@
       layout["legend" + end] = { x: panel.beside ? x[1] + 8 / width : horizontal === "left" ? x[0] : x[1], xanchor: panel.beside ? "left" : horizontal, y: panel.beside || vertical === "top" ? y[1] : y[0], yanchor: panel.beside ? "top" : vertical, bgcolor: "rgba(255,255,255,0.75)", font: { size: 11 }, tracegroupgap: 0 };
       layout.shapes.push(...own.shapes.map(s => ({ ...s, xref: "x" + end + " domain", yref: "y" + end })));
       layout.annotations.push(...own.annotations.map(a => ({ ...a, xref: "x" + end, yref: "y" + end })));
-      if (panel.title) layout.annotations.push({ text: "<b>" + escaped(panel.title) + "</b>", showarrow: false, xref: "paper", yref: "paper", x: x[0], y: y[1], xanchor: "left", yanchor: "bottom" });
+      if (panel.heading) layout.annotations.push({ text: "<b>" + escaped(panel.heading) + "</b>", showarrow: false, xref: "paper", yref: "paper", x: x[0], y: y[1], xanchor: "left", yanchor: "bottom" });
       const named = new Set();
       for (const trace of traces(panel, states[i])) {
         const first = trace.listed && !named.has(trace.name) && trace.hoverinfo !== "skip" && panel.legend;
@@ -392,8 +392,8 @@
     drawnFigures.set(section, drawn);
     const shares = places(figure), boxes = [];
     figure.panels.forEach((panel, i) => {
-      const plot = element("div", { class: "plot", role: "img", "aria-label": [holder.dataset.label, panel.title && "Panel " + panel.title].filter(Boolean).join(" ") });
-      const legend = element("ul", { class: "legend", "aria-label": "Legend" + (panel.title ? " of " + panel.title : "") });
+      const plot = element("div", { class: "plot", role: "img", "aria-label": [holder.dataset.label, panel.heading && "Panel " + panel.heading].filter(Boolean).join(" ") });
+      const legend = element("ul", { class: "legend", "aria-label": "Legend" + (panel.heading ? " of " + panel.heading : "") });
       for (const { series, members } of entriesOf(figure, panel)) {
         const button = element("button", { type: "button", "aria-pressed": "true" }, swatch(series), series.label);
         button.disabled = members.length === 0;
@@ -409,7 +409,7 @@
       }
       legend.hidden = legend.children.length === 0;
       const box = element("div", { class: "panel", style: `--part: calc(${100 * shares[i][2]}% - .75rem)` });
-      if (panel.title) box.append(element("p", { class: "panel-title" }, panel.title));
+      if (panel.heading) box.append(element("p", { class: "panel-title" }, panel.heading));
       box.append(plot, legend);
       drawn.plots.push(plot);
       drawn.legends.push(legend);

@@ -7,10 +7,13 @@
 #include <regex>
 #include <set>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "assets.hpp"
 #include "markup.hpp"
 #include "pages.hpp"
+#include "setae/figures/figure.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/verdict.hpp"
 #include "table.hpp"
@@ -439,6 +442,13 @@ TEST(Markup, SetsNumbersAndSymbolsOfSentencesAndLeavesNamesAlone) {
     EXPECT_EQ(prose("between 1e8 and 1e+09 1/m"), "between 10⁸ and 10⁹ 1/m");
     EXPECT_EQ(prose("W_app of A_w_int <37 mJ/m2>"), "<i>W</i><sub>app</sub> of A_w_int &lt;37 mJ\u00A0m⁻²&gt;");
     EXPECT_EQ(prose("scans/1e5.csv, run_2e3, 3e4_b"), "scans/1e5.csv, run_2e3, 3e4_b");
+}
+
+TEST(Page, HasTheColoursOfTheFiles) {
+    std::string colours;
+    for (const auto* colour : figures::palette)
+        colours += fmt::format("{}\"#{}\"", colours.empty() ? "" : ", ", colour);
+    EXPECT_NE(assets::program.find("const palette = [" + colours + "]"), std::string_view::npos);
 }
 
 TEST(Markup, SetsUnitsAndQuantities) {

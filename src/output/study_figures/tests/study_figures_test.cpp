@@ -236,6 +236,22 @@ TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
     EXPECT_NE(drawn.caption.find("χ² = "), std::string::npos);
 }
 
+TEST(PredictionFigure, ShowsPredictionsThatNobodyMeasuredHollow) {
+    auto result = study_of_pairs();
+    auto& pair = result.pairs.back();
+    pair.approach.reset();
+    const auto drawn = study_figure(result, "prediction");
+    ASSERT_TRUE(drawn.drawable()) << drawn.reason;
+    const figures::Series* hollow = nullptr;
+    for (const auto& panel : drawn.figure.panels)
+        for (const auto& series : panel.series)
+            if (series.hollow) hollow = &series;
+    ASSERT_NE(hollow, nullptr);
+    EXPECT_EQ(hollow->label, pair.elastomer + ", not measured");
+    EXPECT_DOUBLE_EQ(hollow->y[0], 1e3 * pair.modified->work.floored);
+    EXPECT_NE(drawn.caption.find("Hollow: predicted, not measured"), std::string::npos);
+}
+
 TEST(ReplicatesFigure, HasAPanelForEachElastomerWithItsExcludedLoops) {
     auto result = study_of_pairs();
     EXPECT_EQ(reason_of(result, "replicates"), "no loop names a lens, a spot or an exclusion");
