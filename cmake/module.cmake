@@ -78,7 +78,9 @@ function(setae_module name)
     target_precompile_headers(setae_${name} REUSE_FROM ${precompiled})
   endif()
   install(TARGETS setae_${name} EXPORT setae ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  if(IS_DIRECTORY ${here}/include)
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  endif()
 
   set(known ${ARG_PRIVATE}) # tests and benchmarks may name what the module may
   list(FILTER known INCLUDE REGEX "^setae::")

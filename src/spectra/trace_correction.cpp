@@ -54,7 +54,7 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
     if (end == 0) {
         spectrum.alerts.push_back({"TRACE_NOISE", topography::label(spectrum.metadata),
                                    fmt::format("the trace's noise of C1D {} hides every wave: nothing is reliable",
-                                               format_value(response.noise_density, "m3", 3)),
+                                               format_value(response.noise_density, "m³", 3)),
                                    action});
         return;
     }
@@ -65,7 +65,7 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
              fmt::format(
                  "noise of the trace, C1D {}, was taken off; its blur and smoothing stay, as overhangs were made jumps, which they have not touched: the band ends at "
                  "the wavelength {}, where they take up to {:.0f} % of C1D",
-                 format_value(response.noise_density, "m3", 3),
+                 format_value(response.noise_density, "m³", 3),
                  format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
                  100.0 * (1.0 - topography::least_trace_power_with_jumps)),
              action});
@@ -76,7 +76,7 @@ void correct_for_trace(MeasuredSpectrum& spectrum, const topography::TraceRespon
          fmt::format(
              "noise of the trace, C1D {}, was taken off and its blur and smoothing undone down to the wavelength {}, where the "
              "band ends: there noise was {:.0f} % of the traced C1D, and {:.0f} % of the curve's was left",
-             format_value(response.noise_density, "m3", 3), format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
+             format_value(response.noise_density, "m³", 3), format_value(2.0 * pi / std::min(q[last], nyquist), "m"),
              100.0 * floor[last] / (signal[last] + floor[last]), 100.0 * kept[last]),
          action});
 }

@@ -14,7 +14,9 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/display_unit.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/loop_tables.hpp"
 #include "setae/study_figures/loop_figures.hpp"
@@ -64,15 +66,23 @@ Table table_of(const AnalysedLoop& loop, const loops::EnergyCourse& course) {
 }
 
 void print_ledger(const AnalysedLoop& loop) {
-    tables::TidyTable table{loop.file, {"part", "energy [J]", "±", "noise", "drift", "sampling", "discretisation"}, {}};
-    const auto add = [&](const std::string& part, double energy, const loops::LoopErrorBudget& e) {
-        table.rows.push_back({part, energy, e.total, e.noise, e.drift, e.sampling, e.discretisation});
-    };
     const auto& ledger = loop.analysis.ledger;
     if (!ledger) {
         print(fmt::format("{}: {}\n", loop.file, ledger.reason));
         return;
     }
+    const auto unit = display_unit(ledger->loop.energy, "J");
+    tables::TidyTable table{
+        loop.file,
+        {"part", fmt::format("energy [{}]", unit.name), "± of noise", "drift", "sampling", "discretisation"},
+        {}};
+    const auto add = [&](const std::string& part, double energy, const loops::LoopErrorBudget& e) {
+        std::vector<tables::TidyTable::Cell> row{
+            part, uncertain_number({.value = energy, .standard_error = e.total}, unit.factor)};
+        for (const double share : {e.noise, e.drift, e.sampling, e.discretisation})
+            row.emplace_back(share > 0.0 ? format_value(share, "J", 2) : "0");
+        table.rows.push_back(std::move(row));
+    };
     add("closed loop", ledger->loop.energy, ledger->loop.standard_error);
     add("free flight before", ledger->before_contact.energy, ledger->before_contact.standard_error);
     if (ledger->jump_in) add("jump-in", ledger->jump_in->energy, ledger->jump_in->standard_error);

@@ -51,12 +51,13 @@ struct Arguments {
     FigureOption figure;
 };
 
-void add_branch(tables::TidyTable& table, const char* branch, const loops::BranchAnalysis& analysis) {
-    const auto add = [&](const loops::Outcome<loops::JkrFit>& fit) {
+/// The fits of a branch, a row each.
+tables::TidyTable branch_table(const char* branch, const loops::BranchAnalysis& analysis) {
+    tables::TidyTable table{branch, {"fit", "E* [MPa]", "W [mJ/m²]", "χ²_red", "n", "rms residual"}, {}};
+    const auto add = [&](const auto& fit) {
         if (!fit) return;
-        table.rows.push_back({branch, fit->method, uncertain_number(fit->contact_modulus, 1e6),
-                              uncertain_number(fit->youngs_modulus, 1e6), uncertain_number(fit->work_of_adhesion, 1e-3),
-                              fmt::format("{:.3f}", fit->correlation), fmt::format("{:.3g}", fit->chi2_reduced),
+        table.rows.push_back({fit->method, uncertain_number(fit->contact_modulus, 1e6),
+                              uncertain_number(fit->work_of_adhesion, 1e-3), fmt::format("{:.3g}", fit->chi2_reduced),
                               fmt::format("{}", fit->n), format_value(fit->rms_residual, fit->residual_unit, 3)});
     };
     add(analysis.radius_force);
@@ -64,6 +65,7 @@ void add_branch(tables::TidyTable& table, const char* branch, const loops::Branc
     add(analysis.linear_form);
     add(analysis.force_displacement);
     add(analysis.joint);
+    return table;
 }
 
 std::string hold_text(const loops::HoldGrowth& hold) {
@@ -79,30 +81,20 @@ std::string hold_text(const loops::HoldGrowth& hold) {
     return text;
 }
 
-/// A text that begins behind so many characters of its first line, in lines below one another.
-std::string indented(const std::string& text, std::size_t indent, std::size_t width) {
-    std::string lines;
-    for (const char c : wrapped(text, width - indent))
-        lines += c == '\n' ? "\n" + std::string(indent, ' ') : std::string(1, c);
-    return lines;
-}
-
 void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
-    tables::TidyTable table{
-        "", {"branch", "fit", "E* [MPa]", "E [MPa]", "W [mJ/m²]", "corr.", "χ²_red", "n", "rms residual"}, {}};
-    add_branch(table, "loading", a.loading);
-    if (a.unloading) add_branch(table, "unloading", *a.unloading);
     const auto width = output_size().width;
-    std::string text = wrapped(file + ": " + output::answer(a), width, 2) + "\n" + tables::as_text_within(table, width);
+    std::string text = wrapped(file + ": " + output::answer(a), width, 2) + "\n" +
+                       tables::as_text_within(branch_table("loading", a.loading), width);
+    if (a.unloading) text += tables::as_text_within(branch_table("unloading", *a.unloading), width);
     text += fmt::format("  range: {}\n", a.loading.range.name);
     std::string dropped = "samples dropped after jump-in → W:";
     for (const auto& s : a.loading.sensitivity)
         if (s.fit)
             dropped += fmt::format("{} {} → {:.1f} mJ/m²", dropped.ends_with(':') ? "" : ",", s.dropped,
                                    1e3 * s.fit->work_of_adhesion.value);
-    text += "  " + indented(dropped, 4, width - 2) + "\n";
+    text += "  " + wrapped_from(4, dropped, width) + "\n";
     const auto line = [&](const char* what, const std::string& value) {
-        text += fmt::format("  {:<28} {}\n", what, indented(value, 31, width));
+        text += fmt::format("  {:<28} {}\n", what, wrapped_from(31, value, width));
     };
     const auto value = [](const Estimate& v, const char* unit) { return format_uncertain(v, unit); };
     if (a.contact_points) {
@@ -124,6 +116,9 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
                                             format_value(points.spread, "m"), 100.0 * points.spread_share,
                                             1e-6 * points.work_by_contact_point));
     }
+    const auto& primary = a.loading.primary();
+    line("E of loading", format_uncertain(primary.youngs_modulus, "Pa"));
+    line("correlation of E* and W", fmt::format("{:.3f}", primary.correlation));
     line("pull-off force", a.pull_off ? value(a.pull_off->force, "N") : a.pull_off.reason);
     if (a.pull_off) line("W of pull-off (S1)", value(a.pull_off->work_of_adhesion, "J/m2"));
     line("W of retraction (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);

@@ -190,7 +190,7 @@ TEST(TraceCorrection, SaysWhatItDid) {
     const auto alert = std::find_if(spectrum.alerts.begin(), spectrum.alerts.end(),
                                     [](const auto& a) { return a.code == "TRACE_NOISE"; });
     ASSERT_NE(alert, spectrum.alerts.end());
-    EXPECT_NE(alert->message.find("1e-05 m3"), std::string::npos) << alert->message;
+    EXPECT_NE(alert->message.find("1.00×10⁻⁵ m³"), std::string::npos) << alert->message;
     // at the end of the band a third of what is left of the traced power is noise
     EXPECT_NE(alert->message.find("noise was 3"), std::string::npos) << alert->message;
 }

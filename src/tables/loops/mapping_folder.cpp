@@ -40,13 +40,14 @@ std::vector<std::string> mapping_names(const std::string& folder) {
 }
 
 std::string mapping_path(const std::string& name, const std::string& folder) {
+    // a link that leads nowhere, or a name that is too long, is for whoever opens it to refuse
     std::error_code failure;
-    if (fs::exists(name, failure)) return name;
+    if (fs::symlink_status(name, failure).type() != fs::file_type::not_found) return name;
     const auto names = mapping_names(folder);
     if (std::find(names.begin(), names.end(), name) != names.end())
         return (fs::path(folder) / (name + ending_of_mappings)).string();
     const auto nearest = nearest_match(name, names);
-    throw FileError(fmt::format("{}: no such mapping file, and no mapping of that name{}; by name there {}: {}", name,
+    throw FileError(fmt::format("{}: no such file, and no mapping of that name{}; by name there {}: {}", name,
                                 nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
                                 names.size() == 1 ? "is" : "are",
                                 names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));

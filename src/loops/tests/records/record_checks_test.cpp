@@ -123,7 +123,7 @@ TEST(ImplausibleUnits, SayWhichColumnAndTheLikelyFactor) {
     // forces in mN read as N
     loop = smooth.make();
     loop.force *= 1e3;
-    expect_says(alert_of(loop, "UNITS_IMPLAUSIBLE"), "W = 40 J/m²");
+    expect_says(alert_of(loop, "UNITS_IMPLAUSIBLE"), "W = 40.0 J/m²");
     expect_says(alert_of(loop, "UNITS_IMPLAUSIBLE"), "the likely factor is 10^-3");
     // forces in N read as µN
     loop = smooth.make();
