@@ -313,13 +313,13 @@ void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn) {
     drawn.reason = std::move(ranges.reason);
 }
 
-std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command) {
+std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command, FigureWidth width) {
     const auto units = units_of(loop);
     StudyFigure drawn{.identifier = "loop",
                       .name = loop.name + "_loop",
                       .title = fmt::format("{}: force, contact radius and energy release rate", loop.name),
                       .command = command};
-    draw_loop(loop, units, FigureWidth::double_column, drawn);
+    draw_loop(loop, units, width, drawn);
 
     StudyFigure residuals{.identifier = "residuals",
                           .name = loop.name + "_residuals",
@@ -329,7 +329,7 @@ std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& 
     std::size_t k = 0;
     for (const auto& branch : branches_of(loop.analysis))
         residuals.figure.panels.push_back(residual_panel(branch, titles[k++], units));
-    line_up(residuals.figure, FigureWidth::double_column, 65.0);
+    line_up(residuals.figure, width, 65.0);
     residuals.caption = fmt::format(
         "{}: what each fit leaves, over its root mean square. Residuals that follow their neighbours show that the model, not noise, makes them.",
         loop.name);

@@ -179,7 +179,7 @@
     const text = z.map((row, j) => row.map((v, i) => withUnit(map.axis.html + " = " + shown(v), map.axis) + "<br>" +
       withUnit(shown(((i + 0.5) * map.width) / nx) + ", " + shown(((j + 0.5) * map.height) / ny), panel.x)));
     return {
-      type: "heatmap", z, text, hoverinfo: "text", x0: map.width / nx / 2, dx: map.width / nx, y0: map.height / ny / 2, dy: map.height / ny, colorscale: "Cividis",
+      type: "heatmap", z, text, hoverinfo: "text", x0: map.width / nx / 2, dx: map.width / nx, y0: map.height / ny / 2, dy: map.height / ny, colorscale: "Viridis",
       zmin: map.axis.from, zmax: map.axis.to, colorbar: { title: { text: axisTitle(map.axis), side: "right" }, thickness: 12, outlinewidth: 0 },
     };
   }

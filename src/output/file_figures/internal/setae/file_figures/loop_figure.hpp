@@ -6,8 +6,7 @@
 
 namespace setae::file_figures {
 
-/// A loop with its fits: study_figures::loop_figures()'s "loop", whose panels stand below each other in a single
-/// column.
+/// A loop with its fits: study_figures::loop_figures()'s "loop" in the width that is wanted.
 [[nodiscard]] StudyFigure loop_figure(const study_figures::DrawnLoop& loop, const Look& look);
 
 }  // namespace setae::file_figures

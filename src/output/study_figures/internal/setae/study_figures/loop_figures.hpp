@@ -23,7 +23,8 @@ struct DrawnLoop {
 /// every fit).
 ///
 /// command: what makes them again, for the files' headers.
-[[nodiscard]] std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command);
+[[nodiscard]] std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& command,
+                                                    FigureWidth width = FigureWidth::double_column);
 
 /// A loop's name with how its fit depends on the range.
 struct NamedScan {
