@@ -6,6 +6,8 @@
 #include <iterator>
 #include <string>
 
+#include "import_samples.hpp"
+#include "setae/bytes/archive.hpp"
 #include "setae/bytes/hdf5_handle.hpp"
 #include "tests/format_samples.hpp"
 #include "tests/micrograph_samples.hpp"
@@ -100,6 +102,31 @@ std::vector<Sample> texts() {
     return list;
 }
 
+/// Members of an archive, as fuzz_force_curve.cpp is told them.
+std::string told_members(const std::string& content) {
+    const auto archive = setae::bytes::Archive(setae::bytes::memory_source("corpus", content));
+    std::string told;
+    for (const auto& name : archive.names()) told += '\x1e' + name + '\x1f' + archive.read(name);
+    return told;
+}
+
+std::vector<Sample> force_curves() {
+    using namespace setae::tests;
+    const std::vector<JpkMapCurve> two{{.number = 3, .x = 0.0, .y = -1e-6}, {.number = 12, .x = 2e-6, .y = -0.6e-6}};
+    std::vector<Sample> list{{"nanosurf metres", nanosurf_force_file()},
+                             {"nanosurf volts", nanosurf_force_file("V")},
+                             {"igor little", igor_force_file("SpringConstant: 0.1\rInvOLS: 5e-8\r")},
+                             {"igor big", igor_force_file("SpringConstant: 0.1\r", true)},
+                             {"afm workshop", afm_workshop_file()},
+                             {"nt-mdt", nt_mdt_file()}};
+    for (const auto& archive : {jpk_force_file(), jpk_force_file(true), jpk_force_file_of_2015(), jpk_map_file(two),
+                                jpk_map_file(two, jpk_map_header(2, 1, 0.0, true))}) {
+        list.emplace_back("archive " + std::to_string(list.size()), archive);
+        list.emplace_back("members " + std::to_string(list.size()), told_members(archive));
+    }
+    return list;
+}
+
 void write(const std::filesystem::path& folder, std::string name, const std::string& content) {
     std::filesystem::create_directories(folder);
     for (auto& c : name)
@@ -134,6 +161,7 @@ int main(int argc, char** argv) {
         write(corpus / ("topography_" + sample.format), sample.name, sample.content);
         write(corpus / "topography_any", sample.format + " " + sample.name, sample.content);
     }
+    for (const auto& [name, content] : force_curves()) write(corpus / "force_curve", name, content);
     int number = 0;
     for (const auto& [kind, text] : texts()) write(corpus / ("text_" + kind), std::to_string(++number), text);
     return 0;

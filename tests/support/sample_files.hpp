@@ -52,9 +52,10 @@ using Members = std::vector<std::pair<std::string, std::string>>;
     auto* buffer = zip_source_buffer_create(nullptr, 0, 0, &error);
     zip_source_keep(buffer);
     auto* archive = zip_open_from_source(buffer, ZIP_TRUNCATE, &error);
-    for (const auto& [name, content] : members)
-        zip_file_add(archive, name.c_str(), zip_source_buffer(archive, content.data(), content.size(), 0),
-                     ZIP_FL_OVERWRITE);
+    for (const auto& [name, content] : members) {
+        auto* source = zip_source_buffer(archive, content.data(), content.size(), 0);
+        if (zip_file_add(archive, name.c_str(), source, ZIP_FL_OVERWRITE) < 0) zip_source_free(source);
+    }
     if (zip_close(archive) != 0) throw std::runtime_error("sample archive cannot be written");
     zip_stat_t stat;
     zip_source_stat(buffer, &stat);
