@@ -90,13 +90,82 @@ Estimate TomlReader::parse(const char* key, const toml::node& node, const Expect
         }
         return {value, 0.0};
     }
-    const auto* text = node.as_string();
-    if (!text) fail(key, "expected a number with its unit in quotes");
+    if (!node.is_string()) fail(key, "expected a number with its unit in quotes");
     try {
-        return parse_uncertain_quantity(text->get(), expected);
+        auto value = parse_text(key, node, expected);
+        if (value.input.empty() && value.uncertain()) value.input = where_.empty() ? key : where_ + "." + key;
+        return value;
     } catch (const InvalidArgument& error) {
         fail(key, error.what());
     }
+}
+
+Estimate TomlReader::parse_text(const char* key, const toml::node& node, const Expected& expected) const {
+    const auto text = std::string(trimmed(node.as_string()->get()));
+    if (!named_) return parse_uncertain_quantity(text, expected);
+    if (named_->inputs.contains(text)) return named(text, "", node, expected);
+    const auto equals = text.find('=');
+    if (equals != std::string::npos) {
+        const auto name = std::string(trimmed(text.substr(0, equals)));
+        if (name.empty()) fail(key, fmt::format("'{}', expected a name before '='", text));
+        return named(name, std::string(trimmed(text.substr(equals + 1))), node, expected);
+    }
+    try {
+        return parse_uncertain_quantity(text, expected);
+    } catch (const InvalidArgument& error) {
+        std::vector<std::string> names;
+        for (const auto& [name, input] : named_->inputs) names.push_back(name);
+        const auto nearest = nearest_match(text, names);
+        if (nearest.empty()) throw;
+        throw InvalidArgument(fmt::format("{}; or did you mean the input '{}'?", error.what(), nearest));
+    }
+}
+
+/// A mention of a named input; with a value it is the first one, or says the same again.
+Estimate TomlReader::named(const std::string& name, const std::string& value, const toml::node& node,
+                           const Expected& expected) const {
+    const auto [at, fresh] = named_->inputs.try_emplace(name, NamedInputs::Named{value, node.source().begin, true});
+    auto& input = at->second;
+    input.used = true;
+    auto estimate = parse_uncertain_quantity(input.text, expected);
+    if (!fresh && !value.empty()) {
+        const auto again = parse_uncertain_quantity(value, expected);
+        if (again.value != estimate.value || again.standard_error != estimate.standard_error)
+            throw InvalidArgument(fmt::format("input '{}' is '{}' here and '{}' in line {}; one name is one input", name,
+                                              value, input.text, input.place.line));
+    }
+    estimate.input = name;
+    return estimate;
+}
+
+void TomlReader::name_inputs(const char* key) {
+    named_ = std::make_shared<NamedInputs>();
+    table(key, [&](TomlReader group) {
+        for (const auto& name : group.keys()) {
+            const auto* node = group.find(name.c_str());
+            if (!node->is_string() && !node->is_number())
+                group.fail(name.c_str(), "expected a value with its ± and unit in quotes");
+            const auto text =
+                node->is_string() ? node->as_string()->get() : fmt::format("{}", *node->value<double>());
+            named_->inputs[name] = {text, node->source().begin, false};
+        }
+    });
+}
+
+void TomlReader::require_inputs_used() const {
+    if (!named_) return;
+    for (const auto& [name, input] : named_->inputs)
+        if (!input.used)
+            throw FormatError(path_, position_at(input.place),
+                              fmt::format("no key mentions the input '{}'; write its name where its value is meant, such "
+                                          "as surface_energy = \"{}\"",
+                                          name, name));
+}
+
+TomlReader TomlReader::inner(const toml::table& table, std::string where) const {
+    TomlReader reader(table, path_, std::move(where));
+    reader.named_ = named_;
+    return reader;
 }
 
 std::optional<Estimate> TomlReader::uncertain(const char* key, const Expected& expected) {
@@ -134,7 +203,14 @@ std::vector<std::string> TomlReader::texts(const char* key) {
 }
 
 std::vector<Estimate> TomlReader::uncertains(const char* key, const Expected& expected) {
-    return list<Estimate>(key, [&](const toml::node& node) { return parse(key, node, expected); });
+    std::size_t index = 0;
+    const auto place = (where_.empty() ? "" : where_ + ".") + key;
+    return list<Estimate>(key, [&](const toml::node& node) {
+        auto value = parse(key, node, expected);
+        ++index;
+        if (value.input == place) value.input = fmt::format("{}[{}]", place, index);
+        return value;
+    });
 }
 
 std::vector<double> TomlReader::quantities(const char* key, const Expected& expected) {
@@ -163,7 +239,7 @@ void TomlReader::table(const char* key, const std::function<void(TomlReader)>& b
     if (!node) return;
     const auto* inner = node->as_table();
     if (!inner) fail(key, "expected a table");
-    body({*inner, path_, where_.empty() ? key : where_ + "." + key});
+    body(this->inner(*inner, where_.empty() ? key : where_ + "." + key));
 }
 
 void TomlReader::named_tables(const char* key, const std::function<void(const std::string&, TomlReader)>& body) {
@@ -182,7 +258,7 @@ void TomlReader::each_table(const char* key, const std::function<void(TomlReader
     for (const auto& element : *array) {
         const auto* inner = element.as_table();
         if (!inner) fail(key, "expected a list of tables");
-        body({*inner, path_, fmt::format("{}{}[{}]", where_.empty() ? "" : where_ + ".", key, ++index)});
+        body(this->inner(*inner, fmt::format("{}{}[{}]", where_.empty() ? "" : where_ + ".", key, ++index)));
     }
 }
 

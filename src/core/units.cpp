@@ -240,21 +240,45 @@ double parse_quantity(std::string_view text, const Expected& expected) {
     return value;
 }
 
+namespace {
+
+/// "37.0 ± 3.7 mJ/m2", cut at the sign.
+Estimate value_and_error(std::string_view of_value, std::string_view of_error, const Expected& expected,
+                         std::string_view text) {
+    const auto value = leading_number(of_value, text), error = leading_number(of_error, text);
+    if (!(error.number >= 0.0 && std::isfinite(error.number)))
+        throw InvalidArgument(fmt::format("'{}', expected an uncertainty of 0 or above", text));
+    const Estimate estimate{
+        in_si(value.number, value.rest.empty() ? error.rest : value.rest, expected.dimension, text),
+        in_si(error.number, error.rest, expected.dimension, text), "given"};
+    require_within(expected.domain, estimate.value, text);
+    if (expected.domain.open && expected.domain.lower == 0.0 && estimate.standard_error > estimate.value)
+        throw InvalidArgument(
+            fmt::format("'{}', the uncertainty is larger than the value, which must be above 0", text));
+    return estimate;
+}
+
+/// "1.2 to 1.3 mm", cut at the word: a value anywhere between as probable as elsewhere.
+Estimate value_between(std::string_view of_lower, std::string_view of_upper, const Expected& expected,
+                       std::string_view text) {
+    const auto lower = leading_number(of_lower, text), upper = leading_number(of_upper, text);
+    const double from = in_si(lower.number, lower.rest.empty() ? upper.rest : lower.rest, expected.dimension, text),
+                 to = in_si(upper.number, upper.rest, expected.dimension, text);
+    if (!(from <= to)) throw InvalidArgument(fmt::format("'{}', expected the smaller value first", text));
+    for (const double end : {from, to}) require_within(expected.domain, end, text);
+    return {0.5 * (from + to), (to - from) / std::sqrt(12.0), "rectangular", Interval{from, to, 1.0}};
+}
+
+}  // namespace
+
 Estimate parse_uncertain_quantity(std::string_view text, const Expected& expected) {
     static constexpr std::array<std::string_view, 3> separators{"±", "+-", "+/-"};
-    for (const auto separator : separators) {
-        const auto at = text.find(separator);
-        if (at == std::string_view::npos) continue;
-        const auto value = leading_number(text.substr(0, at), text);
-        const auto error = leading_number(text.substr(at + separator.size()), text);
-        if (!(error.number >= 0.0 && std::isfinite(error.number)))
-            throw InvalidArgument(fmt::format("'{}', expected an uncertainty of 0 or above", text));
-        const auto value_unit = value.rest.empty() ? error.rest : value.rest;
-        const Estimate estimate{in_si(value.number, value_unit, expected.dimension, text),
-                                in_si(error.number, error.rest, expected.dimension, text), "given"};
-        require_within(expected.domain, estimate.value, text);
-        return estimate;
-    }
+    for (const auto separator : separators)
+        if (const auto at = text.find(separator); at != std::string_view::npos)
+            return value_and_error(text.substr(0, at), text.substr(at + separator.size()), expected, text);
+    static constexpr std::string_view to = " to ";
+    if (const auto at = text.find(to); at != std::string_view::npos)
+        return value_between(text.substr(0, at), text.substr(at + to.size()), expected, text);
     return {parse_quantity(text, expected), 0.0, "given"};
 }
 

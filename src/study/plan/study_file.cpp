@@ -562,6 +562,7 @@ Study read_study(const std::string& path) {
     study.path = path;
     study.title = fs::path(path).stem().string();
     study.output = reader.beside(study.title + "_results");
+    reader.name_inputs("inputs");
     top_keys().read(reader, study);
     reader.table("analysis", [&](TomlReader inner) { study.analysis = analysis_keys().from(std::move(inner)); });
     reader.table("comparison", [&](TomlReader inner) { study.comparison = read_comparison(std::move(inner)); });
@@ -591,6 +592,7 @@ Study read_study(const std::string& path) {
             study.reported.push_back({fit, "r_squared", *r_squared, reported.source});
     });
     reader.finish();
+    reader.require_inputs_used();
     if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
         throw FormatError(
             path, {}, "missing [rough_solid] with youngs_modulus and poisson_ratio, which the contact modulus needs");

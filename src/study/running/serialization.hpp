@@ -66,7 +66,7 @@ void keep_with_base(Archive& archive, Base& base, Members&... members) {
 }
 
 SETAE_KEEP(Interval, lower, upper, level)
-SETAE_KEEP(Estimate, value, standard_error, method, interval, degrees_of_freedom, seed)
+SETAE_KEEP(Estimate, value, standard_error, method, interval, degrees_of_freedom, seed, input)
 SETAE_KEEP(Alert, code, subject, message, action)
 SETAE_KEEP(Band, lower, upper)
 SETAE_KEEP(Quantity, quantity, symbol, estimate, unit, band, n, source, alerts)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,6 +19,16 @@ namespace setae::bytes {
 /// A TOML file as a table.
 /// @throws FileError; FormatError with the line for text that is no TOML.
 [[nodiscard]] toml::table parse_toml_file(const std::string& path);
+
+/// Inputs of a file that have a name, by which several keys can mention one of them.
+struct NamedInputs {
+    struct Named {
+        std::string text;  ///< value, ± and unit as the file has them
+        toml::source_position place;
+        bool used = false;
+    };
+    std::map<std::string, Named> inputs;
+};
 
 /// A TOML table that knows which of its keys were asked for, so that finish() finds the misspelt ones; every error
 /// names file and line.
@@ -44,7 +56,8 @@ public:
     }
     /// "37 mJ/m2"; a plain number only where the dimension is none.
     [[nodiscard]] std::optional<double> quantity(const char* key, const Expected& expected);
-    /// "37 ± 3.7 mJ/m2".
+    /// "37 ± 3.7 mJ/m2"; behind name_inputs() also "NAME" or "NAME = 37 ± 3.7 mJ/m2". Estimate::input is that name, else
+    /// of uncertain values the table and the key.
     [[nodiscard]] std::optional<Estimate> uncertain(const char* key, const Expected& expected);
     [[nodiscard]] Estimate required_uncertain(const char* key, const Expected& expected);
     [[nodiscard]] std::vector<std::string> texts(const char* key);
@@ -54,6 +67,10 @@ public:
     [[nodiscard]] bool is_number(const char* key) const;
     [[nodiscard]] bool is_list(const char* key) const;
     [[nodiscard]] bool is_table(const char* key) const;
+    /// Reads the texts of the table under a key, NAME = "VALUE", as inputs that all tables below may mention by name.
+    void name_inputs(const char* key);
+    /// @throws FormatError at the first of them that no key has mentioned.
+    void require_inputs_used() const;
     /// Calls body with the table under a key, if there is one.
     void table(const char* key, const std::function<void(TomlReader)>& body);
     /// Calls body(name, table) for each table under a key: [key.NAME].
@@ -78,11 +95,16 @@ private:
     template <class Value>
     std::vector<Value> list(const char* key, const std::function<Value(const toml::node&)>& convert);
     Estimate parse(const char* key, const toml::node& node, const Expected& expected) const;
+    Estimate parse_text(const char* key, const toml::node& node, const Expected& expected) const;
+    Estimate named(const std::string& name, const std::string& value, const toml::node& node,
+                   const Expected& expected) const;
+    [[nodiscard]] TomlReader inner(const toml::table& table, std::string where) const;
 
     const toml::table* table_;
     std::string path_;
     std::string where_;
     std::set<std::string> known_;
+    std::shared_ptr<NamedInputs> named_;
 };
 
 }  // namespace setae::bytes

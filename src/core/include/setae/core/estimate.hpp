@@ -27,6 +27,7 @@ struct Estimate {
     std::optional<Interval> interval{};
     std::optional<double> degrees_of_freedom{};  ///< of the standard error; absent where it counts as known
     std::optional<std::uint64_t> seed{};         ///< of the random numbers behind it
+    std::string input{};  ///< name of the input that it is, where it is one: two values of one name are one input
 
     /// Whether there is a standard error > 0.
     [[nodiscard]] bool uncertain() const { return standard_error > 0.0; }

@@ -89,8 +89,10 @@ struct Unit {
 [[nodiscard]] double parse_quantity(std::string_view text, const Expected& expected);
 
 /// A value and its standard error in SI, from "37.0 ± 3.7 mJ/m2", "37.0 +- 3.7 mJ/m2" or, taken for exact, without the
-/// second part; method "given".
-/// @throws InvalidArgument as parse_quantity does, and for a standard error that is negative or not finite.
+/// second part; method "given". "1.2 to 1.3 mm" is a value anywhere between with the same probability: its middle and
+/// (b − a)/√12, method "rectangular", the interval being the whole range (level 1). Source: JCGM 100:2008, 4.3.7.
+/// @throws InvalidArgument as parse_quantity does, for a standard error that is negative, not finite, or larger than a
+/// value that must be above 0, and for a range whose ends are in the wrong order.
 [[nodiscard]] Estimate parse_uncertain_quantity(std::string_view text, const Expected& expected);
 
 /// SI unit of a dimension as machine files spell it: "J/m2", "1/m", "Pa", "1".

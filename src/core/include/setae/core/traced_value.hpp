@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/estimate.hpp"
+
+namespace setae {
+
+/// What one input adds to the error of a value.
+///
+///   u_d = ∂f/∂x_d · u(x_d)
+///
+/// One number a direction in which the input may be wrong: one for a radius, many for a spectrum. Directions have
+/// variance 1 and are independent of each other and of all other inputs'.
+struct Component {
+    Array1D directions;
+    double degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< of the input's standard error
+
+    [[nodiscard]] double variance() const { return directions.square().sum(); }
+};
+
+/// Components by the name of the input: two values that rest on one input have it under one name.
+using Components = std::map<std::string, Component>;
+
+/// A value that knows which inputs it rests on, and how far: value and sparse Jacobian, every derivative times the
+/// standard error of its input.
+///
+/// Source: JCGM 100:2008, 5.1.3, 5.2.2; Hall, Metrologia 43 (2006) L56 (uncertain numbers).
+struct TracedValue {
+    double value = 0.0;
+    Components components;
+
+    TracedValue() = default;
+    /// A value without error.
+    TracedValue(double exact) : value(exact) {}
+    TracedValue(double of, Components from) : value(of), components(std::move(from)) {}
+    /// An input itself. Without a standard error > 0 it has no component.
+    TracedValue(const Estimate& input, const std::string& name);
+
+    [[nodiscard]] double variance() const;
+    [[nodiscard]] double standard_error() const;
+    /// Value, standard error, and its degrees of freedom by Welch and Satterthwaite's formula over inputs; standard
+    /// error NaN where no component is known.
+    [[nodiscard]] Estimate estimate(std::string method = "delta") const;
+};
+
+/// Σ over common inputs and their directions of the products of components.
+[[nodiscard]] double covariance(const Components& a, const Components& b);
+[[nodiscard]] inline double covariance(const TracedValue& a, const TracedValue& b) {
+    return covariance(a.components, b.components);
+}
+
+/// A value and how fast another one moves with it.
+struct Dependence {
+    double derivative = 0.0;
+    const Components& on;
+};
+
+/// Components of a function of values: Σ derivative × component, input by input.
+/// @throws InvalidArgument where two values have one input with different numbers of directions.
+[[nodiscard]] Components combined(std::span<const Dependence> parts);
+[[nodiscard]] inline Components combined(std::initializer_list<Dependence> parts) {
+    return combined(std::span(parts.begin(), parts.size()));
+}
+
+/// A row of a budget: what one input adds to the variance of a value, and what is left of its standard error when that
+/// input's is halved.
+struct BudgetRow {
+    std::string input;
+    double standard_error = 0.0;  ///< that this input alone would give
+    double share = 0.0;           ///< of the variance
+    double halved = 0.0;          ///< standard error of the value with half the input's
+};
+
+/// Rows of a value, the largest first.
+[[nodiscard]] std::vector<BudgetRow> budget_of(const TracedValue& value);
+
+}  // namespace setae
