@@ -175,16 +175,6 @@ double squares_about_mean(const std::vector<double>& values) {
     return total;
 }
 
-double PairPoint::prediction(double work) const {
-    const double raw = slope * work - offset;
-    return floored ? std::max(0.0, raw) : raw;
-}
-
-double PairPoint::prediction_variance(double work) const {
-    const double x = work - slope_centre;
-    return std::max(0.0, slope_variance * x * x - 2.0 * slope_offset_covariance * x + offset_variance);
-}
-
 WorkFit fit_work_of_adhesion(const Pairs& pairs) {
     require_pairs(pairs);
     WorkFit fit;
@@ -215,6 +205,7 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
         fit.errors_in_both = errors_in_both(pairs, fit.degrees_of_freedom, minimum.x);
         fit.likelihood = profile_likelihood(pairs, minimum.x);
     }
+    fit.generalised = fit_generalised(pairs);
     return fit;
 }
 

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/statistics.hpp"
 #include "setae/numerics/bracketing.hpp"
 
 namespace setae::adhesion {
@@ -57,10 +55,10 @@ Loop loop_of(const SpectralParameters& parameters, const Inputs& inputs, const P
     return loop;
 }
 
-/// Values with errors of one pair.
+/// Values of one pair with the inputs they rest on.
 class Propagation {
 public:
-    Propagation(const RoughSide& rough, const SoftSide& soft, const Estimate& work, const Press& press)
+    Propagation(const RoughSide& rough, const SoftSide& soft, const TracedValue& work, const Press& press)
         : rough_(rough),
           soft_(soft),
           work_(work),
@@ -68,42 +66,36 @@ public:
           centre_{soft.contact_modulus.value, soft.surface_energy.value, work.value} {}
 
     template <class Number>
-    [[nodiscard]] Estimate operator()(Number number) const {
-        Estimate result{.value = number(loop_of(rough_.parameters, centre_, press_)), .method = "delta"};
-        std::vector<VarianceTerm> terms{rough_.spread.variance_term(
-            [&](const SpectralParameters& p) { return number(loop_of(p, centre_, press_)); })};
-        const auto add = [&](const Estimate& input, double Inputs::* member) {
-            if (!input.uncertain()) return;
+    [[nodiscard]] TracedValue operator()(Number number) const {
+        auto result = rough_.traced([&](const SpectralParameters& p) { return number(loop_of(p, centre_, press_)); });
+        const auto add = [&](const TracedValue& input, double Inputs::* member) {
+            const double error = input.standard_error();
+            if (!(error > 0.0)) return;
             auto more = centre_, less = centre_;
-            more.*member += input.standard_error;
-            less.*member = std::max(less.*member - input.standard_error, 1e-3 * less.*member);
-            const double change = 0.5 * (number(loop_of(rough_.parameters, more, press_)) -
-                                         number(loop_of(rough_.parameters, less, press_)));
-            terms.push_back({change * change,
-                             input.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())});
+            more.*member += error;
+            less.*member = std::max(less.*member - error, 1e-3 * less.*member);
+            const double derivative = (number(loop_of(rough_.parameters, more, press_)) -
+                                       number(loop_of(rough_.parameters, less, press_))) /
+                                      (more.*member - less.*member);
+            result.components = combined({{1.0, result.components}, {derivative, input.components}});
         };
         add(soft_.contact_modulus, &Inputs::contact_modulus);
         add(soft_.surface_energy, &Inputs::surface_energy);
         add(work_, &Inputs::work);
-        double variance = 0.0;
-        for (const auto& term : terms) variance += term.variance;
-        if (variance > 0.0) result.standard_error = std::sqrt(variance);
-        if (const double freedom = satterthwaite_degrees_of_freedom(terms); variance > 0.0 && std::isfinite(freedom))
-            result.degrees_of_freedom = freedom;
         return result;
     }
 
 private:
     const RoughSide& rough_;
     const SoftSide& soft_;
-    const Estimate& work_;
+    const TracedValue& work_;
     const Press& press_;
     Inputs centre_;
 };
 
 }  // namespace
 
-std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide& soft, const Estimate& work,
+std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide& soft, const TracedValue& work,
                                           const Press& press) {
     if (!(press.radius > 0.0) || !(press.preload >= 0.0) || !std::isfinite(press.radius + press.preload))
         throw InvalidArgument(fmt::format("a sphere of radius {} m under {} N; expected a radius above 0 and a force of 0 or more",
@@ -111,13 +103,16 @@ std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide
     if (!predict(rough, soft, work).modified.work.conforms) return std::nullopt;
     const Propagation propagated(rough, soft, work, press);
     const double force_per_work = 1.5 * pi * press.radius;
+    const auto estimate = [&](auto number) { return propagated(number).estimate(); };
+    auto loss = propagated([](const Loop& loop) { return loop.energy_loss; });
     return PredictedLoop{
-        .contact_radius = propagated([](const Loop& loop) { return loop.contact_radius; }),
-        .energy_loss = propagated([](const Loop& loop) { return loop.energy_loss; }),
-        .ideal_loss = propagated([](const Loop& loop) { return loop.ideal_loss; }),
-        .work_retraction = propagated([](const Loop& loop) { return loop.work_retraction; }),
-        .pull_off_force = propagated([&](const Loop& loop) { return force_per_work * loop.work_retraction; }),
-        .pull_off_force_reversible = propagated([&](const Loop& loop) { return force_per_work * loop.work_approach; }),
+        .contact_radius = estimate([](const Loop& loop) { return loop.contact_radius; }),
+        .energy_loss = loss.estimate(),
+        .ideal_loss = estimate([](const Loop& loop) { return loop.ideal_loss; }),
+        .work_retraction = estimate([](const Loop& loop) { return loop.work_retraction; }),
+        .pull_off_force = estimate([&](const Loop& loop) { return force_per_work * loop.work_retraction; }),
+        .pull_off_force_reversible = estimate([&](const Loop& loop) { return force_per_work * loop.work_approach; }),
+        .energy_loss_traced = std::move(loss),
     };
 }
 

@@ -2,10 +2,8 @@
 #include "setae/adhesion/prediction.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <span>
+#include <utility>
 
 #include "setae/core/statistics.hpp"
 #include "setae/roughness/true_area.hpp"
@@ -19,59 +17,32 @@ using AreaRatio = double (*)(const SpectralParameters&);
 double by_slopes(const SpectralParameters& p) { return p.area_ratio(); }
 double by_small_slopes(const SpectralParameters& p) { return roughness::small_slope_area_ratio(p.rms_slope); }
 
-/// prediction = W r − γ1 (r − 1) − E* u; its variance is quadratic in W − γ1
-PairPoint point(const RoughSide& rough, const SoftSide& soft, AreaRatio area_ratio, const Estimate& surface_energy) {
-    const double r = area_ratio(rough.parameters), u = rough.parameters.elastic_energy_per_modulus;
+/// prediction = W r − γ1 (r − 1) − E* u.
+PairPoint point(const RoughSide& rough, const SoftSide& soft, AreaRatio area_ratio, const TracedValue& surface_energy) {
+    const auto r = rough.traced([area_ratio](const SpectralParameters& p) { return area_ratio(p); });
+    const auto u = rough.traced([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; });
     const auto& modulus = soft.contact_modulus;
-    const auto ratio = [area_ratio](const SpectralParameters& p) { return area_ratio(p); };
-    const auto energy = [&modulus](const SpectralParameters& p) {
-        return modulus.value * p.elastic_energy_per_modulus;
-    };
     PairPoint pair;
     pair.surface = rough.name;
     pair.elastomer = soft.name;
-    pair.slope = r;
-    pair.offset = surface_energy.value * (r - 1.0) + modulus.value * u;
-    pair.slope_centre = surface_energy.value;
-    pair.slope_variance = rough.spread.covariance(ratio, ratio);
-    pair.slope_offset_covariance = rough.spread.covariance(ratio, energy);
-    pair.offset_variance = rough.spread.covariance(energy, energy) + u * u * modulus.variance() +
-                           (r - 1.0) * (r - 1.0) * surface_energy.variance();
+    pair.slope = r.value;
+    pair.slope_inputs = r.components;
+    pair.offset = surface_energy.value * (r.value - 1.0) + modulus.value * u.value;
+    pair.offset_inputs = combined({{surface_energy.value, r.components},
+                                   {r.value - 1.0, surface_energy.components},
+                                   {modulus.value, u.components},
+                                   {u.value, modulus.components}});
     return pair;
 }
 
-/// A term of a sum of variances from an input and how fast the sum's square root moves with it.
-VarianceTerm term(const Estimate& input, double derivative) {
-    return {derivative * derivative * input.variance(),
-            input.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())};
+/// W of a balance as a line at W_int.
+TracedValue at_work(const PairPoint& line, const TracedValue& work) {
+    return {line.raw_prediction(work.value),
+            combined({{1.0, line.prediction_inputs(work.value)}, {line.slope, work.components}})};
 }
 
-/// A value with the sum of its terms as variance: what is unknown of a spectrum without errors adds nothing. None where
-/// no term is known.
-Estimate with_terms(const RoughSide& rough, double value, std::span<const VarianceTerm> terms) {
-    Estimate result{.value = value, .method = "delta"};
-    double variance = 0.0;
-    for (const auto& t : terms) variance += t.variance;
-    const bool spectrum_known =
-        !std::isnan(rough.spread.standard_error([](const SpectralParameters& p) { return p.rms_slope; }));
-    if (!spectrum_known && variance == 0.0) return result;
-    result.standard_error = std::sqrt(variance);
-    const double freedom = satterthwaite_degrees_of_freedom(terms);
-    if (std::isfinite(freedom)) result.degrees_of_freedom = freedom;
-    return result;
-}
-
-/// Of W r − γ1 (r − 1) − E* u: spectrum, modulus, surface energy, W.
-std::array<VarianceTerm, 4> balance_terms(const RoughSide& rough, const SoftSide& soft, const Estimate& work,
-                                          AreaRatio area_ratio, const Estimate& surface_energy) {
-    const double gain = work.value - surface_energy.value, modulus = soft.contact_modulus.value;
-    const auto balance = [&](const SpectralParameters& p) {
-        return gain * area_ratio(p) - modulus * p.elastic_energy_per_modulus;
-    };
-    const double ratio = area_ratio(rough.parameters);
-    return {rough.spread.variance_term(balance),
-            term(soft.contact_modulus, rough.parameters.elastic_energy_per_modulus), term(surface_energy, ratio - 1.0),
-            term(work, ratio)};
+double error_of(double derivative, const Components& inputs) {
+    return std::abs(derivative) * std::sqrt(covariance(inputs, inputs));
 }
 
 }  // namespace
@@ -80,55 +51,59 @@ PairPoint modified_point(const RoughSide& rough, const SoftSide& soft) {
     return point(rough, soft, by_slopes, soft.surface_energy);
 }
 PairPoint persson_tosatti_point(const RoughSide& rough, const SoftSide& soft) {
-    return point(rough, soft, by_small_slopes, {});
+    return point(rough, soft, by_small_slopes, 0.0);
 }
 PairPoint point_without_area_change(const RoughSide& rough, const SoftSide& soft) {
-    return point(rough, soft, by_slopes, {});
+    return point(rough, soft, by_slopes, 0.0);
 }
 
-Prediction predict(const RoughSide& rough, const SoftSide& soft, const Estimate& work) {
+Prediction predict(const RoughSide& rough, const SoftSide& soft, const TracedValue& work) {
     Prediction prediction{.area_ratio = rough.parameters.area_ratio()};
-    const double modulus = soft.contact_modulus.value, energy = rough.parameters.elastic_energy_per_modulus;
-    const auto stored =
-        rough.spread.variance_term([&](const SpectralParameters& p) { return modulus * p.elastic_energy_per_modulus; });
-    prediction.stored_energy =
-        with_terms(rough, modulus * energy, std::array{stored, term(soft.contact_modulus, energy)});
-    const ConformalState state{prediction.area_ratio, prediction.stored_energy.value};
-    const auto predicted = [&](const ApparentWork& apparent, const std::array<VarianceTerm, 4>& terms) {
-        return PredictedWork{apparent, with_terms(rough, apparent.raw, terms)};
+    const auto& modulus = soft.contact_modulus;
+    const auto energy = rough.traced([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; });
+    const TracedValue stored{modulus.value * energy.value,
+                             combined({{modulus.value, energy.components}, {energy.value, modulus.components}})};
+    prediction.stored_energy = stored.estimate();
+    const ConformalState state{prediction.area_ratio, stored.value};
+    const auto predicted = [&](const ApparentWork& apparent, const PairPoint& line) {
+        auto traced = at_work(line, work);
+        auto estimate = traced.estimate();
+        return PredictedWork{apparent, std::move(traced), std::move(estimate)};
     };
-    const auto terms = balance_terms(rough, soft, work, by_slopes, soft.surface_energy);
-    prediction.modified = predicted(modified_balance(work.value, soft.surface_energy.value, state), terms);
+    prediction.modified = predicted(modified_balance(work.value, soft.surface_energy.value, state),
+                                    modified_point(rough, soft));
     prediction.persson_tosatti =
         predicted(persson_tosatti_balance(work.value, rough.parameters.rms_slope, state.stored_energy),
-                  balance_terms(rough, soft, work, by_small_slopes, {}));
+                  persson_tosatti_point(rough, soft));
     prediction.without_area_change =
-        predicted(balance_without_area_change(work.value, state), balance_terms(rough, soft, work, by_slopes, {}));
-    prediction.budget = {std::sqrt(terms[0].variance), std::sqrt(terms[1].variance), std::sqrt(terms[2].variance),
-                         std::sqrt(terms[3].variance)};
+        predicted(balance_without_area_change(work.value, state), point_without_area_change(rough, soft));
+    const SoftSide exact{soft.name, modulus.value, soft.surface_energy.value};
+    prediction.budget = {.spectrum = error_of(1.0, modified_point(rough, exact).prediction_inputs(work.value)),
+                         .modulus = error_of(energy.value, modulus.components),
+                         .surface_energy = error_of(prediction.area_ratio - 1.0, soft.surface_energy.components),
+                         .work_of_adhesion = error_of(prediction.area_ratio, work.components)};
     return prediction;
 }
 
-Estimate predicted_loss(const RoughSide& rough, const Estimate& work, double contact_area) {
-    const double true_area = rough.parameters.area_ratio() * contact_area;
-    const auto spectrum = rough.spread.variance_term(
-        [&](const SpectralParameters& p) { return work.value * p.area_ratio() * contact_area; });
-    return with_terms(rough, work.value * true_area, std::array{spectrum, term(work, true_area)});
+TracedValue predicted_loss(const RoughSide& rough, const TracedValue& work, const TracedValue& contact_area) {
+    const auto ratio = rough.traced([](const SpectralParameters& p) { return p.area_ratio(); });
+    const double w = work.value, r = ratio.value, area = contact_area.value;
+    return {w * r * area, combined({{w * area, ratio.components},
+                                    {r * area, work.components},
+                                    {w * r, contact_area.components}})};
 }
 
-PredictionCurve prediction_curve(const RoughSide& rough, const Estimate& surface_energy,
-                                 const Estimate& work_of_adhesion, const Array1D& contact_moduli) {
+PredictionCurve prediction_curve(const RoughSide& rough, const TracedValue& surface_energy,
+                                 const TracedValue& work_of_adhesion, const Array1D& contact_moduli) {
     PredictionCurve curve{contact_moduli, Array1D(contact_moduli.size()), Array1D(contact_moduli.size()),
                           Array1D(contact_moduli.size())};
     const double reach = normal_quantile(0.975);
     for (Index i = 0; i < contact_moduli.size(); ++i) {
-        const auto at = modified_point(rough, {"", {.value = contact_moduli[i]}, surface_energy});
-        const double raw = at.slope * work_of_adhesion.value - at.offset;
-        const double error = std::sqrt(at.prediction_variance(work_of_adhesion.value) +
-                                       at.slope * at.slope * work_of_adhesion.variance());
-        curve.work_of_adhesion[i] = std::max(0.0, raw);
-        curve.lower[i] = std::max(0.0, raw - reach * error);
-        curve.upper[i] = std::max(0.0, raw + reach * error);
+        const auto at = at_work(modified_point(rough, {"", contact_moduli[i], surface_energy}), work_of_adhesion);
+        const double error = at.standard_error();
+        curve.work_of_adhesion[i] = std::max(0.0, at.value);
+        curve.lower[i] = std::max(0.0, at.value - reach * error);
+        curve.upper[i] = std::max(0.0, at.value + reach * error);
     }
     return curve;
 }

@@ -9,12 +9,9 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
-#include "setae/roughness/true_area.hpp"
 
 namespace setae::adhesion {
 namespace {
-
-using roughness::SpectralParameters;
 
 double chi_squared_of(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& covariance,
                       const std::optional<Array1D>& slopes) {
@@ -28,33 +25,6 @@ double chi_squared_of(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& c
     const Eigen::VectorXd s = slopes->matrix();
     const double information = s.dot(factor.solve(s));
     return information > 0.0 ? std::max(0.0, all - std::pow(s.dot(weighted), 2) / information) : all;
-}
-
-double area_ratio(const MeasuredPair& pair) { return pair.rough.parameters.area_ratio(); }
-
-/// Covariance of two raw predictions, W_int exact.
-double shared_variance(const MeasuredPair& a, const MeasuredPair& b, double work) {
-    double variance = 0.0;
-    if (a.rough.name == b.rough.name) {
-        const auto balance = [work](const MeasuredPair& pair) {
-            return [gain = work - pair.soft.surface_energy.value,
-                    modulus = pair.soft.contact_modulus.value](const SpectralParameters& p) {
-                return gain * p.area_ratio() - modulus * p.elastic_energy_per_modulus;
-            };
-        };
-        variance += a.rough.spread.covariance(balance(a), balance(b));
-    }
-    if (a.soft.name == b.soft.name)
-        variance += a.rough.parameters.elastic_energy_per_modulus * b.rough.parameters.elastic_energy_per_modulus *
-                        a.soft.contact_modulus.variance() +
-                    (area_ratio(a) - 1.0) * (area_ratio(b) - 1.0) * a.soft.surface_energy.variance();
-    return variance;
-}
-
-/// Share of a raw error that the floor at 0 lets through: 1 above it, 0 a standard error and more below.
-double share_through_floor(double raw, double standard_error) {
-    if (raw >= 0.0) return 1.0;
-    return standard_error > 0.0 ? std::max(0.0, 1.0 + raw / standard_error) : 0.0;
 }
 
 }  // namespace
@@ -101,36 +71,37 @@ PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Arra
     return test;
 }
 
-PredictionTest test_predictions(const std::vector<MeasuredPair>& pairs, const Estimate& work, bool work_fitted) {
+PredictionTest test_predictions(const std::vector<PairPoint>& pairs, const TracedValue& work, bool work_fitted) {
     const auto n = static_cast<Index>(pairs.size());
     const Index least = work_fitted ? 2 : 1;
     if (n < least)
         throw UndefinedDataError(
             fmt::format("{} pairs with a prediction and a measured value with its error; a test needs {}", n, least));
-    Array1D shares(n), slopes(n);
-    for (Index i = 0; i < n; ++i) {
-        const auto& pair = pairs[static_cast<std::size_t>(i)];
-        shares[i] = share_through_floor(pair.predicted.raw, std::sqrt(shared_variance(pair, pair, work.value)));
-        slopes[i] = pair.predicted.raw > 0.0 ? area_ratio(pair) : 0.0;
-    }
-    Array2D covariance(n, n);
+    Array1D slopes(n);
+    std::vector<Components> inputs;
     std::vector<PredictionResidual> residuals;
     for (Index i = 0; i < n; ++i) {
-        const auto& own = pairs[static_cast<std::size_t>(i)];
-        for (Index j = 0; j < n; ++j) {
-            const auto& other = pairs[static_cast<std::size_t>(j)];
-            covariance(i, j) = shares[i] * shares[j] * shared_variance(own, other, work.value);
-            if (!work_fitted)
-                covariance(i, j) += shares[i] * shares[j] * area_ratio(own) * area_ratio(other) * work.variance();
-        }
-        residuals.push_back(
-            {own.rough.name,
-             own.soft.name,
-             own.measured,
-             {.value = own.predicted.floored, .standard_error = std::sqrt(covariance(i, i)), .method = "delta"}});
-        covariance(i, i) += own.measured.variance();
+        const auto& pair = pairs[static_cast<std::size_t>(i)];
+        const double share = share_through_floor(pair, work.value);
+        slopes[i] = pair.raw_prediction(work.value) > 0.0 ? pair.slope : 0.0;
+        const Components none, &of_work = work_fitted ? none : work.components;
+        const auto predicted =
+            combined({{share, pair.prediction_inputs(work.value)}, {share * pair.slope, of_work}});
+        inputs.push_back(combined({{1.0, residual_inputs(pair, work.value)}, {-share * pair.slope, of_work}}));
+        residuals.push_back({pair.surface,
+                             pair.elastomer,
+                             pair.measured,
+                             {.value = pair.prediction(work.value),
+                              .standard_error = std::sqrt(covariance(predicted, predicted)),
+                              .method = "delta"}});
     }
-    return prediction_test(std::move(residuals), covariance, work_fitted ? std::optional(slopes) : std::nullopt);
+    Array2D of_residuals(n, n);
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j)
+            of_residuals(i, j) =
+                covariance(inputs[static_cast<std::size_t>(i)], inputs[static_cast<std::size_t>(j)]) +
+                (i == j ? pairs[static_cast<std::size_t>(i)].measured.variance() : 0.0);
+    return prediction_test(std::move(residuals), of_residuals, work_fitted ? std::optional(slopes) : std::nullopt);
 }
 
 }  // namespace setae::adhesion

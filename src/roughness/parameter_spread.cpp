@@ -76,6 +76,34 @@ VarianceTerm ParameterSpread::variance_term(const Function& f) const {
     return result;
 }
 
+Components ParameterSpread::components(const Function& f, const std::string& surface) const {
+    std::vector<double> open;
+    const auto add_scaled = [&open](const std::vector<double>& values, double factor) {
+        const double mean = mean_of(values);
+        for (const double value : values) open.push_back(factor * (value - mean));
+    };
+    if (has_jackknife()) {
+        for (const auto& stratum : without_each(f)) {
+            const auto n = static_cast<double>(stratum.size());
+            add_scaled(stratum, std::sqrt((n - 1.0) / n));
+        }
+    } else if (replicas.size() > 1) {
+        add_scaled(values_of(f, replicas), 1.0 / std::sqrt(static_cast<double>(replicas.size()) - 1.0));
+    }
+    Components result;
+    if (!open.empty()) {
+        Component own{Eigen::Map<const Array1D>(open.data(), static_cast<Index>(open.size()))};
+        if (has_jackknife())
+            if (const auto freedom = jackknife_estimate(undefined, without_each(f)).degrees_of_freedom)
+                own.degrees_of_freedom = *freedom;
+        result.emplace("spectrum of " + surface, std::move(own));
+    }
+    if (replicas_are_draws) return result;
+    for (const auto& source : sources)
+        result[source.name] = {Array1D::Constant(1, 0.5 * (f(source.plus) - f(source.minus)))};
+    return result;
+}
+
 std::string ParameterSpread::method(const std::string& scale) const {
     if (replicas_are_draws) return "likelihood";
     const std::string with_sources = sources.empty() ? "" : ", delta";

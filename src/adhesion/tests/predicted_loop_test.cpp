@@ -22,11 +22,11 @@ struct Side {
     [[nodiscard]] RoughSide rough() const { return {"A", parameters, spread}; }
 };
 
-SoftSide soft(double error = 0.0) { return {"soft", {.value = modulus, .standard_error = error}, {.value = gamma_1}}; }
+SoftSide soft(double error = 0.0) { return {"soft", {{.value = modulus, .standard_error = error}, "modulus"}, gamma_1}; }
 
 TEST(PredictedLoop, LosesWhatEquationTenSays) {
     const Side side;
-    const auto loop = predict_loop(side.rough(), soft(), {.value = W_int}, press);
+    const auto loop = predict_loop(side.rough(), soft(), W_int, press);
     ASSERT_TRUE(loop);
     const double r = side.parameters.area_ratio(),
                  W_app = W_int * r - gamma_1 * (r - 1.0) - modulus * side.parameters.elastic_energy_per_modulus;
@@ -51,7 +51,7 @@ TEST(PredictedLoop, LosesWhatEquationTenSays) {
 // A smooth surface without preload: E = πW a², a³ = 9πR²W/(2E*), of which both jumps lose less.
 TEST(PredictedLoop, OfASmoothSurfaceStillPinsTheEdge) {
     const Side smooth{.parameters = {.rms_slope = 1e-5}};
-    const auto loop = predict_loop(smooth.rough(), soft(), {.value = W_int}, {.radius = 1.25e-3, .preload = 0.0});
+    const auto loop = predict_loop(smooth.rough(), soft(), W_int, {.radius = 1.25e-3, .preload = 0.0});
     ASSERT_TRUE(loop);
     const double a = std::cbrt(4.5 * pi * 1.25e-3 * 1.25e-3 * W_int / modulus);
     EXPECT_NEAR(loop->contact_radius.value, a, 1e-6 * a);
@@ -62,7 +62,7 @@ TEST(PredictedLoop, OfASmoothSurfaceStillPinsTheEdge) {
 
 TEST(PredictedLoop, CarriesTheErrorsOfItsInputs) {
     const Side side;
-    const Estimate work{.value = W_int, .standard_error = 1e-3};
+    const TracedValue work({.value = W_int, .standard_error = 1e-3}, "work");
     const auto both = predict_loop(side.rough(), soft(0.02e6), work, press),
                one = predict_loop(side.rough(), soft(), work, press);
     ASSERT_TRUE(both && one);
@@ -79,11 +79,11 @@ TEST(PredictedLoop, CarriesTheErrorsOfItsInputs) {
 
 TEST(PredictedLoop, IsNoneWhereSurfacesDoNotConform) {
     const Side rough{.parameters = {.rms_slope = 0.35, .elastic_energy_per_modulus = 1e-7}};
-    EXPECT_FALSE(predict_loop(rough.rough(), soft(), {.value = W_int}, press));
+    EXPECT_FALSE(predict_loop(rough.rough(), soft(), W_int, press));
     const Side side;
-    EXPECT_THROW((void)predict_loop(side.rough(), soft(), {.value = W_int}, {.radius = 0.0, .preload = 1e-3}),
+    EXPECT_THROW((void)predict_loop(side.rough(), soft(), W_int, {.radius = 0.0, .preload = 1e-3}),
                  InvalidArgument);
-    EXPECT_THROW((void)predict_loop(side.rough(), soft(), {.value = W_int}, {.radius = 1e-3, .preload = -1e-3}),
+    EXPECT_THROW((void)predict_loop(side.rough(), soft(), W_int, {.radius = 1e-3, .preload = -1e-3}),
                  InvalidArgument);
 }
 

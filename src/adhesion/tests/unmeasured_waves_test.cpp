@@ -27,7 +27,7 @@ spectra::Spectrum seen(double longest, double shortest) {
     return found;
 }
 
-SoftSide soft() { return {"soft", {.value = 1e6}, {.value = 0.025}}; }
+SoftSide soft() { return {"soft", 1e6, 0.025}; }
 
 double work_of(const roughness::SpectralParameters& parameters) {
     return modified_balance(W_int, 0.025, {parameters.area_ratio(), 1e6 * parameters.elastic_energy_per_modulus}).raw;

@@ -228,7 +228,7 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
     const auto& fit = result.loop->through_origin;
     const double slope = 1e3 * fit.work_of_adhesion.value;
     for (const auto& pair : fit.pairs) {
-        const double area = 1e6 * pair.slope, error = 1e6 * std::sqrt(pair.slope_variance);
+        const double area = 1e6 * pair.slope, error = 1e6 * std::sqrt(covariance(pair.slope_inputs, pair.slope_inputs));
         Point p{.surface = pair.surface,
                 .elastomer = pair.elastomer,
                 .x = area,

@@ -33,19 +33,17 @@ const adhesion::PredictionResidual* residual_of(const StudyResult& result, const
 
 /// The mean γ1 of the elastomers, and whether they differ.
 struct CommonSurfaceEnergy {
-    Estimate mean;
+    TracedValue mean;
     bool differ = false;
 };
 
 CommonSurfaceEnergy surface_energy_of(const StudyResult& result) {
     CommonSurfaceEnergy common;
-    const auto n = static_cast<double>(result.elastomers.size());
-    common.mean.standard_error = 0.0;
+    const double share = 1.0 / static_cast<double>(result.elastomers.size());
     for (const auto& elastomer : result.elastomers) {
-        const auto& own = elastomer.input.surface_energy;
-        common.mean.value += own.value / n;
-        // errors of one and the same liquid's theory are common, too
-        common.mean.standard_error += std::sqrt(own.variance()) / n;
+        const auto own = elastomer.soft_side().surface_energy;
+        common.mean = {common.mean.value + share * own.value,
+                       combined({{1.0, common.mean.components}, {share, own.components}})};
         common.differ =
             common.differ || std::abs(own.value - result.elastomers.front().input.surface_energy.value) > 1e-9;
     }
@@ -194,7 +192,7 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
                     .horizontal_lines = {0.0}};
         const auto curve =
             adhesion::prediction_curve({surface->name, surface->used().parameters, surface->used().spread}, energy.mean,
-                                       *result.work_of_adhesion, moduli);
+                                       result.traced_work_of_adhesion, moduli);
         panel.series.push_back({.label = "predicted by (7), 95 %",
                                 .x = MPa * curve.contact_modulus,
                                 .y = mJ * curve.work_of_adhesion,
@@ -249,7 +247,7 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
         result.study.work_of_adhesion ? "" : ", that of the fitted W_int left out",
         result.prediction_test ? test_in_words(*result.prediction_test) : "No χ²: " + result.prediction_test.reason,
         energy.differ ? fmt::format(" Elastomers have different surface energies: curves are drawn at their mean, {}.",
-                                    with_error(energy.mean, mJ, "mJ/m2"))
+                                    with_error(energy.mean.estimate(), mJ, "mJ/m2"))
                       : "",
         reconstruction_note(result));
 }

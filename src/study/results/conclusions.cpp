@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <list>
 
 #include <fmt/format.h>
 
@@ -26,10 +25,6 @@ using roughness::SpectralParameters;
 /// Whether (7) can be evaluated for a pair: a spectrum and a modulus.
 bool predictable(const SurfaceResult& surface, const ElastomerResult& elastomer) {
     return !surface.failed() && elastomer.contact_modulus.value > 0.0;
-}
-
-SoftSide soft_side(const ElastomerResult& elastomer) {
-    return {elastomer.input.name, elastomer.contact_modulus, elastomer.input.surface_energy};
 }
 
 /// Conclusions on their way: fits first, then predictions at the W_int they lead to.
@@ -99,7 +94,7 @@ std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& p
         if (!predictable(surface, elastomer)) continue;
         const auto index = static_cast<std::size_t>(&surface - result_.surfaces.data());
         const auto rough = in_contact(pair, parameters_of(index));
-        auto point = balance({surface.name, rough.parameters, rough.spread}, soft_side(elastomer));
+        auto point = balance({surface.name, rough.parameters, rough.spread}, elastomer.soft_side());
         point.measured = *pair.approach;
         point.measured.value = std::max(0.0, point.measured.value);
         found.push_back(std::move(point));
@@ -127,11 +122,9 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
         point.elastomer = pair.elastomer;
         point.measured = *pair.loss;
         point.slope = rough.parameters.area_ratio() * *pair.contact_area;
-        point.slope_variance =
-            std::pow(*pair.contact_area *
-                         rough.spread.standard_error([](const SpectralParameters& p) { return p.area_ratio(); }),
-                     2);
-        if (!std::isfinite(point.slope_variance)) point.slope_variance = 0.0;
+        const RoughSide side{pair.surface, rough.parameters, rough.spread};
+        const auto ratio = side.traced([](const SpectralParameters& p) { return p.area_ratio(); });
+        point.slope_inputs = combined({{*pair.contact_area, ratio.components}});
         point.floored = false;
         whole.push_back(point);
         if (!pair.ideal_loss) continue;
@@ -257,14 +250,17 @@ void Concluding::fit() {
     to_.free_energies = fit_free();
     to_.strained_interface = fit_interface();
     if (to_.modified) {
+        to_.left_out = adhesion::predict_left_out(to_.modified->pairs);
         to_.cutoff_scan = scan_cutoffs();
         to_.balances = compare_balances();
     }
-    if (result_.study.work_of_adhesion) {
-        to_.work_of_adhesion = *result_.study.work_of_adhesion;
+    if (const auto& given = result_.study.work_of_adhesion) {
+        to_.work_of_adhesion = *given;
         to_.work_of_adhesion_source = "given in the study";
+        to_.traced_work_of_adhesion = {*given, given->input.empty() ? "work_of_adhesion" : given->input};
     } else if (to_.modified) {
-        to_.work_of_adhesion = to_.modified->clustered;
+        to_.traced_work_of_adhesion = to_.modified->generalised.work_of_adhesion;
+        to_.work_of_adhesion = to_.traced_work_of_adhesion.estimate("generalised least squares");
         to_.work_of_adhesion_source = "fit of (7) to the measured pairs";
     } else {
         to_.work_of_adhesion =
@@ -311,10 +307,10 @@ void add_alerts(PairResult& pair) {
 }
 
 void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer) const {
-    const auto& work = *to_.work_of_adhesion;
+    const auto& work = to_.traced_work_of_adhesion;
     const auto seen = in_contact(pair, to_.spectrum_of(surface).parameters);
     const adhesion::RoughSide rough{surface.name, seen.parameters, seen.spread};
-    const auto soft = soft_side(elastomer);
+    const auto soft = elastomer.soft_side();
     const auto prediction = adhesion::predict(rough, soft, work);
     pair.area_ratio = prediction.area_ratio;
     pair.stored_energy = prediction.stored_energy;
@@ -326,7 +322,7 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     const auto& input = elastomer.input;
     if (input.sphere_radius && input.preload)
         pair.loop = adhesion::predict_loop(rough, soft, work, {*input.sphere_radius, *input.preload});
-    if (pair.contact_area) pair.predicted_loss = adhesion::predicted_loss(rough, work, *pair.contact_area);
+    if (pair.contact_area) pair.predicted_loss = adhesion::predicted_loss(rough, work, *pair.contact_area).estimate();
     else if (pair.loop) pair.predicted_loss = pair.loop->energy_loss;
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value,
@@ -354,24 +350,16 @@ void Concluding::test() {
         to_.prediction_test = Missing::missing(to_.work_of_adhesion.reason);
         return;
     }
-    std::list<RoughnessInContact> seen;  // that `tested` refers to
-    std::vector<adhesion::MeasuredPair> tested;
+    std::vector<PairPoint> tested;
     std::vector<std::string> left_out;
-    for (const auto& pair : to_.pairs) {
-        if (!pair.modified || !pair.approach) continue;
-        if (pair.approach->uncertain()) {
-            const auto& surface = result_.surface(pair.surface);
-            const auto& rough = seen.emplace_back(in_contact(pair, to_.spectrum_of(surface).parameters));
-            tested.push_back({{surface.name, rough.parameters, rough.spread},
-                              soft_side(result_.elastomer(pair.elastomer)),
-                              *pair.approach,
-                              pair.modified->work});
-        } else
+    for (auto& point : points(adhesion::modified_point, whole_spectra())) {
+        if (point.measured.uncertain()) tested.push_back(std::move(point));
+        else
             left_out.push_back(
-                fmt::format("{} × {}: no standard error of the measured value", pair.surface, pair.elastomer));
+                fmt::format("{} × {}: no standard error of the measured value", point.surface, point.elastomer));
     }
     try {
-        auto test = adhesion::test_predictions(tested, *to_.work_of_adhesion, !result_.study.work_of_adhesion);
+        auto test = adhesion::test_predictions(tested, to_.traced_work_of_adhesion, !result_.study.work_of_adhesion);
         test.left_out = std::move(left_out);
         to_.prediction_test = std::move(test);
     } catch (const std::exception& error) {

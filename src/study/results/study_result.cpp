@@ -9,6 +9,14 @@
 
 namespace setae::study {
 
+adhesion::SoftSide ElastomerResult::soft_side() const {
+    const auto named = [this](const Estimate& value, const std::string& name, const char* what) {
+        return TracedValue(value, name.empty() ? fmt::format("{} of {}", what, input.name) : name);
+    };
+    return {input.name, named(contact_modulus, youngs_modulus.input, "modulus"),
+            named(input.surface_energy, input.surface_energy.input, "surface energy")};
+}
+
 int StudyResult::failures() const {
     int count = 0;
     for (const auto& s : surfaces) {

@@ -5,33 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "setae/adhesion/generalised_fit.hpp"
+#include "setae/adhesion/pair_point.hpp"
 #include "setae/core/estimate.hpp"
 
 namespace setae::adhesion {
-
-/// One surface × elastomer pair as a fit of the intrinsic work of adhesion W sees it.
-///
-///   prediction(W) = max(0, slope · W − offset)
-///
-/// Balance (7): slope r, offset γ1 (r − 1) + U_el/A.  (S13): slope 1 + h'²/2, offset U_el/A.  Loops (10): slope A_true,
-/// offset 0, or minus the loss of the smooth sphere.
-struct PairPoint {
-    std::string surface;
-    std::string elastomer;
-    Estimate measured;
-    double slope = 0.0;  ///< > 0
-    double offset = 0.0;
-    /// Var prediction = slope_variance (W − slope_centre)² − 2 slope_offset_covariance (W − slope_centre) +
-    /// offset_variance
-    double slope_variance = 0.0;
-    double slope_centre = 0.0;
-    double slope_offset_covariance = 0.0;
-    double offset_variance = 0.0;
-    bool floored = true;  ///< predictions stop at 0
-
-    [[nodiscard]] double prediction(double work) const;
-    [[nodiscard]] double prediction_variance(double work) const;
-};
 
 /// An estimate of W under one assumption on the errors.
 struct WorkEstimate {
@@ -56,6 +34,7 @@ struct WorkFit {
         with_extra_scatter;  ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
     std::optional<WorkEstimate> errors_in_both;  ///< measured and predicted ±, and the scatter still missing
     std::optional<Estimate> likelihood;          ///< 95 % profile likelihood over the extra scatter
+    GeneralisedFit generalised;                  ///< by the covariance of everything that is known of the errors
 };
 
 /// Least squares in W >= 0; the global minimum, found exactly from the kinks of the floored predictions.

@@ -22,6 +22,7 @@ struct PredictedLoop {
     Estimate work_retraction;  ///< W_ret of the pull-off, see below [J/m²]
     Estimate pull_off_force;   ///< 3/2 π R W_ret (S1) [N]
     Estimate pull_off_force_reversible;  ///< 3/2 π R W_app: if nothing but the jumps were lost [N]
+    TracedValue energy_loss_traced;      ///< E_loss with every input it rests on [J]
 };
 
 /// The loop of a pair.
@@ -30,12 +31,12 @@ struct PredictedLoop {
 ///
 ///   E_loss = (W_ret − W_app) π a_max² + E_jump-in(W_app) + E_jump-out(W_ret),
 ///
-/// which is solved for W_ret. Every ± is by central differences over one standard error of each input, that of the
-/// spectrum by its spread. work_of_adhesion: W_int [J/m²], > 0.
+/// which is solved for W_ret. Every ± is over all inputs: derivatives by E*, γ1 and W_int are central differences over
+/// their standard errors, those by the spectrum are of its spread. work_of_adhesion: W_int [J/m²], > 0.
 /// Nothing where (7) says that the surfaces do not conform.
 /// @throws InvalidArgument for R <= 0 or a preload < 0.
 /// Source: [D19] (1), (7), (10), (S1); jumps: setae/contact/jkr.hpp.
 [[nodiscard]] std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide& soft,
-                                                        const Estimate& work_of_adhesion, const Press& press);
+                                                        const TracedValue& work_of_adhesion, const Press& press);
 
 }  // namespace setae::adhesion

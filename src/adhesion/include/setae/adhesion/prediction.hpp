@@ -16,13 +16,18 @@ struct RoughSide {
     std::string name;
     const roughness::SpectralParameters& parameters;
     const roughness::ParameterSpread& spread;
+
+    /// A function of the parameters with the inputs it rests on.
+    [[nodiscard]] TracedValue traced(const roughness::ParameterSpread::Function& function) const {
+        return {function(parameters), spread.components(function, name)};
+    }
 };
 
 /// The soft solid that conforms to it.
 struct SoftSide {
     std::string name;
-    Estimate contact_modulus;  ///< E* [Pa]
-    Estimate surface_energy;   ///< γ1 [J/m²]
+    TracedValue contact_modulus;  ///< E* [Pa]
+    TracedValue surface_energy;   ///< γ1 [J/m²]
 };
 
 /// Balances of one pair as lines in W_int, with the variances that their uncertain inputs give them; nothing measured.
@@ -33,10 +38,12 @@ struct SoftSide {
 /// One balance evaluated for a pair.
 struct PredictedWork {
     ApparentWork work;
-    Estimate estimate;  ///< the raw value, all sources of its error together
+    TracedValue traced;  ///< the raw value and every input it rests on, those of W_int among them
+    Estimate estimate;   ///< the raw value, all sources of its error together
 };
 
-/// What each uncertain input adds to the standard error of a prediction by (7) [J/m²].
+/// The standard error of a prediction by (7) if only one of these were uncertain [J/m²]; they add in squares where
+/// W_int does not rest on the others.
 struct PredictionBudget {
     double spectrum = 0.0, modulus = 0.0, surface_energy = 0.0, work_of_adhesion = 0.0;
 };
@@ -51,13 +58,15 @@ struct Prediction {
     PredictionBudget budget;            ///< of `modified`
 };
 
-/// Errors by linear propagation, degrees of freedom by Welch and Satterthwaite.
+/// Errors by linear propagation over inputs: a fitted W_int and what it was fitted with are no strangers. Degrees of
+/// freedom by Welch and Satterthwaite.
 /// work_of_adhesion: W_int [J/m²], >= 0.
 /// @throws InvalidArgument as the balances do.
-[[nodiscard]] Prediction predict(const RoughSide& rough, const SoftSide& soft, const Estimate& work_of_adhesion);
+[[nodiscard]] Prediction predict(const RoughSide& rough, const SoftSide& soft, const TracedValue& work_of_adhesion);
 
 /// E_loss = W_int r A [J] of a contact of area A [m²]. Source: [D19] (10).
-[[nodiscard]] Estimate predicted_loss(const RoughSide& rough, const Estimate& work_of_adhesion, double contact_area);
+[[nodiscard]] TracedValue predicted_loss(const RoughSide& rough, const TracedValue& work_of_adhesion,
+                                         const TracedValue& contact_area);
 
 /// (7) of one surface against the contact modulus.
 struct PredictionCurve {
@@ -68,7 +77,7 @@ struct PredictionCurve {
 
 /// surface_energy: γ1 [J/m²].  work_of_adhesion: W_int [J/m²].  contact_moduli: [Pa], > 0.
 /// Source: [D19] (7).
-[[nodiscard]] PredictionCurve prediction_curve(const RoughSide& rough, const Estimate& surface_energy,
-                                               const Estimate& work_of_adhesion, const Array1D& contact_moduli);
+[[nodiscard]] PredictionCurve prediction_curve(const RoughSide& rough, const TracedValue& surface_energy,
+                                               const TracedValue& work_of_adhesion, const Array1D& contact_moduli);
 
 }  // namespace setae::adhesion

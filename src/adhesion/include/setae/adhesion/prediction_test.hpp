@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "setae/adhesion/prediction.hpp"
+#include "setae/adhesion/pair_point.hpp"
 #include "setae/core/arrays.hpp"
 #include "setae/core/estimate.hpp"
 
@@ -27,8 +27,8 @@ struct PredictionResidual {
 ///
 ///   χ² = rᵀC⁻¹r − (sᵀC⁻¹r)²/(sᵀC⁻¹s)
 ///
-/// r: residuals.  C: their covariance: measured variances on the diagonal, and what predictions share, the spectrum of
-/// a surface, the modulus and the surface energy of an elastomer, a given W_int.  s: ∂prediction/∂W_int, where W_int
+/// r: residuals.  C: their covariance: measured variances on the diagonal, and what they share, such as the
+/// spectrum of a surface, the modulus and the surface energy of an elastomer, a lens, a given W_int.  s: ∂prediction/∂W_int, where W_int
 /// was fitted to the same values: the second term then takes the W_int that suits C best, to first order, at the cost
 /// of one degree of freedom.
 struct PredictionTest {
@@ -51,20 +51,13 @@ struct PredictionTest {
 [[nodiscard]] PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Array2D& covariance,
                                              const std::optional<Array1D>& slopes);
 
-/// A pair whose measured value and prediction by (7) are compared.
-struct MeasuredPair {
-    RoughSide rough;
-    SoftSide soft;
-    Estimate measured;       ///< W_app of loading with its error [J/m²]
-    ApparentWork predicted;  ///< by (7)
-};
-
-/// The test of pairs at one W_int. Predictions of one surface share the errors of its spectrum, those of one elastomer
-/// the errors of its modulus and surface energy, all of them that of a given W_int; below the floor at 0 a prediction
-/// carries the part of its error that reaches above it.
+/// The test of pairs at one W_int: lines of (7) with measured values that have a standard error. Residuals share what
+/// predictions share (the spectrum of a surface, modulus and surface energy of an elastomer, a given W_int) and what
+/// measured values share (lenses, calibrations); below the floor at 0 a prediction carries the part of its error that
+/// reaches above it.
 /// work_fitted: W_int was fitted to the same values.
 /// @throws UndefinedDataError for fewer than one pair, or two where W_int was fitted; as prediction_test().
-[[nodiscard]] PredictionTest test_predictions(const std::vector<MeasuredPair>& pairs, const Estimate& work_of_adhesion,
+[[nodiscard]] PredictionTest test_predictions(const std::vector<PairPoint>& pairs, const TracedValue& work_of_adhesion,
                                               bool work_fitted);
 
 }  // namespace setae::adhesion

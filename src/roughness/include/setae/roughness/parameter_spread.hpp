@@ -10,6 +10,7 @@
 #include "setae/core/quantity.hpp"
 #include "setae/core/resampling.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/core/traced_value.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 
 namespace setae::roughness {
@@ -46,6 +47,13 @@ struct ParameterSpread {
     /// measurements of each stratum leave it; draws, bootstrap replicas and sources count as known. Variance 0 where
     /// nothing is known.
     [[nodiscard]] VarianceTerm variance_term(const Function& f) const;
+    /// What the variance of f consists of: what measurements, draws or replicas leave open under "spectrum of SURFACE",
+    /// one direction a measurement or replica, and each source under its own name.
+    ///
+    ///   jackknife: √((n_g − 1)/n_g) (f_(gi) − f_(g·));  replicas: (f_k − f̄)/√(K − 1);  a source: ½ (f₊ − f₋)
+    ///
+    /// so that products of components are the covariance above. Empty where nothing is known.
+    [[nodiscard]] Components components(const Function& f, const std::string& surface) const;
     /// A function of the parameters, whose value is given, with what this spread says of it.
     ///
     ///   x = ln(f − least),  f between least + exp(x ∓ t_ν s),  s² = variance of x, ν its degrees of freedom, both as

@@ -7,6 +7,7 @@
 
 #include "setae/adhesion/balance_comparison.hpp"
 #include "setae/adhesion/contact_scales.hpp"
+#include "setae/adhesion/left_out.hpp"
 #include "setae/adhesion/pair_fit.hpp"
 #include "setae/adhesion/predicted_loop.hpp"
 #include "setae/adhesion/prediction.hpp"
@@ -44,6 +45,10 @@ struct ElastomerResult {
     std::optional<double> network_modulus;                       ///< ρRT/M_c [Pa]
     std::optional<loops::Outcome<loops::GlobalFit>> shared_fit;  ///< of the loops on it that ask for one
     std::vector<Alert> alerts;
+
+    /// What balances know of it: E* and γ1 with the inputs they rest on, by their names in the study, else as this
+    /// elastomer's own.
+    [[nodiscard]] adhesion::SoftSide soft_side() const;
 };
 
 /// One quantity of all loops on one elastomer, and what a mixed model makes of them: the measured values of its pairs.
@@ -136,6 +141,8 @@ struct Conclusions {
     std::vector<PairResult> pairs;
     Outcome<Estimate> work_of_adhesion;  ///< W_int of the predictions [J/m²]
     std::string work_of_adhesion_source;
+    TracedValue traced_work_of_adhesion;  ///< the same with every input it rests on; of value 0 where there is none
+    std::vector<adhesion::LeftOutPrediction> left_out;  ///< of (7), where it was fitted
     Outcome<adhesion::WorkFit> modified;
     Outcome<adhesion::WorkFit> persson_tosatti;
     Outcome<adhesion::WorkFit> without_area_change;

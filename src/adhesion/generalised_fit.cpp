@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/adhesion/generalised_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+#include <boost/math/tools/minima.hpp>
+#include <Eigen/Cholesky>
+
+#include "pair_least_squares.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::adhesion {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+using Label = std::string PairPoint::*;
+
+/// One where both pairs have the same label.
+MatrixXd alike(const std::vector<PairPoint>& pairs, Label label) {
+    const auto n = static_cast<Index>(pairs.size());
+    MatrixXd result(n, n);
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j)
+            result(i, j) =
+                pairs[static_cast<std::size_t>(i)].*label == pairs[static_cast<std::size_t>(j)].*label ? 1.0 : 0.0;
+    return result;
+}
+
+/// Whether effects of a label can be told from those of pairs: three of them, and one with several pairs.
+bool separable(const std::vector<PairPoint>& pairs, Label label) {
+    std::map<std::string, int> count;
+    for (const auto& pair : pairs) ++count[pair.*label];
+    return count.size() >= 3 &&
+           std::any_of(count.begin(), count.end(), [](const auto& entry) { return entry.second > 1; });
+}
+
+/// What is known of y − f beside the scatter, at one W.
+struct Residuals {
+    VectorXd value, slope;  ///< y − f, ∂f/∂W
+    std::vector<Components> inputs;
+    MatrixXd covariance;  ///< of own noise and inputs
+};
+
+Residuals residuals_at(const std::vector<PairPoint>& pairs, double work) {
+    const auto n = static_cast<Index>(pairs.size());
+    Residuals result{VectorXd(n), VectorXd(n), {}, MatrixXd(n, n)};
+    for (Index i = 0; i < n; ++i) {
+        const auto& pair = pairs[static_cast<std::size_t>(i)];
+        result.value[i] = pair.measured.value - pair.prediction(work);
+        result.slope[i] = !pair.floored || pair.raw_prediction(work) > 0.0 ? pair.slope : 0.0;
+        result.inputs.push_back(residual_inputs(pair, work));
+    }
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j <= i; ++j)
+            result.covariance(i, j) = result.covariance(j, i) =
+                covariance(result.inputs[static_cast<std::size_t>(i)], result.inputs[static_cast<std::size_t>(j)]) +
+                (i == j ? pairs[static_cast<std::size_t>(i)].measured.variance() : 0.0);
+    return result;
+}
+
+Component own_noise(const Estimate& measured, double derivative) {
+    return {Array1D::Constant(1, derivative * measured.standard_error),
+            measured.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())};
+}
+
+class Fit {
+public:
+    explicit Fit(const std::vector<PairPoint>& pairs)
+        : pairs_(pairs),
+          same_surface_(alike(pairs, &PairPoint::surface)),
+          same_elastomer_(alike(pairs, &PairPoint::elastomer)),
+          with_surfaces_(separable(pairs, &PairPoint::surface)),
+          with_elastomers_(separable(pairs, &PairPoint::elastomer)) {
+        for (const auto& pair : pairs) {
+            largest_ = std::max(largest_, std::abs(pair.measured.value));
+            kinks_.push_back(pair.floored ? pair.offset / pair.slope : 0.0);
+        }
+        std::sort(kinks_.begin(), kinks_.end());
+        work_ = least_squares(pairs).x;
+    }
+
+    void find(bool with_scatter) {
+        constexpr int rounds = 100;
+        constexpr double settled = 1e-10;
+        for (int round = 0; round < rounds; ++round) {
+            at_ = residuals_at(pairs_, work_);
+            if (with_scatter) estimate_scatter();
+            const double before = work_, found = minimum(whole_covariance(scatter_));
+            // halved steps where a pair at its floor would make W swing between two answers
+            work_ = round < rounds / 2 ? found : 0.5 * (before + found);
+            if (std::abs(work_ - before) <= settled * std::max(std::abs(work_), std::abs(before))) break;
+        }
+        at_ = residuals_at(pairs_, work_);
+    }
+
+    void hold(const ModelScatter& scatter) { scatter_ = scatter; }
+
+    [[nodiscard]] GeneralisedFit result() const {
+        GeneralisedFit fit;
+        fit.n = static_cast<int>(pairs_.size());
+        fit.scatter = scatter_;
+        fit.restricted_log_likelihood = restricted_log_likelihood(scatter_);
+        std::vector<double> measured;
+        for (const auto& pair : pairs_) measured.push_back(pair.measured.value);
+        fit.r_squared = 1.0 - at_.value.squaredNorm() / squares_about_mean(measured);
+        fit.work_of_adhesion = {work_, components()};
+        return fit;
+    }
+
+private:
+    [[nodiscard]] MatrixXd whole_covariance(const ModelScatter& scatter) const {
+        MatrixXd whole = at_.covariance + scatter.surface * scatter.surface * same_surface_ +
+                         scatter.elastomer * scatter.elastomer * same_elastomer_;
+        // where nothing is uncertain every pair counts alike
+        const double least = 1e-9 * largest_;
+        whole.diagonal().array() += std::max(scatter.pair * scatter.pair, least * least);
+        return whole;
+    }
+
+    [[nodiscard]] double restricted_log_likelihood(const ModelScatter& scatter) const {
+        const Eigen::LLT<MatrixXd> factor(whole_covariance(scatter));
+        if (factor.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
+        const VectorXd weighted = factor.solve(at_.value), direction = factor.solve(at_.slope);
+        const double information = at_.slope.dot(direction);
+        double log_likelihood = -factor.matrixLLT().diagonal().array().log().sum() - 0.5 * at_.value.dot(weighted);
+        if (information > 0.0)
+            log_likelihood +=
+                0.5 * std::pow(at_.slope.dot(weighted), 2) / information - 0.5 * std::log(information);
+        return log_likelihood;
+    }
+
+    /// Each of the three in turn, until none moves.
+    void estimate_scatter() {
+        constexpr int sweeps = 30, bits = 26;
+        const double reach = 3.0 * std::sqrt(at_.value.squaredNorm() / static_cast<double>(pairs_.size() - 1));
+        if (!(reach > 0.0)) {
+            scatter_ = {};
+            return;
+        }
+        std::vector<double ModelScatter::*> levels{&ModelScatter::pair};
+        if (with_surfaces_) levels.push_back(&ModelScatter::surface);
+        if (with_elastomers_) levels.push_back(&ModelScatter::elastomer);
+        for (int sweep = 0; sweep < sweeps; ++sweep) {
+            double moved = 0.0;
+            for (const auto level : levels) {
+                const auto loss = [&](double value) {
+                    auto tried = scatter_;
+                    tried.*level = value;
+                    return -restricted_log_likelihood(tried);
+                };
+                auto best = boost::math::tools::brent_find_minima(loss, 0.0, reach, bits);
+                if (loss(0.0) <= best.second) best.first = 0.0;
+                moved = std::max(moved, std::abs(best.first - scatter_.*level));
+                scatter_.*level = best.first;
+            }
+            if (moved < 1e-5 * reach) return;
+        }
+    }
+
+    /// argmin of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0: one parabola between two kinks of the floors.
+    [[nodiscard]] double minimum(const MatrixXd& covariance) const {
+        const Eigen::LLT<MatrixXd> factor(covariance);
+        if (factor.info() != Eigen::Success)
+            throw UndefinedDataError("the covariance of the pairs is not positive definite");
+        const auto n = static_cast<Index>(pairs_.size());
+        double best = work_, least = std::numeric_limits<double>::infinity(), from = 0.0;
+        for (std::size_t piece = 0; piece <= kinks_.size(); ++piece) {
+            const double to = piece < kinks_.size() ? std::max(0.0, kinks_[piece]) : std::numeric_limits<double>::infinity();
+            if (!(to > from)) continue;
+            const double inside = std::isfinite(to) ? 0.5 * (from + to) : from + largest_ + 1.0;
+            VectorXd slope(n), constant(n);
+            for (Index i = 0; i < n; ++i) {
+                const auto& pair = pairs_[static_cast<std::size_t>(i)];
+                const bool above = !pair.floored || pair.raw_prediction(inside) > 0.0;
+                slope[i] = above ? pair.slope : 0.0;
+                constant[i] = pair.measured.value + (above ? pair.offset : 0.0);
+            }
+            const VectorXd weighted = factor.solve(slope);
+            const double information = slope.dot(weighted);
+            const double work =
+                information > 0.0 ? std::clamp(weighted.dot(constant) / information, from, to) : from;
+            const VectorXd left = constant - slope * work;
+            const double cost = left.dot(factor.solve(left));
+            if (cost < least) {
+                least = cost;
+                best = work;
+            }
+            from = to;
+        }
+        return best;
+    }
+
+    [[nodiscard]] Components components() const {
+        const Eigen::LLT<MatrixXd> factor(whole_covariance(scatter_));
+        const VectorXd direction = factor.solve(at_.slope);
+        const double information = at_.slope.dot(direction);
+        if (!(information > 0.0)) return {};
+        const VectorXd h = direction / information;
+        std::vector<Dependence> parts;
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            parts.push_back({h[static_cast<Index>(i)], at_.inputs[i]});
+        auto result = combined(parts);
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            if (const auto& measured = pairs_[i].measured; measured.uncertain())
+                result[pairs_[i].own_noise()] = own_noise(measured, h[static_cast<Index>(i)]);
+        add_scatter(result, h);
+        return result;
+    }
+
+    void add_scatter(Components& result, const VectorXd& h) const {
+        if (scatter_.pair > 0.0)
+            result[scatter_of_pairs] = {scatter_.pair * h.array(), static_cast<double>(pairs_.size()) - 1.0};
+        const auto add = [&](const char* name, double scatter, Label label) {
+            if (!(scatter > 0.0)) return;
+            std::map<std::string, double> sums;
+            for (std::size_t i = 0; i < pairs_.size(); ++i) sums[pairs_[i].*label] += h[static_cast<Index>(i)];
+            Component component{Array1D(static_cast<Index>(sums.size())), static_cast<double>(sums.size()) - 1.0};
+            Index at = 0;
+            for (const auto& [group, sum] : sums) component.directions[at++] = scatter * sum;
+            result[name] = std::move(component);
+        };
+        add(scatter_of_surfaces, scatter_.surface, &PairPoint::surface);
+        add(scatter_of_elastomers, scatter_.elastomer, &PairPoint::elastomer);
+    }
+
+    const std::vector<PairPoint>& pairs_;
+    MatrixXd same_surface_, same_elastomer_;
+    bool with_surfaces_, with_elastomers_;
+    std::vector<double> kinks_;
+    double largest_ = 0.0;
+    double work_ = 0.0;
+    ModelScatter scatter_;
+    Residuals at_;
+};
+
+void require_pairs(const std::vector<PairPoint>& pairs) {
+    if (pairs.size() < 2)
+        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
+}
+
+}  // namespace
+
+GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs) {
+    require_pairs(pairs);
+    Fit fit(pairs);
+    fit.find(true);
+    return fit.result();
+}
+
+GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelScatter& scatter) {
+    require_pairs(pairs);
+    Fit fit(pairs);
+    fit.hold(scatter);
+    fit.find(false);
+    return fit.result();
+}
+
+}  // namespace setae::adhesion

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/adhesion/pair_point.hpp"
+
+namespace setae::adhesion {
+
+/// What pairs differ by from the balance beyond all known errors: standard deviations of effects of a pair, of all
+/// pairs of a surface, of all pairs of an elastomer, in the unit of what was measured.
+struct ModelScatter {
+    double pair = 0.0, surface = 0.0, elastomer = 0.0;
+};
+
+/// W by generalised least squares.
+struct GeneralisedFit {
+    TracedValue work_of_adhesion;  ///< W with every input it rests on, measured values and the scatter among them
+    ModelScatter scatter;
+    double r_squared = 0.0;                   ///< 1 − SS_res/SS_tot at this W, every pair alike, as of ordinary least squares
+    double restricted_log_likelihood = 0.0;   ///< of the scatter, without its constant
+    int n = 0;
+};
+
+/// W from all pairs with the covariance of all errors.
+///
+///   minimise (y − f(W))ᵀ V⁻¹ (y − f(W)),  f_i = max(0, r_i W − o_i)
+///   V = own noise + Σ_inputs c cᵀ + τ² 1 + τ_s² (pairs of one surface) + τ_e² (pairs of one elastomer)
+///
+/// c: what one input, one standard error off, does to y − f: through measured values and through predictions. Relative
+/// errors of measured values are taken of what is predicted, not of what was measured, which would pull W down where
+/// inputs are shared. τ, τ_s, τ_e by restricted maximum likelihood; τ_s (τ_e) needs three surfaces (elastomers), some
+/// of them with several pairs. W and V are iterated to a common answer. The components of W are hᵀ times those of y − f,
+/// h = V⁻¹g/(gᵀV⁻¹g), g = ∂f/∂W.
+/// @throws InvalidArgument for fewer than two pairs.
+/// Source: Patterson, Thompson, Biometrika 58 (1971) 545; JCGM 102:2011; on relative errors: D'Agostini, Nucl. Instrum.
+/// Methods A 346 (1994) 306.
+[[nodiscard]] GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs);
+
+/// The same with the scatter held.
+[[nodiscard]] GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelScatter& scatter);
+
+/// Names of the inputs that the scatter is.
+inline constexpr const char* scatter_of_pairs = "scatter of pairs about the balance";
+inline constexpr const char* scatter_of_surfaces = "scatter of surfaces about the balance";
+inline constexpr const char* scatter_of_elastomers = "scatter of elastomers about the balance";
+
+}  // namespace setae::adhesion

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/core/estimate.hpp"
+#include "setae/core/traced_value.hpp"
+
+namespace setae::adhesion {
+
+/// One surface × elastomer pair as a fit of the intrinsic work of adhesion W sees it.
+///
+///   prediction(W) = max(0, slope · W − offset)
+///
+/// Balance (7): slope r, offset γ1 (r − 1) + U_el/A.  (S13): slope 1 + h'²/2, offset U_el/A.  Loops (10): slope A_true,
+/// offset 0, or minus the loss of the smooth sphere.
+struct PairPoint {
+    std::string surface;
+    std::string elastomer;
+    Estimate measured;           ///< its standard error is its own noise, what no other pair shares
+    Components measured_inputs;  ///< what it shares with others: radius of a lens, calibrations
+    double slope = 0.0;          ///< > 0
+    double offset = 0.0;
+    Components slope_inputs, offset_inputs;
+    bool floored = true;  ///< predictions stop at 0
+
+    [[nodiscard]] double raw_prediction(double work) const { return slope * work - offset; }
+    [[nodiscard]] double prediction(double work) const;
+    /// Components of slope · W − offset, W exact.
+    [[nodiscard]] Components prediction_inputs(double work) const;
+    [[nodiscard]] double prediction_variance(double work) const;
+    /// Name of the input that the pair's own noise is.
+    [[nodiscard]] std::string own_noise() const;
+};
+
+/// Components of measured − prediction(W), W exact and own noise left out. Relative errors of the measured value are
+/// taken of the prediction: of the measured value itself, its noise would weigh pairs that came out small more.
+[[nodiscard]] Components residual_inputs(const PairPoint& pair, double work);
+
+/// Share of an error of slope · W − offset that the floor at 0 lets through: 1 above it, 0 a standard error and more
+/// below.
+[[nodiscard]] double share_through_floor(const PairPoint& pair, double work);
+
+}  // namespace setae::adhesion

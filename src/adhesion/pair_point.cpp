@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/adhesion/pair_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace setae::adhesion {
+
+double PairPoint::prediction(double work) const {
+    const double raw = raw_prediction(work);
+    return floored ? std::max(0.0, raw) : raw;
+}
+
+Components PairPoint::prediction_inputs(double work) const {
+    return combined({{work, slope_inputs}, {-1.0, offset_inputs}});
+}
+
+double PairPoint::prediction_variance(double work) const {
+    const auto inputs = prediction_inputs(work);
+    return covariance(inputs, inputs);
+}
+
+std::string PairPoint::own_noise() const { return fmt::format("measured on {} × {}", surface, elastomer); }
+
+Components residual_inputs(const PairPoint& pair, double work) {
+    const double relative = pair.measured.value > 0.0 ? pair.prediction(work) / pair.measured.value : 1.0;
+    return combined(
+        {{relative, pair.measured_inputs}, {-share_through_floor(pair, work), pair.prediction_inputs(work)}});
+}
+
+double share_through_floor(const PairPoint& pair, double work) {
+    const double raw = pair.raw_prediction(work);
+    if (raw >= 0.0 || !pair.floored) return 1.0;
+    const double error = std::sqrt(pair.prediction_variance(work));
+    return error > 0.0 ? std::max(0.0, 1.0 + raw / error) : 0.0;
+}
+
+}  // namespace setae::adhesion
