@@ -2,10 +2,10 @@
 #include "setae/adhesion/generalised_fit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
@@ -29,6 +29,12 @@ MatrixXd alike(const std::vector<PairPoint>& pairs, Label label) {
             result(i, j) =
                 pairs[static_cast<std::size_t>(i)].*label == pairs[static_cast<std::size_t>(j)].*label ? 1.0 : 0.0;
     return result;
+}
+
+double others_of(const std::vector<PairPoint>& pairs, Label label) {
+    std::set<std::string> names;
+    for (const auto& pair : pairs) names.insert(pair.*label);
+    return static_cast<double>(names.size()) - 1.0;
 }
 
 /// Whether effects of a label can be told from those of pairs: three of them, and one with several pairs.
@@ -104,6 +110,8 @@ public:
         GeneralisedFit fit;
         fit.n = static_cast<int>(pairs_.size());
         fit.scatter = scatter_;
+        fit.freedom = {static_cast<double>(pairs_.size()) - 1.0, others_of(pairs_, &PairPoint::surface),
+                       others_of(pairs_, &PairPoint::elastomer)};
         fit.restricted_log_likelihood = restricted_log_likelihood(scatter_);
         std::vector<double> measured;
         for (const auto& pair : pairs_) measured.push_back(pair.measured.value);
@@ -237,11 +245,6 @@ private:
     ModelScatter scatter_;
     Residuals at_;
 };
-
-void require_pairs(const std::vector<PairPoint>& pairs) {
-    if (pairs.size() < 2)
-        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
-}
 
 }  // namespace
 

@@ -11,13 +11,15 @@ namespace {
 LeftOutPrediction predicted_by(const GeneralisedFit& others, const PairPoint& pair, bool surface_left_out) {
     const double work = others.work_of_adhesion.value, share = share_through_floor(pair, work);
     const auto& scatter = others.scatter;
-    // the scatter of the group that stayed in the fit is one that the others know in part: it counts whole
-    const auto anew = [](double size, const char* name) {
-        return TracedValue({.value = 0.0, .standard_error = size}, std::string(name) + ", anew").components;
+    const auto& freedom = others.freedom;
+    // of the group that stayed in the fit the others know the effect in part: it counts whole
+    const auto anew = [](double size, double known_with, const char* name) {
+        const Estimate effect{.value = 0.0, .standard_error = size, .degrees_of_freedom = known_with};
+        return TracedValue(effect, std::string(name) + ", anew").components;
     };
-    const auto of_model = combined({{1.0, anew(scatter.pair, scatter_of_pairs)},
-                                    {1.0, anew(scatter.surface, scatter_of_surfaces)},
-                                    {1.0, anew(scatter.elastomer, scatter_of_elastomers)}});
+    const auto of_model = combined({{1.0, anew(scatter.pair, freedom.pair, scatter_of_pairs)},
+                                    {1.0, anew(scatter.surface, freedom.surface, scatter_of_surfaces)},
+                                    {1.0, anew(scatter.elastomer, freedom.elastomer, scatter_of_elastomers)}});
     const auto of_work = combined({{share * pair.slope, others.work_of_adhesion.components}, {1.0, of_model}});
     const TracedValue predicted{pair.prediction(work),
                                 combined({{share, pair.prediction_inputs(work)}, {1.0, of_work}})};

@@ -145,16 +145,6 @@ std::optional<Estimate> profile_likelihood(const Pairs& pairs, double start) {
     return Estimate{.value = best.first, .method = "profile likelihood", .interval = Interval{*lower, *upper, 0.95}};
 }
 
-void require_pairs(const Pairs& pairs) {
-    if (pairs.size() < 2)
-        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
-    for (const auto& pair : pairs)
-        if (!(pair.slope > 0.0) || !std::isfinite(pair.measured.value) || !std::isfinite(pair.offset))
-            throw InvalidArgument(fmt::format("pair {} × {} has slope {}, offset {} and measured value {}",
-                                              pair.surface, pair.elastomer, pair.slope, pair.offset,
-                                              pair.measured.value));
-}
-
 }  // namespace
 
 FlooredMinimum minimise_with(const std::vector<PairPoint>& pairs, const PairVariance& variance) {
@@ -173,6 +163,16 @@ double squares_about_mean(const std::vector<double>& values) {
     double total = 0.0;
     for (const double y : values) total += square(y - mean);
     return total;
+}
+
+void require_pairs(const Pairs& pairs) {
+    if (pairs.size() < 2)
+        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
+    for (const auto& pair : pairs)
+        if (!(pair.slope > 0.0) || !std::isfinite(pair.measured.value) || !std::isfinite(pair.offset))
+            throw InvalidArgument(fmt::format("pair {} × {} has slope {}, offset {} and measured value {}",
+                                              pair.surface, pair.elastomer, pair.slope, pair.offset,
+                                              pair.measured.value));
 }
 
 WorkFit fit_work_of_adhesion(const Pairs& pairs) {

@@ -16,6 +16,9 @@ using PairVariance = std::function<double(const PairPoint&)>;
 /// Every pair alike.
 [[nodiscard]] FlooredMinimum least_squares(const std::vector<PairPoint>& pairs);
 
+/// @throws InvalidArgument for fewer than two pairs, a slope <= 0 and values that are not finite.
+void require_pairs(const std::vector<PairPoint>& pairs);
+
 /// Σ (y − ⟨y⟩)².
 [[nodiscard]] double squares_about_mean(const std::vector<double>& values);
 

@@ -22,7 +22,7 @@ double PairPoint::prediction_variance(double work) const {
     return covariance(inputs, inputs);
 }
 
-std::string PairPoint::own_noise() const { return fmt::format("measured on {} × {}", surface, elastomer); }
+std::string PairPoint::own_noise() const { return fmt::format("{}{} × {}", own_noise_of, surface, elastomer); }
 
 Components residual_inputs(const PairPoint& pair, double work) {
     const double relative = pair.measured.value > 0.0 ? pair.prediction(work) / pair.measured.value : 1.0;

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "json_support.hpp"
 #include "json_writer.hpp"
+#include "setae/output/budget.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/predicted_quantities.hpp"
@@ -32,6 +34,64 @@ Json estimate_json(const adhesion::WorkEstimate& estimate, const char* unit_of_s
     return json;
 }
 
+Json generalised_json(const adhesion::GeneralisedFit& fit, const char* unit_of_scatter) {
+    Json json;
+    auto work = quantity("work_of_adhesion", "W_int", fit.work_of_adhesion.estimate("generalised least squares"), "J/m2");
+    work.n = fit.n;
+    add(json, work);
+    add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
+    for (const auto& [level, scatter] : {std::pair{"pair", fit.scatter.pair}, {"surface", fit.scatter.surface},
+                                         {"elastomer", fit.scatter.elastomer}})
+        json["scatter"][level] = to_json(quantity("scatter", "tau", scatter, unit_of_scatter));
+    return json;
+}
+
+Json budget_json(const std::vector<BudgetRow>& rows, const std::string& unit) {
+    Json json = Json::array();
+    for (const auto& row : rows)
+        json.push_back({{"input", row.input},
+                        {"standard_error", number(row.standard_error)},
+                        {"share_of_variance", number(row.share)},
+                        {"standard_error_with_half_of_it", number(row.halved)},
+                        {"unit", unit}});
+    return json;
+}
+
+Json budgets_json(const study::Conclusions& result) {
+    Json json = Json::array();
+    for (const auto& budget : budgets_of(result)) {
+        Json entry{{"quantity", budget.quantity},
+                   {"symbol", budget.symbol},
+                   {"standard_error", number(budget.standard_error)},
+                   {"unit", budget.unit},
+                   {"inputs", budget_json(budget.rows, budget.unit)}};
+        if (!budget.surface.empty()) {
+            entry["surface"] = budget.surface;
+            entry["elastomer"] = budget.elastomer;
+        }
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
+Json left_out_json(const study::Conclusions& result) {
+    Json json = Json::array();
+    for (const auto& p : result.left_out) {
+        Json entry{{"left_out", p.surface_left_out ? "surface" : "elastomer"},
+                   {"name", p.surface_left_out ? p.surface : p.elastomer},
+                   {"surface", p.surface},
+                   {"elastomer", p.elastomer}};
+        entry["predicted"] = to_json(quantity("work_of_adhesion", "W_app", p.predicted, "J/m2"));
+        entry["measured"] = to_json(quantity("work_of_adhesion_approach", "W_app", p.measured, "J/m2"));
+        entry["residual"] = to_json(
+            quantity("residual", "measured - predicted",
+                     {.value = p.residual, .standard_error = p.standard_error, .method = "delta"}, "J/m2"));
+        entry["held"] = p.held;
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
 Json fit_json(const adhesion::WorkFit& fit, const char* source, const char* unit) {
     Json json;
     auto work = quantity("work_of_adhesion", "W_int", fit.work_of_adhesion, "J/m2");
@@ -41,6 +101,7 @@ Json fit_json(const adhesion::WorkFit& fit, const char* source, const char* unit
     add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
     add(json, quantity("clustered_standard_error", "SE", fit.clustered.standard_error, "J/m2"));
     json["clustered"] = to_json(quantity("work_of_adhesion", "W_int", fit.clustered, "J/m2"));
+    json["generalised"] = generalised_json(fit.generalised, unit);
     json["likelihood"] =
         fit.likelihood ? to_json(quantity("work_of_adhesion", "W_int", *fit.likelihood, "J/m2")) : Json(nullptr);
     add(json, quantity("residual_standard_deviation", "s", fit.residual_standard_deviation, unit));
@@ -405,6 +466,12 @@ void add_work(Json& json, const study::Conclusions& result) {
     json["work_of_adhesion"] = to_json(work);
 }
 
+/// What quoted numbers rest on, and how well each pair is predicted by the others.
+void add_budgets(Json& json, const study::Conclusions& result) {
+    json["budgets"] = budgets_json(result);
+    json["left_out"] = left_out_json(result);
+}
+
 Json replicates_json(const study::ElastomerReplicates& replicates) {
     Json json{
         {"elastomer", replicates.elastomer}, {"quantity", replicates.data.quantity}, {"symbol", replicates.symbol}};
@@ -448,6 +515,7 @@ Json by_average_json(const study::StudyResult& result) {
     const auto& by_average = *result.by_average;
     Json json;
     add_work(json, by_average);
+    add_budgets(json, by_average);
     json["fits"] = fits_json(by_average);
     json["pairs"] = pairs_json(by_average);
     add_outcome(json, "prediction_test", by_average.prediction_test, prediction_json);
@@ -509,6 +577,7 @@ Json json_without_experiments(const study::StudyResult& result) {
     const auto said = verdict(result);
     json["verdict"] = {{"answer", said.answer}, {"findings", said.findings}, {"limits", said.limits}};
     add_work(json, result);
+    add_budgets(json, result);
     json["fits"] = fits_json(result);
     json["surfaces"] = Json::object();
     const auto stems = spectrum_stems(result);

@@ -322,8 +322,9 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     const auto& input = elastomer.input;
     if (input.sphere_radius && input.preload)
         pair.loop = adhesion::predict_loop(rough, soft, work, {*input.sphere_radius, *input.preload});
-    if (pair.contact_area) pair.predicted_loss = adhesion::predicted_loss(rough, work, *pair.contact_area).estimate();
-    else if (pair.loop) pair.predicted_loss = pair.loop->energy_loss;
+    if (pair.contact_area) pair.traced_loss = adhesion::predicted_loss(rough, work, *pair.contact_area);
+    else if (pair.loop) pair.traced_loss = pair.loop->energy_loss_traced;
+    if (pair.contact_area || pair.loop) pair.predicted_loss = pair.traced_loss.estimate();
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value,
                                           rough.parameters.area_shape);

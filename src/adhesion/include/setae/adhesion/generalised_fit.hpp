@@ -14,12 +14,18 @@ struct ModelScatter {
     double pair = 0.0, surface = 0.0, elastomer = 0.0;
 };
 
+/// Degrees of freedom that the scatter was estimated with.
+struct ScatterFreedom {
+    double pair = 0.0, surface = 0.0, elastomer = 0.0;
+};
+
 /// W by generalised least squares.
 struct GeneralisedFit {
     TracedValue work_of_adhesion;  ///< W with every input it rests on, measured values and the scatter among them
     ModelScatter scatter;
-    double r_squared = 0.0;                   ///< 1 − SS_res/SS_tot at this W, every pair alike, as of ordinary least squares
-    double restricted_log_likelihood = 0.0;   ///< of the scatter, without its constant
+    ScatterFreedom freedom;                  ///< pairs, surfaces and elastomers less one
+    double r_squared = 0.0;                  ///< 1 − SS_res/SS_tot at this W, every pair alike
+    double restricted_log_likelihood = 0.0;  ///< of the scatter, without its constant
     int n = 0;
 };
 

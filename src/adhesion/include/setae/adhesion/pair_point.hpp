@@ -8,6 +8,9 @@
 
 namespace setae::adhesion {
 
+/// What the names of noise that no two pairs share begin with.
+inline constexpr const char* own_noise_of = "measured on ";
+
 /// One surface × elastomer pair as a fit of the intrinsic work of adhesion W sees it.
 ///
 ///   prediction(W) = max(0, slope · W − offset)

@@ -26,6 +26,10 @@ namespace setae::output {
 [[nodiscard]] tables::TidyTable replicate_mean_table(const study::StudyResult& result);
 /// One row a pair: measured, predicted and their difference in standard errors; the last row is χ² of all.
 [[nodiscard]] tables::TidyTable prediction_test_table(const study::StudyResult& result);
+/// One row a quoted number and input: what W_int and every prediction rest on, SI.
+[[nodiscard]] tables::TidyTable budget_table(const study::StudyResult& result);
+/// One row a pair and what was left out: its prediction by the other surfaces, or elastomers, beside what was measured.
+[[nodiscard]] tables::TidyTable left_out_table(const study::StudyResult& result);
 /// One row an alert, of everything in the study.
 [[nodiscard]] tables::TidyTable alert_table(const study::StudyResult& result);
 /// One row a surface and wavevector: cumulative rms parameters and stored energy.

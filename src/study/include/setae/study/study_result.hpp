@@ -78,6 +78,7 @@ struct PairResult {
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
     std::optional<Estimate> predicted_loss;       ///< (10) at W_int and the contact area, measured or of `loop` [J]
+    TracedValue traced_loss;                      ///< the same with every input it rests on; of value 0 without it
     std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and (7) conforms
     /// W_app by (7) with waves beyond both ends of the surface's data [J/m²]
     std::optional<Estimate> with_unmeasured_waves;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/budget.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "setae/core/layout.hpp"
+#include "setae/core/units.hpp"
+#include "setae/core/words.hpp"
+#include "setae/output/study_tables.hpp"
+#include "table_support.hpp"
+
+namespace setae::output {
+namespace {
+
+/// Noise that no two measured values share, as one row: nobody halves it pair by pair.
+std::vector<BudgetRow> with_noise_as_one(const TracedValue& value) {
+    TracedValue noise, others = value;
+    std::size_t count = 0;
+    std::erase_if(others.components, [&](const auto& entry) {
+        if (!entry.first.starts_with(adhesion::own_noise_of)) return false;
+        ++count;
+        noise.components.insert(entry);
+        return true;
+    });
+    auto rows = budget_of(others);
+    const double whole = value.variance(), own = noise.variance();
+    for (auto& row : rows) {
+        const double variance = row.standard_error * row.standard_error;
+        row.share = variance / whole;
+        row.halved = std::sqrt(std::max(0.0, whole - 0.75 * variance));
+    }
+    if (own > 0.0)
+        rows.push_back({fmt::format("noise of {}", counted(count, "measured value", "measured values")), std::sqrt(own),
+                        own / whole, std::sqrt(std::max(0.0, whole - 0.75 * own))});
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const BudgetRow& a, const BudgetRow& b) { return a.standard_error > b.standard_error; });
+    return rows;
+}
+
+std::string place_of(const QuotedBudget& budget) {
+    return budget.surface.empty() ? budget.symbol
+                                  : fmt::format("{} of {} on {}", budget.symbol, budget.elastomer, budget.surface);
+}
+
+}  // namespace
+
+std::vector<QuotedBudget> budgets_of(const study::Conclusions& conclusions) {
+    std::vector<QuotedBudget> list;
+    const auto add = [&](const char* quantity, const char* symbol, const char* unit, const study::PairResult* pair,
+                         const TracedValue& value) {
+        auto rows = with_noise_as_one(value);
+        if (rows.empty()) return;
+        list.push_back({quantity, symbol, pair ? pair->surface : "", pair ? pair->elastomer : "", unit,
+                        value.standard_error(), std::move(rows)});
+    };
+    if (conclusions.work_of_adhesion)
+        add("work_of_adhesion", "W_int", "J/m2", nullptr, conclusions.traced_work_of_adhesion);
+    for (const auto& pair : conclusions.pairs) {
+        if (!pair.modified) continue;
+        add("predicted_work_of_adhesion", "W_app (7)", "J/m2", &pair, pair.modified->traced);
+        add("predicted_energy_loss", "E_loss (10)", "J", &pair, pair.traced_loss);
+    }
+    return list;
+}
+
+std::string budget_sentence(const QuotedBudget& budget) {
+    if (budget.rows.empty()) return "";
+    const auto& first = budget.rows.front();
+    const auto error = [&](double value) { return format_value(value, budget.unit, 2); };
+    return fmt::format("{:.0f} % of the variance of {} is {}; with half of it, ± falls from {} to {}",
+                       100.0 * first.share, place_of(budget), first.input, error(budget.standard_error),
+                       error(first.halved));
+}
+
+std::string budget_text(const study::StudyResult& result, std::size_t width) {
+    std::string text;
+    for (const auto& budget : budgets_of(result)) {
+        tables::TidyTable table{fmt::format("± of {}: {}", place_of(budget), format_value(budget.standard_error, budget.unit, 2)),
+                                {"input", "± alone", "share of the variance", "± with half of it"},
+                                {}};
+        for (const auto& row : budget.rows)
+            table.rows.push_back({row.input, format_value(row.standard_error, budget.unit, 2),
+                                  fmt::format("{:.1f} %", 100.0 * row.share), format_value(row.halved, budget.unit, 2)});
+        text += tables::as_text_within(table, width) + "\n";
+    }
+    return text;
+}
+
+tables::TidyTable budget_table(const study::StudyResult& result) {
+    tables::TidyTable table{"",
+                            {"quantity", "surface", "elastomer", "method", "unit", "standard_error", "input",
+                             "standard_error of the input alone", "share_of_variance", "standard_error with half of it"},
+                            {}};
+    for (const auto* conclusions : by_method(result))
+        for (const auto& budget : budgets_of(*conclusions))
+            for (const auto& row : budget.rows)
+                table.rows.push_back({budget.quantity, budget.surface, budget.elastomer,
+                                      method_name(result, *conclusions), budget.unit, budget.standard_error, row.input,
+                                      row.standard_error, row.share, row.halved});
+    return table;
+}
+
+tables::TidyTable left_out_table(const study::StudyResult& result) {
+    tables::TidyTable table{"",
+                            {"left_out", "surface", "elastomer", "method", "W_app measured [J/m2]",
+                             "standard_error measured [J/m2]", "W_app (7) by the others [J/m2]",
+                             "standard_error (7) [J/m2]", "residual [J/m2]", "standard_error residual [J/m2]",
+                             "held by the 95 % interval"},
+                            {}};
+    for (const auto* conclusions : by_method(result))
+        for (const auto& p : conclusions->left_out)
+            table.rows.push_back({p.surface_left_out ? std::string("surface") : std::string("elastomer"), p.surface,
+                                  p.elastomer, method_name(result, *conclusions), p.measured.value,
+                                  p.measured.standard_error, p.predicted.value, p.predicted.standard_error, p.residual,
+                                  p.standard_error, p.held ? std::string("yes") : std::string("no")});
+    return table;
+}
+
+}  // namespace setae::output
