@@ -11,6 +11,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <Eigen/Cholesky>
 
+#include "generalised_weights.hpp"
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
 
@@ -69,6 +70,48 @@ Residuals residuals_at(const std::vector<PairPoint>& pairs, double work) {
     return result;
 }
 
+Eigen::LLT<MatrixXd> factor_of(const MatrixXd& covariance) {
+    Eigen::LLT<MatrixXd> factor(covariance);
+    if (factor.info() != Eigen::Success)
+        throw UndefinedDataError("the covariance of the pairs is not positive definite");
+    return factor;
+}
+
+/// argmin of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0: one parabola between two kinks of the floors. start: of equal
+/// answers the one that is kept.
+double minimum_of(const std::vector<PairPoint>& pairs, const Eigen::LLT<MatrixXd>& factor, double start) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto n = static_cast<Index>(pairs.size());
+    std::vector<double> ends;
+    for (const auto& pair : pairs)
+        if (pair.floored && pair.offset > 0.0) ends.push_back(pair.offset / pair.slope);
+    std::sort(ends.begin(), ends.end());
+    ends.push_back(infinity);
+    double best = start, least = infinity, from = 0.0;
+    for (const double to : ends) {
+        if (!(to > from)) continue;
+        const double inside = std::isfinite(to) ? 0.5 * (from + to) : 2.0 * from + 1.0;
+        VectorXd slope(n), constant(n);
+        for (Index i = 0; i < n; ++i) {
+            const auto& pair = pairs[static_cast<std::size_t>(i)];
+            const bool above = !pair.floored || pair.raw_prediction(inside) > 0.0;
+            slope[i] = above ? pair.slope : 0.0;
+            constant[i] = pair.measured.value + (above ? pair.offset : 0.0);
+        }
+        const VectorXd weighted = factor.solve(slope);
+        const double information = slope.dot(weighted);
+        const double work = information > 0.0 ? std::clamp(weighted.dot(constant) / information, from, to) : from;
+        const VectorXd left = constant - slope * work;
+        const double cost = left.dot(factor.solve(left));
+        if (cost < least) {
+            least = cost;
+            best = work;
+        }
+        from = to;
+    }
+    return best;
+}
+
 Component own_noise(const Estimate& measured, double derivative) {
     return {Array1D::Constant(1, derivative * measured.standard_error),
             measured.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())};
@@ -82,11 +125,7 @@ public:
           same_elastomer_(alike(pairs, &PairPoint::elastomer)),
           with_surfaces_(separable(pairs, &PairPoint::surface)),
           with_elastomers_(separable(pairs, &PairPoint::elastomer)) {
-        for (const auto& pair : pairs) {
-            largest_ = std::max(largest_, std::abs(pair.measured.value));
-            kinks_.push_back(pair.floored ? pair.offset / pair.slope : 0.0);
-        }
-        std::sort(kinks_.begin(), kinks_.end());
+        for (const auto& pair : pairs) largest_ = std::max(largest_, std::abs(pair.measured.value));
         work_ = least_squares(pairs).x;
     }
 
@@ -96,7 +135,7 @@ public:
         for (int round = 0; round < rounds; ++round) {
             at_ = residuals_at(pairs_, work_);
             if (with_scatter) estimate_scatter();
-            const double before = work_, found = minimum(whole_covariance(scatter_));
+            const double before = work_, found = minimum_of(pairs_, factor_of(whole_covariance(scatter_)), work_);
             // halved steps where a pair at its floor would make W swing between two answers
             work_ = round < rounds / 2 ? found : 0.5 * (before + found);
             if (std::abs(work_ - before) <= settled * std::max(std::abs(work_), std::abs(before))) break;
@@ -105,6 +144,12 @@ public:
     }
 
     void hold(const ModelScatter& scatter) { scatter_ = scatter; }
+
+    /// The covariance of y − f at a W and a scatter.
+    [[nodiscard]] MatrixXd covariance_at(double work, const ModelScatter& scatter) {
+        at_ = residuals_at(pairs_, work);
+        return whole_covariance(scatter);
+    }
 
     [[nodiscard]] GeneralisedFit result() const {
         GeneralisedFit fit;
@@ -170,39 +215,6 @@ private:
         }
     }
 
-    /// argmin of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0: one parabola between two kinks of the floors.
-    [[nodiscard]] double minimum(const MatrixXd& covariance) const {
-        const Eigen::LLT<MatrixXd> factor(covariance);
-        if (factor.info() != Eigen::Success)
-            throw UndefinedDataError("the covariance of the pairs is not positive definite");
-        const auto n = static_cast<Index>(pairs_.size());
-        double best = work_, least = std::numeric_limits<double>::infinity(), from = 0.0;
-        for (std::size_t piece = 0; piece <= kinks_.size(); ++piece) {
-            const double to = piece < kinks_.size() ? std::max(0.0, kinks_[piece]) : std::numeric_limits<double>::infinity();
-            if (!(to > from)) continue;
-            const double inside = std::isfinite(to) ? 0.5 * (from + to) : from + largest_ + 1.0;
-            VectorXd slope(n), constant(n);
-            for (Index i = 0; i < n; ++i) {
-                const auto& pair = pairs_[static_cast<std::size_t>(i)];
-                const bool above = !pair.floored || pair.raw_prediction(inside) > 0.0;
-                slope[i] = above ? pair.slope : 0.0;
-                constant[i] = pair.measured.value + (above ? pair.offset : 0.0);
-            }
-            const VectorXd weighted = factor.solve(slope);
-            const double information = slope.dot(weighted);
-            const double work =
-                information > 0.0 ? std::clamp(weighted.dot(constant) / information, from, to) : from;
-            const VectorXd left = constant - slope * work;
-            const double cost = left.dot(factor.solve(left));
-            if (cost < least) {
-                least = cost;
-                best = work;
-            }
-            from = to;
-        }
-        return best;
-    }
-
     [[nodiscard]] Components components() const {
         const Eigen::LLT<MatrixXd> factor(whole_covariance(scatter_));
         const VectorXd direction = factor.solve(at_.slope);
@@ -222,24 +234,23 @@ private:
 
     void add_scatter(Components& result, const VectorXd& h) const {
         if (scatter_.pair > 0.0)
-            result[scatter_of_pairs] = {scatter_.pair * h.array(), static_cast<double>(pairs_.size()) - 1.0};
-        const auto add = [&](const char* name, double scatter, Label label) {
+            result[pairs_.front().scatter_between("pairs")] = {scatter_.pair * h.array(), static_cast<double>(pairs_.size()) - 1.0};
+        const auto add = [&](const char* groups, double scatter, Label label) {
             if (!(scatter > 0.0)) return;
             std::map<std::string, double> sums;
             for (std::size_t i = 0; i < pairs_.size(); ++i) sums[pairs_[i].*label] += h[static_cast<Index>(i)];
             Component component{Array1D(static_cast<Index>(sums.size())), static_cast<double>(sums.size()) - 1.0};
             Index at = 0;
             for (const auto& [group, sum] : sums) component.directions[at++] = scatter * sum;
-            result[name] = std::move(component);
+            result[pairs_.front().scatter_between(groups)] = std::move(component);
         };
-        add(scatter_of_surfaces, scatter_.surface, &PairPoint::surface);
-        add(scatter_of_elastomers, scatter_.elastomer, &PairPoint::elastomer);
+        add("surfaces", scatter_.surface, &PairPoint::surface);
+        add("elastomers", scatter_.elastomer, &PairPoint::elastomer);
     }
 
     const std::vector<PairPoint>& pairs_;
     MatrixXd same_surface_, same_elastomer_;
     bool with_surfaces_, with_elastomers_;
-    std::vector<double> kinks_;
     double largest_ = 0.0;
     double work_ = 0.0;
     ModelScatter scatter_;
@@ -247,6 +258,14 @@ private:
 };
 
 }  // namespace
+
+GeneralisedWeights::GeneralisedWeights(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit)
+    : factor_(factor_of(Fit(pairs).covariance_at(fit.work_of_adhesion.value, fit.scatter))),
+      start_(fit.work_of_adhesion.value) {}
+
+double GeneralisedWeights::work_of(const std::vector<PairPoint>& pairs) const {
+    return minimum_of(pairs, factor_, start_);
+}
 
 GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs) {
     require_pairs(pairs);

@@ -13,13 +13,13 @@ LeftOutPrediction predicted_by(const GeneralisedFit& others, const PairPoint& pa
     const auto& scatter = others.scatter;
     const auto& freedom = others.freedom;
     // of the group that stayed in the fit the others know the effect in part: it counts whole
-    const auto anew = [](double size, double known_with, const char* name) {
+    const auto anew = [&pair](double size, double known_with, const char* groups) {
         const Estimate effect{.value = 0.0, .standard_error = size, .degrees_of_freedom = known_with};
-        return TracedValue(effect, std::string(name) + ", anew").components;
+        return TracedValue(effect, pair.scatter_between(groups) + ", anew").components;
     };
-    const auto of_model = combined({{1.0, anew(scatter.pair, freedom.pair, scatter_of_pairs)},
-                                    {1.0, anew(scatter.surface, freedom.surface, scatter_of_surfaces)},
-                                    {1.0, anew(scatter.elastomer, freedom.elastomer, scatter_of_elastomers)}});
+    const auto of_model = combined({{1.0, anew(scatter.pair, freedom.pair, "pairs")},
+                                    {1.0, anew(scatter.surface, freedom.surface, "surfaces")},
+                                    {1.0, anew(scatter.elastomer, freedom.elastomer, "elastomers")}});
     const auto of_work = combined({{share * pair.slope, others.work_of_adhesion.components}, {1.0, of_model}});
     const TracedValue predicted{pair.prediction(work),
                                 combined({{share, pair.prediction_inputs(work)}, {1.0, of_work}})};

@@ -22,7 +22,18 @@ double PairPoint::prediction_variance(double work) const {
     return covariance(inputs, inputs);
 }
 
-std::string PairPoint::own_noise() const { return fmt::format("{}{} × {}", own_noise_of, surface, elastomer); }
+std::string PairPoint::own_noise() const {
+    return fmt::format("{}{} on {} × {}", own_noise_of, quantity, surface, elastomer);
+}
+
+std::string PairPoint::scatter_between(const char* groups) const {
+    return fmt::format("scatter of {} about the balance between {}", quantity, groups);
+}
+
+TracedValue raw_prediction(const PairPoint& pair, const TracedValue& work) {
+    return {pair.raw_prediction(work.value),
+            combined({{1.0, pair.prediction_inputs(work.value)}, {pair.slope, work.components}})};
+}
 
 Components residual_inputs(const PairPoint& pair, double work) {
     const double relative = pair.measured.value > 0.0 ? pair.prediction(work) / pair.measured.value : 1.0;

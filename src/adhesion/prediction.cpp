@@ -35,12 +35,6 @@ PairPoint point(const RoughSide& rough, const SoftSide& soft, AreaRatio area_rat
     return pair;
 }
 
-/// W of a balance as a line at W_int.
-TracedValue at_work(const PairPoint& line, const TracedValue& work) {
-    return {line.raw_prediction(work.value),
-            combined({{1.0, line.prediction_inputs(work.value)}, {line.slope, work.components}})};
-}
-
 double error_of(double derivative, const Components& inputs) {
     return std::abs(derivative) * std::sqrt(covariance(inputs, inputs));
 }
@@ -66,7 +60,7 @@ Prediction predict(const RoughSide& rough, const SoftSide& soft, const TracedVal
     prediction.stored_energy = stored.estimate();
     const ConformalState state{prediction.area_ratio, stored.value};
     const auto predicted = [&](const ApparentWork& apparent, const PairPoint& line) {
-        auto traced = at_work(line, work);
+        auto traced = raw_prediction(line, work);
         auto estimate = traced.estimate();
         return PredictedWork{apparent, std::move(traced), std::move(estimate)};
     };
@@ -99,7 +93,7 @@ PredictionCurve prediction_curve(const RoughSide& rough, const TracedValue& surf
                           Array1D(contact_moduli.size())};
     const double reach = normal_quantile(0.975);
     for (Index i = 0; i < contact_moduli.size(); ++i) {
-        const auto at = at_work(modified_point(rough, {"", contact_moduli[i], surface_energy}), work_of_adhesion);
+        const auto at = raw_prediction(modified_point(rough, {"", contact_moduli[i], surface_energy}), work_of_adhesion);
         const double error = at.standard_error();
         curve.work_of_adhesion[i] = std::max(0.0, at.value);
         curve.lower[i] = std::max(0.0, at.value - reach * error);

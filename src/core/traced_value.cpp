@@ -16,7 +16,8 @@ namespace setae {
 TracedValue::TracedValue(const Estimate& input, const std::string& name) : value(input.value) {
     if (!input.uncertain()) return;
     components[name] = {Array1D::Constant(1, input.standard_error),
-                        input.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())};
+                        input.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity()),
+                        input.method == "rectangular"};
 }
 
 double TracedValue::variance() const { return covariance(components, components); }
@@ -52,7 +53,8 @@ Components combined(std::span<const Dependence> parts) {
     for (const auto& part : parts)
         for (const auto& [input, component] : part.on) {
             const auto [at, fresh] = sum.try_emplace(
-                input, Component{part.derivative * component.directions, component.degrees_of_freedom});
+                input, Component{part.derivative * component.directions, component.degrees_of_freedom,
+                                   component.rectangular});
             if (fresh) continue;
             if (at->second.directions.size() != component.directions.size())
                 throw InvalidArgument(fmt::format("input '{}' has {} directions in one value and {} in another", input,

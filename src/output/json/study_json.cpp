@@ -278,12 +278,14 @@ Json elastomer_json(const study::ElastomerResult& elastomer) {
     return json;
 }
 
-Json predicted_json(const adhesion::PredictedWork& predicted, const char* source) {
+Json predicted_json(const adhesion::PredictedWork& predicted, const Estimate& floored_at_0, const char* source) {
     auto q = quantity("work_of_adhesion", "W_app", predicted.estimate, "J/m2");
     q.source = source;
     Json json;
     add(json, q);
-    add(json, named("work_of_adhesion_floored", "max(0, W_app)", predicted.work.floored, "J/m2", source));
+    auto floored = quantity("work_of_adhesion_floored", "max(0, W_app)", floored_at_0, "J/m2");
+    floored.source = source;
+    add(json, floored);
     json["conforms"] = predicted.work.conforms;
     return json;
 }
@@ -301,7 +303,33 @@ Quantity predicted_loss(const Estimate& loss) {
     return q;
 }
 
-Json pair_json(const study::PairResult& pair) {
+/// max(0, (7)) with the interval of linear propagation, or that of draws where the two part.
+Estimate floored_estimate(const study::PairResult& pair) {
+    Estimate estimate{.value = pair.modified->work.floored};
+    if (!pair.drawn || !(pair.drawn->linear_standard_error > 0.0)) return estimate;
+    const auto& drawn = *pair.drawn;
+    estimate.standard_error = drawn.parts ? drawn.standard_error : pair.modified->estimate.standard_error;
+    estimate.method = drawn.parts ? "draws" : "delta";
+    estimate.interval = drawn.parts ? std::optional(drawn.interval) : interval_of(pair.modified->estimate);
+    if (estimate.interval) estimate.interval->lower = std::max(0.0, estimate.interval->lower);
+    return estimate;
+}
+
+Json drawn_json(const adhesion::DrawnValue& drawn, const adhesion::BalanceDraws& draws) {
+    const auto interval = [](const Interval& i) {
+        return Json{{"lower", number(i.lower)}, {"upper", number(i.upper)}, {"level", i.level}};
+    };
+    return {{"draws", draws.count},
+            {"seed", draws.seed},
+            {"standard_error", number(drawn.standard_error)},
+            {"interval", interval(drawn.interval)},
+            {"linear_standard_error", number(drawn.linear_standard_error)},
+            {"linear_interval", interval(drawn.linear_interval)},
+            {"parts_from_linear", drawn.parts},
+            {"unit", "J/m2"}};
+}
+
+Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draws) {
     Json json{{"surface", pair.surface}, {"elastomer", pair.elastomer}, {"experiments", pair.experiments}};
     Json measured;
     const auto add_measured = [&](const char* name, const char* symbol, const std::optional<Estimate>& value,
@@ -326,7 +354,8 @@ Json pair_json(const study::PairResult& pair) {
     if (pair.modified) {
         add(json, named("true_area_ratio", "A_true/A_app", pair.area_ratio, "1", "[D19] (9)"));
         add(json, quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
-        json["modified"] = predicted_json(*pair.modified, "[D19] (7)");
+        json["modified"] = predicted_json(*pair.modified, floored_estimate(pair), "[D19] (7)");
+        if (pair.drawn) json["modified"]["draws"] = drawn_json(*pair.drawn, draws);
         json["modified"]["standard_error_budget"] = {{"spectrum", number(pair.budget->spectrum)},
                                                      {"modulus", number(pair.budget->modulus)},
                                                      {"surface_energy", number(pair.budget->surface_energy)},
@@ -334,8 +363,8 @@ Json pair_json(const study::PairResult& pair) {
                                                      {"unit", "J/m2"}};
         json["predicted_energy_loss"] =
             pair.predicted_loss ? to_json(predicted_loss(*pair.predicted_loss)) : Json(nullptr);
-        json["persson_tosatti"] = predicted_json(*pair.persson_tosatti, "[D19] (S13)");
-        json["without_area_change"] = predicted_json(*pair.without_area_change, "[D19] (2)");
+        json["persson_tosatti"] = predicted_json(*pair.persson_tosatti, {.value = pair.persson_tosatti->work.floored}, "[D19] (S13)");
+        json["without_area_change"] = predicted_json(*pair.without_area_change, {.value = pair.without_area_change->work.floored}, "[D19] (2)");
         if (pair.general)
             json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2",
                                             "of end states, or [D19] (5), (6) where form = printed"));
@@ -365,7 +394,7 @@ Json pair_json(const study::PairResult& pair) {
 
 Json pairs_json(const study::Conclusions& result) {
     Json pairs = Json::array();
-    for (const auto& pair : result.pairs) pairs.push_back(pair_json(pair));
+    for (const auto& pair : result.pairs) pairs.push_back(pair_json(pair, result.draws));
     return pairs;
 }
 
@@ -464,6 +493,8 @@ void add_work(Json& json, const study::Conclusions& result) {
     auto work = quantity("work_of_adhesion", "W_int", *result.work_of_adhesion, "J/m2");
     work.source = result.work_of_adhesion_source;
     json["work_of_adhesion"] = to_json(work);
+    if (result.draws.work_of_adhesion)
+        json["work_of_adhesion_draws"] = drawn_json(*result.draws.work_of_adhesion, result.draws);
 }
 
 /// What quoted numbers rest on, and how well each pair is predicted by the others.

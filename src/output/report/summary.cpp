@@ -92,12 +92,8 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
             if (!reported.empty()) items += fmt::format("<li>{}: no fit; {}.</li>", lead, reported);
             return;
         }
-        // as the verdict states it: pairs of one surface or elastomer correlated where that is known
-        const auto clustered = joined(place, "clustered");
         items += fmt::format("<li>{}: <i>W</i><sub>int</sub> = {}, {}, from {} pairs{}.</li>", lead,
-                             quantity_html(study, entry(study, joined(clustered, "standard_error")).is_number()
-                                                      ? clustered
-                                                      : joined(place, "work_of_adhesion")),
+                             quantity_html(study, joined(place, "generalised/work_of_adhesion")),
                              r_squared(study, place), number_html(study, joined(place, "n"), {}, 0),
                              reported.empty() ? "" : "; " + reported);
     };

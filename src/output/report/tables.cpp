@@ -229,7 +229,7 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
                          const std::string& n) {
         std::string work, r_squared;
         const auto& list = entry(study, "/reported");
-        for (std::size_t i = 0; i < list.size() && reported && variant.empty(); ++i)
+        for (std::size_t i = 0; i < list.size() && reported && variant == "least squares"; ++i)
             if (list[i].at("fit") == fit)
                 (list[i].at("reported").at("quantity") == "r_squared" ? r_squared : work) =
                     fmt::format("/reported/{}/reported", i);
@@ -243,8 +243,9 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
                               nested ? Cell(QuantityCell{joined(place, "chi_squared")}) : TextCell{"–"}, NumberCell{n},
                               cell(work), cell(r_squared)});
     };
-    static constexpr std::array<std::pair<const char*, const char*>, 6> variants{
-        {{"", ""},
+    static constexpr std::array<std::pair<const char*, const char*>, 7> variants{
+        {{"generalised", "all errors with their covariance"},
+         {"", "least squares"},
          {"clustered", "errors clustered by surface and elastomer"},
          {"weighted", "weighted by the measured ±"},
          {"with_extra_scatter", "with extra scatter"},
@@ -255,7 +256,7 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
         for (const auto& [key, name] : variants) {
             const auto where = *key ? joined(place, key) : place;
             if (entry(study, where).is_object())
-                row(fit, prefix.empty() || !*name ? prefix + name : prefix + ", " + name, where, joined(place, "n"));
+                row(fit, prefix.empty() ? name : prefix + ", " + name, where, joined(place, "n"));
         }
     };
     for (const char* fit : {"modified", "persson_tosatti", "without_area_change", "loop"})

@@ -67,7 +67,7 @@ std::string work_by(const std::optional<adhesion::PredictedWork>& predicted) {
 void add_fit(tables::TidyTable& table, const std::string& balance, const adhesion::WorkFit& fit,
              const char* unit = "J/m2") {
     const auto& tested = fit.errors_in_both;
-    table.rows.push_back({balance, number_with_interval(work_of(fit), mJ_per_m2), fmt::format("{:.3f}", fit.r_squared),
+    table.rows.push_back({balance, number_with_interval(work_of(fit), mJ_per_m2), fmt::format("{:.3f}", fit.generalised.r_squared),
                           !tested                       ? "–"
                           : tested->extra_scatter > 0.0 ? format_value(tested->extra_scatter, unit, 2)
                                                         : "none",

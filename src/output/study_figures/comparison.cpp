@@ -188,7 +188,8 @@ std::string why_no_prediction(const StudyResult& result) {
 }
 
 std::string fit_in_words(const adhesion::WorkFit& fit) {
-    return fmt::format("W_int = {}, R² = {:.2f}, n = {}", with_error(fit.clustered, 1e3, "mJ/m2"), fit.r_squared,
+    return fmt::format("W_int = {}, R² = {:.2f}, n = {}", with_error(fit.generalised.work_of_adhesion.estimate(), 1e3, "mJ/m2"),
+                       fit.generalised.r_squared,
                        fit.n);
 }
 
@@ -226,7 +227,7 @@ figures::Figure arranged(const FigureRequest& request, const std::vector<Compari
 std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector<Point>& points) {
     if (!result.loop) return std::nullopt;
     const auto& fit = result.loop->through_origin;
-    const double slope = 1e3 * fit.work_of_adhesion.value;
+    const double slope = 1e3 * fit.generalised.work_of_adhesion.value;
     for (const auto& pair : fit.pairs) {
         const double area = 1e6 * pair.slope, error = 1e6 * std::sqrt(covariance(pair.slope_inputs, pair.slope_inputs));
         Point p{.surface = pair.surface,
@@ -251,7 +252,7 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
                        .horizontal_lines = {0.0},
                        .legend = false};
     set_ranges(drawn, points, false);
-    const auto label = fmt::format("slope {}", with_error(fit.clustered, 1e3, "mJ/m²"));
+    const auto label = fmt::format("slope {}", with_error(fit.generalised.work_of_adhesion.estimate(), 1e3, "mJ/m²"));
     drawn.values.series.push_back(line(label, slope, 0.0, *drawn.values.x.to));
     drawn.values.notes.push_back({.text = label,
                                   .x = 0.02 * *drawn.values.x.to,
@@ -316,11 +317,10 @@ void persson_tosatti_prediction(const FigureRequest& request, StudyFigure& drawn
     std::string source;
     if (result.persson_tosatti) {
         const auto& fit = *result.persson_tosatti;
-        const double work = fit.work_of_adhesion.value;
+        const auto& work = fit.generalised.work_of_adhesion;
         for (const auto& point : fit.pairs) {
-            const double raw = point.slope * work - point.offset;
-            const double error =
-                std::sqrt(point.prediction_variance(work) + point.slope * point.slope * fit.clustered.variance());
+            const auto predicted = raw_prediction(point, work);
+            const double raw = predicted.value, error = predicted.standard_error();
             for (const auto& pair : result.pairs)
                 if (pair.surface == point.surface && pair.elastomer == point.elastomer)
                     points.push_back(point_of(pair, raw, error, point.measured));

@@ -8,6 +8,7 @@
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/core/words.hpp"
+#include "setae/output/budget.hpp"
 
 namespace setae::output {
 namespace {
@@ -27,7 +28,7 @@ std::string sentence_of_test(const adhesion::PredictionTest& test) {
 /// W_int of loss beside that of approach.
 std::string sentence_of_loss(const StudyResult& result) {
     if (!result.loop) return "";
-    const auto& loss = work_of(result.loop->through_origin);
+    const auto loss = work_of(result.loop->through_origin);
     const auto number = format_interval(loss, "J/m2");
     if (!result.modified) return fmt::format("By the loss, W_int is {}.", number);
     const auto apart = *loss_less_approach(result);
@@ -44,7 +45,8 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     if (result.prediction_test) text = sentence_of_test(*result.prediction_test);
     const bool explained = result.prediction_test && result.prediction_test->probability >= improbable;
     if (fitted) {
-        const auto work = format_interval(work_of(*result.modified), "J/m2");
+        const auto work = format_interval(
+            result.study.work_of_adhesion ? work_of(*result.modified) : *result.work_of_adhesion, "J/m2");
         if (text.empty())
             text = fmt::format("W_int is {} from {}; nothing tests (7)", work, pairs_text(result.modified->n));
         else text += fmt::format("{}W_int {}", explained ? ": " : ". ", work);
@@ -55,6 +57,9 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     if (explained)
         text += fmt::format(" ({}, {})", pairs_text(result.prediction_test->n), test_text(*result.prediction_test));
     std::vector<std::string> sentences{text + "."};
+    if (const auto budgets = budgets_of(result);
+        fitted && !budgets.empty() && budgets.front().quantity == "work_of_adhesion")
+        sentences.push_back(budget_sentence(budgets.front()) + ".");
     if (auto loss = sentence_of_loss(result); !loss.empty()) sentences.push_back(std::move(loss));
     return sentences;
 }
@@ -106,7 +111,11 @@ std::string test_text(const adhesion::PredictionTest& test) {
 
 std::optional<Estimate> loss_less_approach(const StudyResult& result) {
     if (!result.loop || !result.modified) return std::nullopt;
-    return difference(work_of(result.loop->through_origin), work_of(*result.modified));
+    const auto &loss = result.loop->through_origin.generalised.work_of_adhesion,
+               &approach = result.modified->generalised.work_of_adhesion;
+    return TracedValue{loss.value - approach.value,
+                       combined({{1.0, loss.components}, {-1.0, approach.components}})}
+        .estimate();
 }
 
 bool may_be_zero(const Estimate& difference) {
@@ -114,8 +123,8 @@ bool may_be_zero(const Estimate& difference) {
     return interval && interval->lower <= 0.0 && interval->upper >= 0.0;
 }
 
-const Estimate& work_of(const adhesion::WorkFit& fit) {
-    return fit.clustered.uncertain() ? fit.clustered : fit.work_of_adhesion;
+Estimate work_of(const adhesion::WorkFit& fit) {
+    return fit.generalised.work_of_adhesion.estimate("generalised least squares");
 }
 
 std::vector<std::string> answer_of(const StudyResult& result) {

@@ -13,9 +13,8 @@ namespace setae::output {
 /// The sentences of Verdict::answer.
 [[nodiscard]] std::vector<std::string> answer_of(const study::StudyResult& result);
 
-/// W_int of a fit as it is stated first: pairs of one surface or of one elastomer count as correlated where there are
-/// groups to say how much, else as independent.
-[[nodiscard]] const Estimate& work_of(const adhesion::WorkFit& fit);
+/// W_int of a fit as it is stated first: by generalised least squares.
+[[nodiscard]] Estimate work_of(const adhesion::WorkFit& fit);
 
 /// The sentences of Verdict::findings.
 [[nodiscard]] std::vector<std::string> findings_of(const study::StudyResult& result);
@@ -32,7 +31,7 @@ inline constexpr double improbable = 0.05;
 /// "4 pairs".
 [[nodiscard]] std::string pairs_text(int n);
 
-/// The loss's W_int less that of the approach; nothing where either is missing.
+/// The loss's W_int less that of the approach, with what both rest on; nothing where either is missing.
 [[nodiscard]] std::optional<Estimate> loss_less_approach(const study::StudyResult& result);
 
 /// Whether an interval of a difference holds 0; not where there is no interval.

@@ -35,6 +35,7 @@ public:
     void fit();
     void predict();
     void test();
+    void draw();
 
 private:
     using Balance = PairPoint (*)(const RoughSide&, const SoftSide&);
@@ -120,6 +121,7 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
         PairPoint point;
         point.surface = pair.surface;
         point.elastomer = pair.elastomer;
+        point.quantity = "E_loss";
         point.measured = *pair.loss;
         point.slope = rough.parameters.area_ratio() * *pair.contact_area;
         const RoughSide side{pair.surface, rough.parameters, rough.spread};
@@ -368,6 +370,35 @@ void Concluding::test() {
     }
 }
 
+/// Draws of everything W_int and the predictions rest on; where an interval of theirs parts from linear propagation, it
+/// takes that one's place.
+void Concluding::draw() {
+    constexpr int draws = 1000;
+    if (!to_.work_of_adhesion) return;
+    std::vector<PairPoint> lines;
+    std::vector<PairResult*> predicted;
+    for (auto& pair : to_.pairs) {
+        if (!pair.modified) continue;
+        const auto rough = in_contact(pair, to_.spectrum_of(result_.surface(pair.surface)).parameters);
+        lines.push_back(adhesion::modified_point({pair.surface, rough.parameters, rough.spread},
+                                                 result_.elastomer(pair.elastomer).soft_side()));
+        predicted.push_back(&pair);
+    }
+    if (!to_.traced_work_of_adhesion.components.empty() || !lines.empty()) {
+        const bool fitted = !result_.study.work_of_adhesion;
+        const adhesion::GeneralisedFit given{.work_of_adhesion = to_.traced_work_of_adhesion};
+        const auto drawn = adhesion::draw_balances(fitted ? to_.modified->pairs : std::vector<PairPoint>{},
+                                                   fitted ? to_.modified->generalised : given, lines, draws,
+                                                   result_.study.analysis.seed);
+        for (std::size_t i = 0; i < predicted.size(); ++i) predicted[i]->drawn = drawn.predictions[i];
+        to_.draws = {.count = drawn.count, .seed = drawn.seed, .work_of_adhesion = drawn.work_of_adhesion};
+    }
+    if (to_.draws.work_of_adhesion && to_.draws.work_of_adhesion->parts) {
+        to_.work_of_adhesion->interval = to_.draws.work_of_adhesion->interval;
+        to_.work_of_adhesion->method += ", interval by draws";
+    }
+}
+
 }  // namespace
 
 void conclude(const StudyResult& result, Conclusions& conclusions) {
@@ -375,6 +406,7 @@ void conclude(const StudyResult& result, Conclusions& conclusions) {
     concluding.fit();
     concluding.predict();
     concluding.test();
+    concluding.draw();
 }
 
 }  // namespace setae::study

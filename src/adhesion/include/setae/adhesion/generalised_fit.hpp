@@ -47,9 +47,4 @@ struct GeneralisedFit {
 /// The same with the scatter held.
 [[nodiscard]] GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelScatter& scatter);
 
-/// Names of the inputs that the scatter is.
-inline constexpr const char* scatter_of_pairs = "scatter of pairs about the balance";
-inline constexpr const char* scatter_of_surfaces = "scatter of surfaces about the balance";
-inline constexpr const char* scatter_of_elastomers = "scatter of elastomers about the balance";
-
 }  // namespace setae::adhesion

@@ -9,7 +9,7 @@
 namespace setae::adhesion {
 
 /// What the names of noise that no two pairs share begin with.
-inline constexpr const char* own_noise_of = "measured on ";
+inline constexpr const char* own_noise_of = "noise of ";
 
 /// One surface × elastomer pair as a fit of the intrinsic work of adhesion W sees it.
 ///
@@ -20,9 +20,10 @@ inline constexpr const char* own_noise_of = "measured on ";
 struct PairPoint {
     std::string surface;
     std::string elastomer;
-    Estimate measured;           ///< its standard error is its own noise, what no other pair shares
-    Components measured_inputs;  ///< what it shares with others: radius of a lens, calibrations
-    double slope = 0.0;          ///< > 0
+    std::string quantity = "W_app";  ///< what was measured
+    Estimate measured;               ///< its standard error is its own noise, what no other pair shares
+    Components measured_inputs;      ///< what it shares with others: radius of a lens, calibrations
+    double slope = 0.0;              ///< > 0
     double offset = 0.0;
     Components slope_inputs, offset_inputs;
     bool floored = true;  ///< predictions stop at 0
@@ -32,9 +33,14 @@ struct PairPoint {
     /// Components of slope · W − offset, W exact.
     [[nodiscard]] Components prediction_inputs(double work) const;
     [[nodiscard]] double prediction_variance(double work) const;
-    /// Name of the input that the pair's own noise is.
+    /// Names of the inputs that the pair's own noise is, and the scatter of all pairs' values between pairs, surfaces or
+    /// elastomers.
     [[nodiscard]] std::string own_noise() const;
+    [[nodiscard]] std::string scatter_between(const char* groups) const;
 };
+
+/// slope · W − offset with every input it rests on.
+[[nodiscard]] TracedValue raw_prediction(const PairPoint& pair, const TracedValue& work);
 
 /// Components of measured − prediction(W), W exact and own noise left out. Relative errors of the measured value are
 /// taken of the prediction: of the measured value itself, its noise would weigh pairs that came out small more.

@@ -23,6 +23,7 @@ namespace setae {
 struct Component {
     Array1D directions;
     double degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< of the input's standard error
+    bool rectangular = false;  ///< its one direction is as probable anywhere within ±√3, else normal
 
     [[nodiscard]] double variance() const { return directions.square().sum(); }
 };

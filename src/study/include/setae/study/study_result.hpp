@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setae/adhesion/balance_comparison.hpp"
+#include "setae/adhesion/balance_draws.hpp"
 #include "setae/adhesion/contact_scales.hpp"
 #include "setae/adhesion/left_out.hpp"
 #include "setae/adhesion/pair_fit.hpp"
@@ -78,6 +79,7 @@ struct PairResult {
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
     std::optional<Estimate> predicted_loss;       ///< (10) at W_int and the contact area, measured or of `loop` [J]
+    std::optional<adhesion::DrawnValue> drawn;    ///< max(0, (7)) by draws of everything it rests on [J/m²]
     TracedValue traced_loss;                      ///< the same with every input it rests on; of value 0 without it
     std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and (7) conforms
     /// W_app by (7) with waves beyond both ends of the surface's data [J/m²]
@@ -143,6 +145,7 @@ struct Conclusions {
     Outcome<Estimate> work_of_adhesion;  ///< W_int of the predictions [J/m²]
     std::string work_of_adhesion_source;
     TracedValue traced_work_of_adhesion;  ///< the same with every input it rests on; of value 0 where there is none
+    adhesion::BalanceDraws draws;         ///< of W_int; those of predictions stand with their pairs
     std::vector<adhesion::LeftOutPrediction> left_out;  ///< of (7), where it was fitted
     Outcome<adhesion::WorkFit> modified;
     Outcome<adhesion::WorkFit> persson_tosatti;

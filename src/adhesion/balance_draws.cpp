@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/adhesion/balance_draws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "generalised_weights.hpp"
+#include "setae/core/resampling.hpp"
+#include "setae/core/statistics.hpp"
+#include "setae/numerics/random_numbers.hpp"
+
+namespace setae::adhesion {
+namespace {
+
+/// Places of all inputs' directions in one vector of deviates.
+class Deviates {
+public:
+    void add(const Components& inputs) {
+        for (const auto& [name, component] : inputs) {
+            const auto [at, fresh] = places_.try_emplace(name, Place{size_, component.rectangular});
+            if (fresh) size_ += component.directions.size();
+        }
+    }
+
+    void draw(numerics::RandomKey key) {
+        values_ = numerics::normal_numbers(key, 0, size_);
+        for (const auto& [name, place] : places_)
+            if (place.rectangular)  // one direction each
+                values_[place.first] = std::sqrt(12.0) * (normal_probability(values_[place.first]) - 0.5);
+    }
+
+    /// How far the inputs drawn move a value.
+    [[nodiscard]] double moved(const Components& inputs) const {
+        double sum = 0.0;
+        for (const auto& [name, component] : inputs)
+            sum += (component.directions * values_.segment(places_.at(name).first, component.directions.size())).sum();
+        return sum;
+    }
+
+private:
+    struct Place {
+        Index first = 0;
+        bool rectangular = false;
+    };
+    std::map<std::string, Place> places_;
+    Index size_ = 0;
+    Array1D values_;
+};
+
+/// Effects of the model's scatter, one of every pair, surface and elastomer.
+class Effects {
+public:
+    explicit Effects(const ModelScatter& scatter) : scatter_(scatter) {}
+
+    void draw(numerics::RandomKey key) {
+        key_ = key;
+        known_.clear();
+    }
+    [[nodiscard]] double of(const PairPoint& pair) {
+        return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) + scatter_.surface * one("s" + pair.surface) +
+               scatter_.elastomer * one("e" + pair.elastomer);
+    }
+
+private:
+    double one(const std::string& name) {
+        const auto [at, fresh] = known_.try_emplace(name, 0.0);
+        if (fresh) at->second = numerics::normal_number(key_, known_.size());
+        return at->second;
+    }
+
+    ModelScatter scatter_;
+    numerics::RandomKey key_;
+    std::map<std::string, double> known_;
+};
+
+DrawnValue drawn_value(double value, const TracedValue& linear, std::vector<double> draws) {
+    DrawnValue result{.value = value, .linear_standard_error = linear.standard_error()};
+    double mean = 0.0, squares = 0.0;
+    for (const double draw : draws) mean += draw / static_cast<double>(draws.size());
+    for (const double draw : draws) squares += (draw - mean) * (draw - mean);
+    result.standard_error = std::sqrt(squares / (static_cast<double>(draws.size()) - 1.0));
+    result.interval = percentile_interval(std::move(draws));
+    const double reach = normal_quantile(0.975) * result.linear_standard_error;
+    result.linear_interval = {value - reach, value + reach};
+    constexpr double tenth = 0.1;
+    const double most = tenth * 2.0 * reach;
+    result.parts = std::abs(result.interval.lower - result.linear_interval.lower) > most ||
+                   std::abs(result.interval.upper - result.linear_interval.upper) > most;
+    return result;
+}
+
+}  // namespace
+
+BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit,
+                           const std::vector<PairPoint>& lines, int count, std::uint64_t seed) {
+    const auto& work = fit.work_of_adhesion;
+    Deviates deviates;
+    if (pairs.empty()) deviates.add(work.components);
+    for (const auto* list : {&pairs, &lines})
+        for (const auto& pair : *list)
+            for (const auto* inputs : {&pair.measured_inputs, &pair.slope_inputs, &pair.offset_inputs})
+                deviates.add(*inputs);
+    std::optional<GeneralisedWeights> weights;
+    if (!pairs.empty()) weights.emplace(pairs, fit);
+    Effects effects(fit.scatter);
+    std::vector<double> works;
+    std::vector<std::vector<double>> predictions(lines.size());
+    for (int d = 0; d < count; ++d) {
+        const numerics::RandomKey key{seed, static_cast<std::uint64_t>(d)};
+        deviates.draw(substream(key, 0));
+        effects.draw(substream(key, 1));
+        const auto noise = numerics::normal_numbers(substream(key, 2), 0, static_cast<Index>(pairs.size()));
+        const auto at_draw = [&](PairPoint pair) {
+            pair.slope += deviates.moved(pair.slope_inputs);
+            pair.offset += deviates.moved(pair.offset_inputs);
+            return pair;
+        };
+        double drawn = work.value;
+        if (weights) {
+            std::vector<PairPoint> there;
+            for (std::size_t i = 0; i < pairs.size(); ++i) {
+                auto pair = at_draw(pairs[i]);
+                const auto& measured = pairs[i].measured;
+                const double relative =
+                    measured.value > 0.0 ? pairs[i].prediction(work.value) / measured.value : 1.0;
+                pair.measured.value += relative * deviates.moved(pair.measured_inputs) + effects.of(pair) +
+                                       (measured.uncertain() ? measured.standard_error * noise[static_cast<Index>(i)] : 0.0);
+                there.push_back(std::move(pair));
+            }
+            drawn = weights->work_of(there);
+        } else {
+            drawn += deviates.moved(work.components);
+        }
+        works.push_back(drawn);
+        for (std::size_t k = 0; k < lines.size(); ++k) predictions[k].push_back(at_draw(lines[k]).prediction(drawn));
+    }
+    BalanceDraws result{.count = count, .seed = seed};
+    if (weights) result.work_of_adhesion = drawn_value(work.value, work, works);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const auto linear = raw_prediction(lines[k], work);
+        result.predictions.push_back(
+            drawn_value(lines[k].prediction(work.value), linear, std::move(predictions[k])));
+    }
+    return result;
+}
+
+}  // namespace setae::adhesion
