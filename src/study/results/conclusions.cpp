@@ -394,8 +394,10 @@ void Concluding::draw() {
         to_.draws = {.count = drawn.count, .seed = drawn.seed, .work_of_adhesion = drawn.work_of_adhesion};
     }
     if (to_.draws.work_of_adhesion && to_.draws.work_of_adhesion->parts) {
-        to_.work_of_adhesion->interval = to_.draws.work_of_adhesion->interval;
-        to_.work_of_adhesion->method += ", interval by draws";
+        auto work = *to_.work_of_adhesion;
+        work.interval = to_.draws.work_of_adhesion->interval;
+        work.method += ", interval by draws";
+        to_.work_of_adhesion = std::move(work);
     }
 }
 

@@ -19,7 +19,7 @@ struct Verdict {
 ///
 /// Roughness explains the approach where the χ² of (7) with both errors has a probability of at least 0.05; two works
 /// of adhesion are consistent where the 95 % interval of their difference holds 0. Their errors are those of
-/// WorkFit::clustered, where pairs are enough for it.
+/// WorkFit::generalised, with what both rest on.
 [[nodiscard]] Verdict verdict(const study::StudyResult& result);
 
 /// Why a pair may be some standard errors from its prediction while the test of all pairs is passed, in sentences.
