@@ -5,11 +5,13 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "setae/bytes/toml_text.hpp"
+#include "stated_draws.hpp"
 
 namespace setae::simulation {
 namespace {
@@ -33,6 +35,83 @@ Json to_json(const LoopSpecimen& specimen, const LoopTruth& truth) {
             {"jump_in_loss", truth.jump_in_loss},
             {"pinning_loss", truth.pinning_loss},
             {"jump_out_loss", truth.jump_out_loss}};
+}
+
+struct StudyLines {
+    std::string text;
+
+    template <class... Parts>
+    void add(fmt::format_string<Parts...> form, Parts&&... parts) {
+        fmt::format_to(std::back_inserter(text), form, std::forward<Parts>(parts)...);
+        text += '\n';
+    }
+};
+
+void add_inputs(StudyLines& lines, const Recipe& recipe) {
+    const auto inputs = named_inputs(recipe);
+    if (inputs.empty()) return;
+    lines.add("\n[inputs]");
+    for (const auto& [quantity, unit] : inputs)
+        lines.add("{} = \"{}\"", bytes::toml_quoted(quantity.input), told_text(quantity.told, unit));
+}
+
+/// A measurement as an entry of its surface's list.
+std::string measurement_text(const MeasurementFile& m) {
+    std::string text = fmt::format("{{ file = {}, instrument = \"{}\"", bytes::toml_quoted(m.file), m.instrument);
+    const auto add = [&](const char* key, const std::string& value) {
+        if (!value.empty()) text += fmt::format(", {} = \"{}\"", key, value);
+    };
+    add("tip_radius", m.tip_radius);
+    add("height_calibration", m.height_calibration);
+    add("lateral_calibration", m.lateral_calibration);
+    if (m.foil_thickness > 0.0) add("foil_thickness", fmt::format("{:.6g} nm", nano * m.foil_thickness));
+    std::string references;
+    for (const auto& file : m.references)
+        references += (references.empty() ? ", references = [" : ", ") + bytes::toml_quoted(file);
+    if (!references.empty()) references += "]";
+    return text + references + " }";
+}
+
+/// Whether the study has no loop to take the modulus from, or is told of it all the same.
+bool modulus_is_told(const ElastomerRecipe& elastomer, const std::vector<PlantedLoop>& loops) {
+    return elastomer.tell_modulus ||
+           std::none_of(loops.begin(), loops.end(), [](const PlantedLoop& loop) { return loop.measured; });
+}
+
+void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecipe& elastomer,
+                   const std::vector<PlantedLoop>& loops) {
+    const auto& [modulus, energy, radius] =
+        std::tie(elastomer.youngs_modulus, elastomer.surface_energy, elastomer.sphere_radius);
+    lines.add("\n[elastomers.{}]", bytes::toml_quoted(elastomer.name));
+    if (modulus_is_told(elastomer, loops)) {
+        if (modulus.told.uncertain()) lines.add("youngs_modulus = \"{}\"", told_text(modulus.told, "Pa"));
+        else lines.add("youngs_modulus = \"{} Pa\"", modulus.value);
+    }
+    lines.add("poisson_ratio = {}", elastomer.poisson_ratio);
+    if (energy.input.empty())
+        lines.add("surface_energy = \"{} ± {} J/m2\"", energy.told.value, energy.told.standard_error);
+    else lines.add("surface_energy = {}", bytes::toml_quoted(energy.input));
+    if (!radius.input.empty()) lines.add("sphere_radius = {}", bytes::toml_quoted(radius.input));
+    else if (radius.told.uncertain()) lines.add("sphere_radius = \"{}\"", told_text(radius.told, "m"));
+    else lines.add("sphere_radius = \"{} m\"", radius.value);
+    if (std::any_of(loops.begin(), loops.end(), [&](const PlantedLoop& loop) {
+            return !loop.measured && loop.elastomer == elastomer.name;
+        }))
+        lines.add("preload = \"{} N\"", recipe.loops->protocol.maximum_force);
+}
+
+/// Factors of the machine that made all loops.
+void add_machine(StudyLines& lines, const Calibrations& factors) {
+    bool begun = false;
+    const auto add = [&](const char* key, const std::optional<StatedQuantity>& factor) {
+        if (!factor) return;
+        if (!begun) lines.add("\n[loops]");
+        begun = true;
+        lines.add("{} = {}", key, bytes::toml_quoted(factor->input));
+    };
+    add("force_calibration", factors.force);
+    add("displacement_calibration", factors.displacement);
+    add("contact_radius_calibration", factors.contact_radius);
 }
 
 }  // namespace
@@ -105,11 +184,12 @@ std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& su
         truth["surfaces"][recipe.surfaces[i].surface.name]["spectrum"] = std::move(numbers);
     }
     for (const auto& elastomer : recipe.elastomers)
-        truth["elastomers"][elastomer.name] = {{"youngs_modulus", elastomer.youngs_modulus},
+        truth["elastomers"][elastomer.name] = {{"youngs_modulus", elastomer.youngs_modulus.value},
                                                {"surface_energy", elastomer.surface_energy.value},
-                                               {"sphere_radius", elastomer.sphere_radius}};
+                                               {"sphere_radius", elastomer.sphere_radius.value}};
+    for (const auto& [quantity, unit] : named_inputs(recipe)) truth["inputs"][quantity.input] = quantity.value;
     for (const auto& loop : loops) {
-        Json entry{{"file", loop.file}};
+        Json entry = loop.measured ? Json{{"file", loop.file}} : Json{{"measured", false}};
         if (!loop.surface.empty()) entry["surface"] = loop.surface;
         entry["elastomer"] = loop.elastomer;
         if (!loop.stage.empty()) entry["stage"] = loop.stage;
@@ -121,51 +201,34 @@ std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& su
 
 std::string study_text(const Recipe& recipe, const std::vector<std::vector<MeasurementFile>>& measurements,
                        const std::vector<PlantedLoop>& loops) {
-    std::string text = "# Written by `setae lab make`; truth.json says what it should find.\n";
-    const auto line = [&]<class... Parts>(fmt::format_string<Parts...> form, Parts&&... parts) {
-        fmt::format_to(std::back_inserter(text), form, std::forward<Parts>(parts)...);
-        text += '\n';
-    };
-    line("title = {}", bytes::toml_quoted(recipe.title));
-    if (!recipe.description.empty()) line("description = {}", bytes::toml_quoted(recipe.description));
+    StudyLines lines;
+    lines.add("# Written by `setae lab make`; truth.json says what it should find.");
+    lines.add("title = {}", bytes::toml_quoted(recipe.title));
+    if (!recipe.description.empty()) lines.add("description = {}", bytes::toml_quoted(recipe.description));
+    add_inputs(lines, recipe);
     double shortest = recipe.surfaces.front().surface.short_wavelength;
     for (const auto& rough : recipe.surfaces) shortest = std::min(shortest, rough.surface.short_wavelength);
-    line("\n[analysis]\nshortest_wavelength = \"{} m\"", shortest);
-    line("\n[rough_solid]\nyoungs_modulus = \"{} Pa\"\npoisson_ratio = {}", recipe.counter_youngs_modulus,
-         recipe.counter_poisson_ratio);
+    lines.add("\n[analysis]\nshortest_wavelength = \"{} m\"", shortest);
+    lines.add("\n[rough_solid]\nyoungs_modulus = \"{} Pa\"\npoisson_ratio = {}", recipe.counter_youngs_modulus,
+              recipe.counter_poisson_ratio);
     for (std::size_t i = 0; i < recipe.surfaces.size(); ++i) {
         const auto& surface = recipe.surfaces[i].surface;
-        line("\n[surfaces.{}]", bytes::toml_quoted(surface.name));
-        if (!surface.description.empty()) line("description = {}", bytes::toml_quoted(surface.description));
-        line("measurements = [");
-        for (const auto& m : measurements[i]) {
-            const std::string tip = m.tip_radius.empty() ? "" : fmt::format(", tip_radius = \"{}\"", m.tip_radius);
-            const std::string foil =
-                m.foil_thickness > 0.0 ? fmt::format(", foil_thickness = \"{:.6g} nm\"", nano * m.foil_thickness) : "";
-            std::string references;
-            for (const auto& file : m.references)
-                references += (references.empty() ? ", references = [" : ", ") + bytes::toml_quoted(file);
-            if (!references.empty()) references += "]";
-            line("  {{ file = {}, instrument = \"{}\"{}{}{} }},", bytes::toml_quoted(m.file), m.instrument, tip, foil,
-                 references);
-        }
-        line("]");
+        lines.add("\n[surfaces.{}]", bytes::toml_quoted(surface.name));
+        if (!surface.description.empty()) lines.add("description = {}", bytes::toml_quoted(surface.description));
+        lines.add("measurements = [");
+        for (const auto& measurement : measurements[i]) lines.add("  {},", measurement_text(measurement));
+        lines.add("]");
     }
-    for (const auto& elastomer : recipe.elastomers) {
-        line("\n[elastomers.{}]", bytes::toml_quoted(elastomer.name));
-        if (loops.empty()) line("youngs_modulus = \"{} Pa\"", elastomer.youngs_modulus);
-        line("poisson_ratio = {}", elastomer.poisson_ratio);
-        line("surface_energy = \"{} ± {} J/m2\"", elastomer.surface_energy.value,
-             elastomer.surface_energy.standard_error);
-        line("sphere_radius = \"{} m\"", elastomer.sphere_radius);
-    }
+    for (const auto& elastomer : recipe.elastomers) add_elastomer(lines, recipe, elastomer, loops);
+    if (recipe.loops) add_machine(lines, recipe.calibrations);
     for (const auto& loop : loops) {
-        line("\n[[experiments]]\nfile = {}\nelastomer = {}", bytes::toml_quoted(loop.file),
-             bytes::toml_quoted(loop.elastomer));
-        if (loop.surface.empty()) line("role = \"reference\"\nstage = \"{}\"", loop.stage);
-        else line("surface = {}", bytes::toml_quoted(loop.surface));
+        if (!loop.measured) continue;
+        lines.add("\n[[experiments]]\nfile = {}\nelastomer = {}", bytes::toml_quoted(loop.file),
+                  bytes::toml_quoted(loop.elastomer));
+        if (loop.surface.empty()) lines.add("role = \"reference\"\nstage = \"{}\"", loop.stage);
+        else lines.add("surface = {}", bytes::toml_quoted(loop.surface));
     }
-    return text;
+    return lines.text;
 }
 
 }  // namespace setae::simulation

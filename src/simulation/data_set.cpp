@@ -12,6 +12,8 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/table_file.hpp"
+#include "stated_draws.hpp"
+#include "stated_records.hpp"
 #include "surfaces/surface_patches.hpp"
 
 namespace setae::simulation {
@@ -32,11 +34,20 @@ struct Job {
 };
 constexpr double cost_of_strip = 1e9;
 
-/// What the study is told of a tip; nothing of none.
-std::string tip_text(double radius, double standard_error) {
-    if (radius == 0.0) return "";
-    return standard_error > 0.0 ? fmt::format("{:.9g} ± {:.9g} m", radius, standard_error)
-                                : fmt::format("{:.9g} m", radius);
+/// What the study is told of a tip: its name where it is that of all surfaces, nothing of none.
+template <class Protocol>
+std::string tip_text(const Protocol& protocol, const std::optional<StatedQuantity>& shared) {
+    if (protocol.tip_radius == 0.0) return "";
+    return shared ? shared->input : told_text({protocol.tip_radius, protocol.tip_radius_standard_error}, "m");
+}
+
+/// How a measurement of an instrument is listed, without its file.
+MeasurementFile entry_of(const char* instrument, const InstrumentCalibration& factors, std::string tip) {
+    const auto name_of = [](const std::optional<StatedQuantity>& factor) { return factor ? factor->input : ""; };
+    return {.instrument = instrument,
+            .tip_radius = std::move(tip),
+            .height_calibration = name_of(factors.height),
+            .lateral_calibration = name_of(factors.lateral)};
 }
 
 /// Collects what is to be written, then writes it with all threads; the order of the list is that of the calls.
@@ -54,23 +65,28 @@ public:
         if (rough.stylus) add_stylus(rough, stem, C1D, substream(key, of_stylus), files);
         if (rough.afm) {
             const auto names = named(stem, "afm", "txt", rough.afm->sizes.size());
+            const auto& factors = recipe_.calibrations.afm;
+            const auto entry = entry_of("afm", factors, tip_text(*rough.afm, recipe_.afm_tip));
             for (std::size_t k = 0; k < names.size(); ++k) {
-                files.push_back(
-                    {names[k], "afm", tip_text(rough.afm->tip_radius, rough.afm->tip_radius_standard_error), 0.0, {}});
+                files.emplace_back(entry).file = names[k];
                 const auto side = static_cast<double>(rough.afm->pixels_of(k));
-                jobs_.push_back({side * side, [this, &rough, key, k, name = names[k]] {
-                                     write(name,
-                                           map_text(afm_scan(rough.surface, *rough.afm, k, substream(key, of_afm))));
+                jobs_.push_back({side * side, [this, &rough, &factors, key, k, name = names[k]] {
+                                     const auto map = afm_scan(rough.surface, *rough.afm, k, substream(key, of_afm));
+                                     write(name, map_text(stated(map, factors)));
                                  }});
             }
         }
         if (rough.tem) {
             const auto names = named(stem, "tem", "csv", rough.tem->lengths.size());
+            const auto& factors = recipe_.calibrations.tem;
+            auto entry = entry_of("tem", factors, "");
+            entry.foil_thickness = rough.tem->foil_thickness;
             for (std::size_t k = 0; k < names.size(); ++k) {
-                files.push_back({names[k], "tem", "", rough.tem->foil_thickness, {}});
-                jobs_.push_back({0.0, [this, &rough, C1D, key, k, name = names[k]] {
-                                     write(name, contour_text(tem_contour(rough.surface, *C1D, *rough.tem, k,
-                                                                          substream(key, of_tem))));
+                files.emplace_back(entry).file = names[k];
+                jobs_.push_back({0.0, [this, &rough, &factors, C1D, key, k, name = names[k]] {
+                                     const auto contour =
+                                         tem_contour(rough.surface, *C1D, *rough.tem, k, substream(key, of_tem));
+                                     write(name, contour_text(stated(contour, factors)));
                                  }});
             }
         }
@@ -89,13 +105,14 @@ public:
         loops_ = std::move(loops);
         if (!loops_.empty()) create("loops");
         for (std::size_t i = 0; i < loops_.size(); ++i) {
+            if (!loops_[i].measured) continue;
             listed(loops_[i].file);
             jobs_.push_back(
                 {1.0, [this, i] {
                      LoopArtefacts artefacts = recipe_.loops->artefacts;
                      artefacts.key = substream({.seed = recipe_.seed}, loop_streams + i);
-                     write(loops_[i].file,
-                           loop_text(simulated_loop(loops_[i].specimen, recipe_.loops->protocol, artefacts).loop));
+                     const auto simulated = simulated_loop(loops_[i].specimen, recipe_.loops->protocol, artefacts);
+                     write(loops_[i].file, loop_text(stated(simulated.loop, recipe_.calibrations)));
                  }});
         }
     }
@@ -115,16 +132,21 @@ private:
         const auto names = named(stem, "stylus", "csv", protocol.lengths.size());
         std::vector<std::string> references;
         if (protocol.artefact > 0.0) references = named(stem, "stylus_reference", "csv", protocol.lengths.size());
-        for (std::size_t k = 0; k < names.size(); ++k)
-            files.push_back({names[k], "stylus", tip_text(protocol.tip_radius, protocol.tip_radius_standard_error), 0.0,
-                             references.empty() ? references : std::vector{references[k]}});
-        jobs_.push_back({cost_of_strip, [this, &rough, &protocol, C1D, key, names, references] {
+        const auto& factors = recipe_.calibrations.stylus;
+        const auto entry = entry_of("stylus", factors, tip_text(protocol, recipe_.stylus_tip));
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            auto& listed = files.emplace_back(entry);
+            listed.file = names[k];
+            if (!references.empty()) listed.references = {references[k]};
+        }
+        jobs_.push_back({cost_of_strip, [this, &rough, &protocol, &factors, C1D, key, names, references] {
                              const auto scans = stylus_scans(rough.surface, *C1D, protocol, key);
-                             for (std::size_t k = 0; k < names.size(); ++k) write(names[k], scan_text(scans[k]));
+                             for (std::size_t k = 0; k < names.size(); ++k)
+                                 write(names[k], scan_text(stated(scans[k], factors)));
                              if (references.empty()) return;
                              const auto flats = stylus_references(protocol, key);
                              for (std::size_t k = 0; k < references.size(); ++k)
-                                 write(references[k], scan_text(flats[k]));
+                                 write(references[k], scan_text(stated(flats[k], factors)));
                          }});
     }
 

@@ -5,18 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "name_hash.hpp"
+
 namespace setae::simulation {
 namespace {
 
 /// Beside the streams of measurements and loops.
 constexpr std::uint64_t range_streams = 1ull << 33;
-
-/// FNV-1a, 64 bits.
-std::uint64_t name_hash(const std::string& name) {
-    std::uint64_t hash = 0xcbf29ce484222325ull;
-    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-    return hash;
-}
 
 }  // namespace
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/simulation/recipe.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "range_draws.hpp"
+#include "recipe_elastomers.hpp"
+#include "recipe_instruments.hpp"
 #include "recipe_protocols.hpp"
 #include "setae/core/errors.hpp"
 #include "surfaces/recipe_spectrum.hpp"
@@ -45,18 +48,7 @@ SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Pro
     return recipe;
 }
 
-ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const RangeDraws& draws) {
-    ElastomerRecipe elastomer{.name = name};
-    elastomer.youngs_modulus = draws.required(reader, "youngs_modulus", dimension::pressure);
-    elastomer.poisson_ratio = number_or(reader, "poisson_ratio", elastomer.poisson_ratio);
-    const auto energy = reader.required_uncertain("surface_energy", dimension::surface_energy);
-    elastomer.surface_energy = {energy.value, energy.standard_error > 0.0 ? energy.standard_error : 0.0};
-    elastomer.sphere_radius = required(reader, "sphere_radius", dimension::length);
-    reader.finish();
-    return elastomer;
-}
-
-LoopRecipe read_loops(TomlReader reader) {
+LoopRecipe read_loops(TomlReader& reader) {
     LoopRecipe loops;
     LoadingProtocol& protocol = loops.protocol;
     take(reader, "maximum_force", dimension::force, protocol.maximum_force);
@@ -86,8 +78,34 @@ LoopRecipe read_loops(TomlReader reader) {
                                                                             {"skip", NonconformingPairs::skip}})
                               .value_or(loops.nonconforming);
     loops.reference_work = reader.quantity("reference_work", dimension::surface_energy);
+    reader.each_table("unmeasured", [&](TomlReader pair) {
+        loops.unmeasured.push_back({pair.required_text("surface"), pair.required_text("elastomer")});
+        pair.finish();
+    });
     reader.finish();
     return loops;
+}
+
+/// Pairs without a loop name what there is, and leave the study a modulus of every elastomer.
+void require_declared(const LoopRecipe& loops, const Recipe& recipe, const TomlReader& reader) {
+    const auto count_of = [&](const std::string& elastomer) {
+        return std::count_if(loops.unmeasured.begin(), loops.unmeasured.end(),
+                             [&](const auto& pair) { return pair.elastomer == elastomer; });
+    };
+    for (const auto& pair : loops.unmeasured) {
+        if (std::none_of(recipe.surfaces.begin(), recipe.surfaces.end(),
+                         [&](const auto& rough) { return rough.surface.name == pair.surface; }))
+            reader.fail("unmeasured", fmt::format("surface '{}' is not declared under [surfaces]", pair.surface));
+        const auto soft = std::find_if(recipe.elastomers.begin(), recipe.elastomers.end(),
+                                       [&](const auto& e) { return e.name == pair.elastomer; });
+        if (soft == recipe.elastomers.end())
+            reader.fail("unmeasured", fmt::format("elastomer '{}' is not declared under [elastomers]", pair.elastomer));
+        if (!soft->tell_modulus && !loops.reference_work &&
+            count_of(pair.elastomer) >= static_cast<std::ptrdiff_t>(recipe.surfaces.size()))
+            reader.fail("unmeasured", fmt::format("leaves no loop on '{}' to take its modulus from; add tell_modulus = "
+                                                  "true to [elastomers.{}]",
+                                                  pair.elastomer, pair.elastomer));
+    }
 }
 
 }  // namespace
@@ -117,10 +135,16 @@ Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed) {
         recipe.surfaces.push_back(
             read_surface(name, std::move(inner), protocols, folder, {recipe.seed, "surfaces." + name}));
     });
+    StatedDraws stated(recipe.seed);
+    read_instruments(reader, stated, recipe);
     reader.named_tables("elastomers", [&](const std::string& name, TomlReader inner) {
-        recipe.elastomers.push_back(read_elastomer(name, std::move(inner), {recipe.seed, "elastomers." + name}));
+        recipe.elastomers.push_back(
+            read_elastomer(name, std::move(inner), {recipe.seed, "elastomers." + name}, stated));
     });
-    reader.table("loops", [&](TomlReader inner) { recipe.loops = read_loops(std::move(inner)); });
+    reader.table("loops", [&](TomlReader inner) {
+        recipe.loops = read_loops(inner);
+        require_declared(*recipe.loops, recipe, inner);
+    });
     reader.finish();
     if (recipe.surfaces.empty()) reader.fail("surfaces", "missing: expected [surfaces.NAME]");
     return recipe;

@@ -62,54 +62,71 @@ Estimate between_percentiles(const SpectrumResult& spectrum, const SurfaceQuanti
 
 void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted, const std::string& method,
                           const study::Conclusions& study) {
-    const Comparison row{run, "all", "work_of_adhesion", method, "J/m2", Deviation::absolute, planted, {}};
-    const auto add_fit = [&](const char* quantity, const adhesion::WorkFit& fit) {
-        auto found = row;
-        found.quantity = quantity;
-        found.found = fit.clustered;
-        add(rows, found);
+    const auto add_work = [&](const char* quantity, const Estimate& found) {
+        add(rows, {run, "all", quantity, method, "J/m2", Deviation::absolute, planted, found});
     };
-    if (study.modified) add_fit("work_of_adhesion", *study.modified);
-    if (study.loop) add_fit("work_of_adhesion_from_loss", study.loop->through_origin);
+    if (study.modified) add_work("work_of_adhesion", study.modified->clustered);
+    if (study.work_of_adhesion) add_work("work_of_predictions", *study.work_of_adhesion);
+    if (study.loop) add_work("work_of_adhesion_from_loss", study.loop->through_origin);
 }
 
-void add_predictions(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method,
-                     const study::Conclusions& study) {
+/// Calls visit(planted loop, what the study says of the pair) for every pair of the study that has one.
+void for_each_pair(const Planted& planted, const study::Conclusions& study,
+                   const std::function<void(const simulation::PlantedLoop&, const study::PairResult&)>& visit) {
     for (const auto& loop : planted.loops) {
         const auto pair = std::find_if(study.pairs.begin(), study.pairs.end(), [&](const auto& p) {
             return p.surface == loop.surface && p.elastomer == loop.elastomer;
         });
-        if (loop.surface.empty() || pair == study.pairs.end()) continue;
-        const Comparison row{run,
-                             loop.surface + " × " + loop.elastomer,
-                             "predicted_work",
-                             method,
-                             "J/m2",
-                             Deviation::absolute,
-                             loop.specimen.work_approach,
-                             {}};
-        if (pair->modified) {
-            auto predicted = row;
-            predicted.found = pair->modified->estimate;
-            add(rows, predicted);
-        }
-        if (pair->predicted_loss)
-            add(rows, {run, row.item, "predicted_loss", method, "J", Deviation::relative, loop.truth.energy_loss(),
-                       *pair->predicted_loss});
+        if (!loop.surface.empty() && pair != study.pairs.end()) visit(loop, *pair);
+    }
+}
+
+std::string pair_name(const simulation::PlantedLoop& loop) {
+    return (loop.surface.empty() ? "reference" : loop.surface) + " × " + loop.elastomer;
+}
+
+void add_predictions(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method,
+                     const study::Conclusions& study) {
+    for_each_pair(planted, study, [&](const simulation::PlantedLoop& loop, const study::PairResult& pair) {
+        if (pair.modified)
+            add(rows, {run, pair_name(loop), loop.measured ? "predicted_work" : "new_pair_work", method, "J/m2",
+                       Deviation::absolute, loop.specimen.work_approach, pair.modified->estimate});
+        if (pair.predicted_loss)
+            add(rows, {run, pair_name(loop), loop.measured ? "predicted_loss" : "new_pair_loss", method, "J",
+                       Deviation::relative, loop.truth.energy_loss(), *pair.predicted_loss});
+    });
+}
+
+/// What the study makes of all loops on a pair, and of all on an elastomer.
+void add_measured(std::vector<Comparison>& rows, int run, const Planted& planted, const StudyResult& study) {
+    for_each_pair(planted, study, [&](const simulation::PlantedLoop& loop, const study::PairResult& pair) {
+        if (pair.approach)
+            add(rows, {run, pair_name(loop), "work_approach", "pairs", "J/m2", Deviation::relative,
+                       loop.specimen.work_approach, *pair.approach});
+        if (pair.loss)
+            add(rows, {run, pair_name(loop), "energy_loss", "pairs", "J", Deviation::relative,
+                       loop.truth.energy_loss(), *pair.loss});
+    });
+    for (const auto& elastomer : study.elastomers) {
+        const auto& name = elastomer.input.name;
+        const auto loop = std::find_if(planted.loops.begin(), planted.loops.end(),
+                                       [&](const auto& planted_loop) { return planted_loop.elastomer == name; });
+        if (loop != planted.loops.end() && elastomer.contact_modulus.value > 0.0)
+            add(rows, {run, name, "contact_modulus", "elastomers", "Pa", Deviation::relative,
+                       loop->specimen.contact_modulus, elastomer.contact_modulus});
     }
 }
 
 void add_loop(std::vector<Comparison>& rows, int run, const simulation::PlantedLoop& loop, const StudyResult& study) {
+    if (!loop.measured) return;
     const auto& file = loop.file;
     const auto found = std::find_if(study.experiments.begin(), study.experiments.end(),
                                     [&](const auto& e) { return e.input.file.ends_with(file) && e.analysis; });
     if (found == study.experiments.end()) return;
     const auto& analysis = *found->analysis;
     const auto& fit = analysis.loading.primary();
-    const std::string item =
-        loop.surface.empty() ? "reference × " + loop.elastomer : loop.surface + " × " + loop.elastomer;
     const auto relative = [&](const char* quantity, const char* unit, double value, const Estimate& estimate) {
-        add(rows, {run, item, quantity, "loops", unit, Deviation::relative, value, estimate});
+        add(rows, {run, pair_name(loop), quantity, "loops", unit, Deviation::relative, value, estimate});
     };
     relative("contact_modulus", "Pa", loop.specimen.contact_modulus, fit.contact_modulus);
     relative("work_approach", "J/m2", loop.specimen.work_approach, fit.work_of_adhesion);
@@ -163,6 +180,7 @@ std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, c
     };
     add_related(likelihood ? "likelihood" : "average", study);
     if (likelihood) add_related("average", *study.by_average);
+    add_measured(rows, run, planted, study);
     for (const auto& loop : planted.loops) add_loop(rows, run, loop, study);
     return rows;
 }

@@ -25,6 +25,8 @@ constexpr const char* explanation =
     "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
     "methods    likelihood, average: the study's spectra;  loops: JKR analysis;  paper: eq. (11), straight segments\n"
     "           between contour points, percentile bootstrap                                                     [D19]\n"
+    "           pairs, elastomers: what the study makes of all their loops\n"
+    "new_pair   predictions of pairs that were not measured against each other (unmeasured of the recipe's [loops])\n"
     "--without  tip-factor: tips not simulated;  tip-band: data beyond the reliable band used (both of the likelihood)\n";
 
 struct ClosureArguments : RepeatedRecipe {

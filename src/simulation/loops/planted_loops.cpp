@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "data_files.hpp"
@@ -13,7 +15,7 @@ namespace {
 
 double contact_modulus(const Recipe& recipe, const ElastomerRecipe& elastomer) {
     return contact::contact_modulus(
-        {.youngs_modulus = elastomer.youngs_modulus, .poisson_ratio = elastomer.poisson_ratio},
+        {.youngs_modulus = elastomer.youngs_modulus.value, .poisson_ratio = elastomer.poisson_ratio},
         {.youngs_modulus = recipe.counter_youngs_modulus, .poisson_ratio = recipe.counter_poisson_ratio});
 }
 
@@ -26,7 +28,7 @@ struct RoughPair {
 RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer) {
     const LoopRecipe& loops = *recipe.loops;
     RoughPair pair{
-        .specimen = {.radius = elastomer.sphere_radius, .contact_modulus = contact_modulus(recipe, elastomer)},
+        .specimen = {.radius = elastomer.sphere_radius.value, .contact_modulus = contact_modulus(recipe, elastomer)},
         .refusal = {}};
     LoopSpecimen& specimen = pair.specimen;
     const double stored_energy = specimen.contact_modulus * surface.parameters.elastic_energy_per_modulus;
@@ -56,6 +58,12 @@ RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const El
     return pair;
 }
 
+bool is_measured(const LoopRecipe& loops, const std::string& surface, const std::string& elastomer) {
+    return std::none_of(loops.unmeasured.begin(), loops.unmeasured.end(), [&](const UnmeasuredPair& pair) {
+        return pair.surface == surface && pair.elastomer == elastomer;
+    });
+}
+
 }  // namespace
 
 std::vector<PlantedLoop> planted_loops(const Recipe& recipe) {
@@ -80,11 +88,15 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
         const SurfaceTruth& surface = truths[i];
         for (const auto& elastomer : recipe.elastomers) {
             const RoughPair pair = rough_pair(recipe, surface, elastomer);
+            const bool measured = is_measured(*recipe.loops, rough.surface.name, elastomer.name);
             if (pair.refusal.empty())
-                add({.file = fmt::format("loops/{}_{}.csv", file_stem(rough.surface.name), file_stem(elastomer.name)),
+                add({.file = measured ? fmt::format("loops/{}_{}.csv", file_stem(rough.surface.name),
+                                                    file_stem(elastomer.name))
+                                      : "",
                      .surface = rough.surface.name,
                      .elastomer = elastomer.name,
-                     .specimen = pair.specimen});
+                     .specimen = pair.specimen,
+                     .measured = measured});
             else if (recipe.loops->nonconforming == NonconformingPairs::refuse)
                 throw InvalidArgument(
                     fmt::format("surface {} on elastomer {}: {}; or leave such pairs out: nonconforming = \"skip\"",
@@ -97,7 +109,7 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
                 add({.file = fmt::format("loops/reference_{}_{}.csv", file_stem(elastomer.name), stage),
                      .elastomer = elastomer.name,
                      .stage = stage,
-                     .specimen = {.radius = elastomer.sphere_radius,
+                     .specimen = {.radius = elastomer.sphere_radius.value,
                                   .contact_modulus = contact_modulus(recipe, elastomer),
                                   .work_approach = *work,
                                   .work_retraction = *work}});

@@ -33,7 +33,11 @@ constexpr parallel::Threads one_thread{1};
 /// How many of its length a line of the surface is long: longer waves leave 1e-3 of what a parabola leaves.
 constexpr double lengths_a_line = 8.0;
 
-double drawn_radius(double told, double standard_error, RandomKey key) {
+/// The radius of the tip that a protocol uses, of all surfaces or drawn for the surface of the key.
+template <class Protocol>
+double radius_of_tip(const Protocol& protocol, RandomKey key) {
+    if (protocol.shared_tip_radius) return *protocol.shared_tip_radius;
+    const double told = protocol.tip_radius, standard_error = protocol.tip_radius_standard_error;
     const double radius = told + standard_error * numerics::normal_number(substream(key, of_tip), 0);
     if (!(radius > 0.0))
         throw InvalidArgument(
@@ -171,8 +175,7 @@ std::vector<topography::LineScan> stylus_scans(const KnownSurface& surface, cons
             scans[k] = bare_scan(surface, C1D, stylus_options(protocol, k, key), substream(heights, k));
         return scans;
     }
-    const topography::Tip tip =
-        topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
+    const topography::Tip tip = topography::SphereTip{radius_of_tip(protocol, key)};
     for (const auto& [length, group] : by_length(protocol.lengths)) {
         const PatchShape strip = strip_for(surface, protocol, group);
         const auto map = window_patch(surface, strip, substream(heights, group.front()));
@@ -226,7 +229,7 @@ topography::HeightMap afm_scan(const KnownSurface& surface, const AfmProtocol& p
                        .key = substream(own, of_instrument),
                        .touch = {.threads = one_thread}};
     if (protocol.tip_radius > 0.0) {
-        options.tip = topography::SphereTip{drawn_radius(protocol.tip_radius, protocol.tip_radius_standard_error, key)};
+        options.tip = topography::SphereTip{radius_of_tip(protocol, key)};
         return afm_map(map, options);
     }
     const Index first = (n - pixels * fine) / 2;

@@ -114,7 +114,7 @@ TEST(PlantedLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
 
 TEST(PlantedLoops, WhichWouldNotConformAreRefusedByName) {
     Recipe recipe = recipe_of(small_recipe, "stiff");
-    recipe.elastomers[0].youngs_modulus = 1e9;
+    recipe.elastomers[0].youngs_modulus.value = 1e9;
     try {
         (void)planted_loops(recipe);
         FAIL();

@@ -82,7 +82,7 @@ TEST(RangesOfARecipe, AreDrawnFromTheSeedWithinTheirEnds) {
     }
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const Recipe drawn = recipe_of(text, seed);
-        const double slope = parameter(drawn.surfaces[0], "rms_slope"), modulus = drawn.elastomers[0].youngs_modulus;
+        const double slope = parameter(drawn.surfaces[0], "rms_slope"), modulus = drawn.elastomers[0].youngs_modulus.value;
         EXPECT_TRUE(slope > 0.3 && slope < 1.5) << slope;
         EXPECT_TRUE(modulus > 1e5 && modulus < 1e7) << modulus;
         EXPECT_TRUE(drawn.work_of_adhesion > 0.030 && drawn.work_of_adhesion < 0.040);
@@ -95,7 +95,7 @@ TEST(RangesOfARecipe, ScatterUniformlyInTheLogarithm) {
     constexpr int seeds = 300;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         const double place =
-            std::log(recipe_of(head + surface("A"), seed).elastomers[0].youngs_modulus / 1e5) / std::log(100.0);
+            std::log(recipe_of(head + surface("A"), seed).elastomers[0].youngs_modulus.value / 1e5) / std::log(100.0);
         sum += place;
         squares += place * place;
     }

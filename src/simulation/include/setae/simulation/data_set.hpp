@@ -17,6 +17,7 @@ struct PlantedLoop {
     std::string stage;      ///< of references: "before" or "after"
     LoopSpecimen specimen;  ///< R, E*, W_app, W_ret
     LoopTruth truth;
+    bool measured = true;  ///< else there is no file: the pair is for the study to predict
 };
 
 /// What a recipe's loops are: one a surface and elastomer, then the references.

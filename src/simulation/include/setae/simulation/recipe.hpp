@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "setae/core/estimate.hpp"
+#include "setae/simulation/calibrations.hpp"
 #include "setae/simulation/known_surface.hpp"
 #include "setae/simulation/loop_simulation.hpp"
 #include "setae/simulation/side_view.hpp"
+#include "setae/simulation/stated_quantity.hpp"
 
 namespace setae::simulation {
 
@@ -18,7 +20,8 @@ struct StylusProtocol {
     std::vector<double> lengths;             ///< [m]
     std::vector<double> steps{100e-9};       ///< [m], one for all or one a length
     double tip_radius = 5e-6;                ///< what the study is told [m]; 0: points are read without a tip
-    double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told
+    double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told …
+    std::optional<double> shared_tip_radius; ///< … for each surface anew, unless this is the tip of all [m]
     double noise = 0.0;                      ///< standard deviation of a point [m]
     double bow = 0.0;                        ///< height of the arc over a scan [m]
     double tilt = 0.0;                       ///< [1]
@@ -33,7 +36,8 @@ struct AfmProtocol {
     std::vector<double> sizes;               ///< [m]
     std::vector<Index> pixels{256};          ///< a side, one for all or one a size
     double tip_radius = 10e-9;               ///< what the study is told [m]; 0: pixels are read without a tip
-    double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told
+    double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told …
+    std::optional<double> shared_tip_radius; ///< … for each surface anew, unless this is the tip of all [m]
     double noise = 0.0;                      ///< standard deviation of a pixel [m]
     double line_offset = 0.0;                ///< standard deviation of the offset of a line [m]
     double line_drift = 0.0;                 ///< standard deviation of a step of the walk from line to line [m]
@@ -73,10 +77,16 @@ struct SurfaceRecipe {
 /// A soft sphere.
 struct ElastomerRecipe {
     std::string name;
-    double youngs_modulus = 0.0;  ///< E [Pa], > 0
-    double poisson_ratio = 0.5;   ///< ν
-    Estimate surface_energy;      ///< γ1 [J/m²]: the value is true, the study is told both
-    double sphere_radius = 0.0;   ///< R [m], > 0
+    StatedQuantity youngs_modulus;  ///< E [Pa], > 0
+    bool tell_modulus = false;      ///< else the study takes E from loops
+    double poisson_ratio = 0.5;     ///< ν
+    StatedQuantity surface_energy;  ///< γ1 [J/m²]
+    StatedQuantity sphere_radius;   ///< R [m], > 0
+};
+
+/// A surface and an elastomer whose loop is planted, but not recorded: the study only predicts it.
+struct UnmeasuredPair {
+    std::string surface, elastomer;
 };
 
 /// Where W_ret comes from.
@@ -99,6 +109,7 @@ struct LoopRecipe {
     RetractionLaw law = RetractionLaw::loss;
     double loss_factor = 1.0;  ///< f
     NonconformingPairs nonconforming = NonconformingPairs::refuse;
+    std::vector<UnmeasuredPair> unmeasured;
     std::optional<double> reference_work;  ///< W of both branches on the standard [J/m²]; none: no references
 };
 
@@ -113,7 +124,19 @@ struct Recipe {
     std::vector<SurfaceRecipe> surfaces;
     std::vector<ElastomerRecipe> elastomers;
     std::optional<LoopRecipe> loops;
+    Calibrations calibrations;
+    std::optional<StatedQuantity> stylus_tip, afm_tip;  ///< radius [m] of one tip for all surfaces, where they share it
 };
+
+/// An input that the study is told by its name, and its SI unit, empty for factors.
+struct NamedInput {
+    StatedQuantity quantity;
+    std::string unit;
+};
+
+/// Inputs of a recipe that have a name, each once: calibrations and tips of the instruments in use, those of the machine
+/// where there are loops, lenses and batches of elastomers.
+[[nodiscard]] std::vector<NamedInput> named_inputs(const Recipe& recipe);
 
 /// Reads a recipe from TOML; docs/guides/laboratory.md describes every key.
 ///
@@ -122,10 +145,12 @@ struct Recipe {
 ///
 ///   from (to/from)^u,  u uniform in (0, 1), of the seed and the names of table and key alone
 ///
-/// so that another surface, or another order, changes no other number. seed: in place of the recipe's.
+/// so that another surface, or another order, changes no other number. What is told with a ± is drawn about it once a
+/// scope (an instrument, a machine, a tip, a lens, a batch of elastomers), of the seed and the scope's name alone. seed:
+/// in place of the recipe's.
 /// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one),
 /// a missing or wrong unit, a pair that is not 0 < from <= to, a spectrum whose parameters contradict each other, a
-/// protocol that is not declared.
+/// protocol that is not declared, two different values of one scope, a calibration with a unit or not above 0.
 [[nodiscard]] Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed = {});
 
 }  // namespace setae::simulation

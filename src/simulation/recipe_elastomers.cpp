@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recipe_elastomers.hpp"
+
+namespace setae::simulation {
+namespace {
+
+using bytes::TomlReader;
+
+/// A name that several elastomers may share; empty without one.
+std::string shared_name(TomlReader& reader, const char* key) {
+    const auto name = reader.text(key);
+    if (name && name->empty()) reader.fail(key, "an empty text; expected a name");
+    return name.value_or("");
+}
+
+StatedQuantity read_modulus(TomlReader& reader, const std::string& table, bool told, const RangeDraws& ranges,
+                            StatedDraws& stated) {
+    constexpr const char* key = "youngs_modulus";
+    if (reader.is_list(key)) {
+        const double value = ranges.required(reader, key, dimension::pressure);
+        return {value, {value, 0.0}};
+    }
+    auto modulus = stated.required(reader, table, key, positive(dimension::pressure));
+    if (modulus.told.uncertain() && !told)
+        reader.fail(key, "a ± of a modulus that the study is not told; add tell_modulus = true, or leave the ± out");
+    return modulus;
+}
+
+}  // namespace
+
+ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const RangeDraws& ranges,
+                               StatedDraws& stated) {
+    const std::string table = "elastomers." + name;
+    ElastomerRecipe elastomer{.name = name};
+    elastomer.tell_modulus = reader.boolean("tell_modulus").value_or(elastomer.tell_modulus);
+    elastomer.youngs_modulus = read_modulus(reader, table, elastomer.tell_modulus, ranges, stated);
+    elastomer.poisson_ratio = reader.number("poisson_ratio").value_or(elastomer.poisson_ratio);
+    if (const auto batch = shared_name(reader, "batch"); !batch.empty()) {
+        elastomer.surface_energy = stated.required(
+            reader, table, "surface_energy", non_negative(dimension::surface_energy), "surface_energy_" + batch);
+    } else {
+        const auto told = reader.required_uncertain("surface_energy", dimension::surface_energy);
+        elastomer.surface_energy = {told.value, told};
+    }
+    elastomer.sphere_radius =
+        stated.required(reader, table, "sphere_radius", positive(dimension::length), shared_name(reader, "lens"));
+    reader.finish();
+    return elastomer;
+}
+
+}  // namespace setae::simulation

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "setae/bytes/toml_reader.hpp"
+#include "setae/simulation/stated_quantity.hpp"
+
+namespace setae::simulation {
+
+/// Quantities that a recipe tells with a ±: each is drawn about what is told, once a scope.
+///
+///   value = told + ± n,  n a standard normal number of the seed and the scope's name alone
+///
+/// "1.2 to 1.3 mm" is drawn uniformly between its ends.
+class StatedDraws {
+public:
+    explicit StatedDraws(std::uint64_t seed) : seed_(seed) {}
+
+    /// A quantity under a key of a table of the recipe. input: its scope and its name in the study, where several keys
+    /// may share it; else empty, and table and key are its scope.
+    /// @throws FormatError at the key where it is missing, where its scope was told otherwise before, and for a value
+    /// that is drawn as 0 or less.
+    [[nodiscard]] StatedQuantity required(bytes::TomlReader& reader, const std::string& table, const char* key,
+                                          const Expected& expected, const std::string& input = "");
+
+    /// The same of what was read already, at a place that errors name; they stand at the key.
+    [[nodiscard]] StatedQuantity of(const Estimate& told, const std::string& input, const std::string& place,
+                                    const bytes::TomlReader& reader, const char* key);
+
+private:
+    struct Told {
+        Estimate value;
+        std::string place;
+    };
+    std::uint64_t seed_;
+    std::map<std::string, Told> told_;
+};
+
+/// What the study is told of a quantity, in the unit [SI] named: "0.025 ± 0.001 J/m2", "0.0012 to 0.0013 m".
+[[nodiscard]] std::string told_text(const Estimate& told, const std::string& unit);
+
+}  // namespace setae::simulation
