@@ -51,8 +51,7 @@ void add_inputs(StudyLines& lines, const Recipe& recipe) {
     const auto inputs = named_inputs(recipe);
     if (inputs.empty()) return;
     lines.add("\n[inputs]");
-    for (const auto& [quantity, unit] : inputs)
-        lines.add("{} = \"{}\"", bytes::toml_quoted(quantity.input), told_text(quantity.told, unit));
+    for (const auto& input : inputs) lines.add("{} = \"{}\"", bytes::toml_quoted(input.input), told_text(input));
 }
 
 /// A measurement as an entry of its surface's list.
@@ -84,7 +83,7 @@ void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecip
         std::tie(elastomer.youngs_modulus, elastomer.surface_energy, elastomer.sphere_radius);
     lines.add("\n[elastomers.{}]", bytes::toml_quoted(elastomer.name));
     if (modulus_is_told(elastomer, loops)) {
-        if (modulus.told.uncertain()) lines.add("youngs_modulus = \"{}\"", told_text(modulus.told, "Pa"));
+        if (modulus.told.uncertain()) lines.add("youngs_modulus = \"{}\"", told_text(modulus));
         else lines.add("youngs_modulus = \"{} Pa\"", modulus.value);
     }
     lines.add("poisson_ratio = {}", elastomer.poisson_ratio);
@@ -92,11 +91,10 @@ void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecip
         lines.add("surface_energy = \"{} ± {} J/m2\"", energy.told.value, energy.told.standard_error);
     else lines.add("surface_energy = {}", bytes::toml_quoted(energy.input));
     if (!radius.input.empty()) lines.add("sphere_radius = {}", bytes::toml_quoted(radius.input));
-    else if (radius.told.uncertain()) lines.add("sphere_radius = \"{}\"", told_text(radius.told, "m"));
+    else if (radius.told.uncertain()) lines.add("sphere_radius = \"{}\"", told_text(radius));
     else lines.add("sphere_radius = \"{} m\"", radius.value);
-    if (std::any_of(loops.begin(), loops.end(), [&](const PlantedLoop& loop) {
-            return !loop.measured && loop.elastomer == elastomer.name;
-        }))
+    if (std::any_of(loops.begin(), loops.end(),
+                    [&](const PlantedLoop& loop) { return !loop.measured && loop.elastomer == elastomer.name; }))
         lines.add("preload = \"{} N\"", recipe.loops->protocol.maximum_force);
 }
 
@@ -187,7 +185,7 @@ std::string truth_text(const Recipe& recipe, const std::vector<SurfaceTruth>& su
         truth["elastomers"][elastomer.name] = {{"youngs_modulus", elastomer.youngs_modulus.value},
                                                {"surface_energy", elastomer.surface_energy.value},
                                                {"sphere_radius", elastomer.sphere_radius.value}};
-    for (const auto& [quantity, unit] : named_inputs(recipe)) truth["inputs"][quantity.input] = quantity.value;
+    for (const auto& input : named_inputs(recipe)) truth["inputs"][input.input] = input.value;
     for (const auto& loop : loops) {
         Json entry = loop.measured ? Json{{"file", loop.file}} : Json{{"measured", false}};
         if (!loop.surface.empty()) entry["surface"] = loop.surface;

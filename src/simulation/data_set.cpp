@@ -107,13 +107,13 @@ public:
         for (std::size_t i = 0; i < loops_.size(); ++i) {
             if (!loops_[i].measured) continue;
             listed(loops_[i].file);
-            jobs_.push_back(
-                {1.0, [this, i] {
-                     LoopArtefacts artefacts = recipe_.loops->artefacts;
-                     artefacts.key = substream({.seed = recipe_.seed}, loop_streams + i);
-                     const auto simulated = simulated_loop(loops_[i].specimen, recipe_.loops->protocol, artefacts);
-                     write(loops_[i].file, loop_text(stated(simulated.loop, recipe_.calibrations)));
-                 }});
+            jobs_.push_back({1.0, [this, i] {
+                                 LoopArtefacts artefacts = recipe_.loops->artefacts;
+                                 artefacts.key = substream({.seed = recipe_.seed}, loop_streams + i);
+                                 const auto simulated =
+                                     simulated_loop(loops_[i].specimen, recipe_.loops->protocol, artefacts);
+                                 write(loops_[i].file, loop_text(stated(simulated.loop, recipe_.calibrations)));
+                             }});
         }
     }
 

@@ -9,25 +9,25 @@ namespace {
 /// Collects what has a name.
 class Inputs {
 public:
-    void add(const std::optional<StatedQuantity>& quantity, const char* unit) {
+    void add(const std::optional<StatedQuantity>& quantity) {
         if (!quantity || quantity->input.empty()) return;
         if (std::none_of(found_.begin(), found_.end(),
-                         [&](const NamedInput& known) { return known.quantity.input == quantity->input; }))
-            found_.push_back({*quantity, unit});
+                         [&](const StatedQuantity& known) { return known.input == quantity->input; }))
+            found_.push_back(*quantity);
     }
     void add(const InstrumentCalibration& calibration) {
-        add(calibration.height, "");
-        add(calibration.lateral, "");
+        add(calibration.height);
+        add(calibration.lateral);
     }
-    [[nodiscard]] std::vector<NamedInput> take() { return std::move(found_); }
+    [[nodiscard]] std::vector<StatedQuantity> take() { return std::move(found_); }
 
 private:
-    std::vector<NamedInput> found_;
+    std::vector<StatedQuantity> found_;
 };
 
 }  // namespace
 
-std::vector<NamedInput> named_inputs(const Recipe& recipe) {
+std::vector<StatedQuantity> named_inputs(const Recipe& recipe) {
     const auto in_use = [&](auto instrument) {
         return std::any_of(recipe.surfaces.begin(), recipe.surfaces.end(),
                            [&](const SurfaceRecipe& rough) { return (rough.*instrument).has_value(); });
@@ -37,14 +37,14 @@ std::vector<NamedInput> named_inputs(const Recipe& recipe) {
     if (in_use(&SurfaceRecipe::stylus)) inputs.add(calibrations.stylus);
     if (in_use(&SurfaceRecipe::afm)) inputs.add(calibrations.afm);
     if (in_use(&SurfaceRecipe::tem)) inputs.add(calibrations.tem);
-    inputs.add(recipe.stylus_tip, "m");
-    inputs.add(recipe.afm_tip, "m");
+    inputs.add(recipe.stylus_tip);
+    inputs.add(recipe.afm_tip);
     if (recipe.loops)
         for (const auto* factor : {&calibrations.force, &calibrations.displacement, &calibrations.contact_radius})
-            inputs.add(*factor, "");
+            inputs.add(*factor);
     for (const auto& elastomer : recipe.elastomers) {
-        inputs.add(elastomer.sphere_radius, "m");
-        inputs.add(elastomer.surface_energy, "J/m2");
+        inputs.add(elastomer.sphere_radius);
+        inputs.add(elastomer.surface_energy);
     }
     return inputs.take();
 }

@@ -18,7 +18,7 @@ StatedQuantity read_modulus(TomlReader& reader, const std::string& table, bool t
     constexpr const char* key = "youngs_modulus";
     if (reader.is_list(key)) {
         const double value = ranges.required(reader, key, dimension::pressure);
-        return {value, {value, 0.0}};
+        return {value, {value, 0.0}, "Pa"};
     }
     auto modulus = stated.required(reader, table, key, positive(dimension::pressure));
     if (modulus.told.uncertain() && !told)
@@ -36,11 +36,11 @@ ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const
     elastomer.youngs_modulus = read_modulus(reader, table, elastomer.tell_modulus, ranges, stated);
     elastomer.poisson_ratio = reader.number("poisson_ratio").value_or(elastomer.poisson_ratio);
     if (const auto batch = shared_name(reader, "batch"); !batch.empty()) {
-        elastomer.surface_energy = stated.required(
-            reader, table, "surface_energy", non_negative(dimension::surface_energy), "surface_energy_" + batch);
+        elastomer.surface_energy = stated.required(reader, table, "surface_energy",
+                                                   non_negative(dimension::surface_energy), "surface_energy_" + batch);
     } else {
         const auto told = reader.required_uncertain("surface_energy", dimension::surface_energy);
-        elastomer.surface_energy = {told.value, told};
+        elastomer.surface_energy = {told.value, told, "J/m2"};
     }
     elastomer.sphere_radius =
         stated.required(reader, table, "sphere_radius", positive(dimension::length), shared_name(reader, "lens"));

@@ -19,6 +19,9 @@ Calibrations read_calibrations(TomlReader reader, StatedDraws& stated) {
     Calibrations calibrations;
     const auto of_instruments = [&](const char* what, std::optional<StatedQuantity> InstrumentCalibration::* member) {
         reader.table(what, [&](TomlReader inner) {
+            for (const auto& name : inner.keys())
+                if (name != "stylus" && name != "afm" && name != "tem")
+                    inner.fail(name.c_str(), "no instrument of a laboratory; expected stylus, afm or tem");
             const auto table = std::string("calibrations.") + what;
             const auto take = [&](const char* instrument, InstrumentCalibration& to) {
                 to.*member = factor(inner, table, instrument, std::string(instrument) + "_" + what, stated);
@@ -26,7 +29,6 @@ Calibrations read_calibrations(TomlReader reader, StatedDraws& stated) {
             take("stylus", calibrations.stylus);
             take("afm", calibrations.afm);
             take("tem", calibrations.tem);
-            inner.finish();
         });
     };
     of_instruments("height", &InstrumentCalibration::height);
@@ -49,8 +51,9 @@ std::optional<StatedQuantity> shared_tip(const char* name, std::optional<Protoco
     for (auto& rough : recipe.surfaces) {
         auto& protocol = rough.*instrument;
         if (!protocol || protocol->tip_radius == 0.0) continue;
-        tip = stated.of({protocol->tip_radius, protocol->tip_radius_standard_error}, name,
-                        "the protocol of surfaces." + rough.surface.name, reader, "shared_tips");
+        tip = stated.drawn(
+            {.told = {protocol->tip_radius, protocol->tip_radius_standard_error}, .unit = "m", .input = name},
+            "the protocol of surfaces." + rough.surface.name, reader, "shared_tips");
         protocol->shared_tip_radius = tip->value;
     }
     return tip;

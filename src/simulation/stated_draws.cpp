@@ -12,7 +12,7 @@ namespace {
 /// Beside the streams of measurements, loops and ranges.
 constexpr std::uint64_t stated_streams = 1ull << 34;
 
-double drawn(const Estimate& told, numerics::RandomKey key) {
+double drawn_about(const Estimate& told, numerics::RandomKey key) {
     if (!told.uncertain()) return told.value;
     if (const auto& range = told.interval)
         return range->lower + (range->upper - range->lower) * numerics::uniform_number(key, 0);
@@ -20,29 +20,32 @@ double drawn(const Estimate& told, numerics::RandomKey key) {
 }
 
 bool alike(const Estimate& a, const Estimate& b) {
-    return a.value == b.value && a.standard_error == b.standard_error && a.interval.has_value() == b.interval.has_value();
+    return a.value == b.value && a.standard_error == b.standard_error &&
+           a.interval.has_value() == b.interval.has_value();
 }
 
 }  // namespace
 
 StatedQuantity StatedDraws::required(bytes::TomlReader& reader, const std::string& table, const char* key,
                                      const Expected& expected, const std::string& input) {
-    return of(reader.required_uncertain(key, expected), input, table + "." + key, reader, key);
+    const auto unit = expected.dimension == dimension::none ? "" : si_unit(expected.dimension);
+    return drawn({.told = reader.required_uncertain(key, expected), .unit = unit, .input = input}, table + "." + key,
+                 reader, key);
 }
 
-StatedQuantity StatedDraws::of(const Estimate& told, const std::string& input, const std::string& place,
-                               const bytes::TomlReader& reader, const char* key) {
-    const auto& scope = input.empty() ? place : input;
-    const auto [first, fresh] = told_.try_emplace(scope, Told{told, place});
-    if (!input.empty() && !fresh && !alike(first->second.value, told))
-        reader.fail(key, fmt::format("'{}' is {} here and {} at {}; expected one value, or another name", input,
-                                     told_text(told, "in SI"), told_text(first->second.value, "in SI"),
-                                     first->second.place));
+StatedQuantity StatedDraws::drawn(StatedQuantity quantity, const std::string& place, const bytes::TomlReader& reader,
+                                  const char* key) {
+    const auto& scope = quantity.input.empty() ? place : quantity.input;
+    const auto [at, fresh] = told_.try_emplace(scope, Told{quantity, place});
+    const auto& first = at->second;
+    if (!fresh && !alike(first.quantity.told, quantity.told))
+        reader.fail(key, fmt::format("'{}' is {} here and {} at {}; expected one value, or another name", scope,
+                                     told_text(quantity), told_text(first.quantity), first.place));
     const auto stream = numerics::substream({.seed = seed_}, stated_streams);
-    StatedQuantity quantity{drawn(told, numerics::substream(stream, name_hash(scope))), told, input};
-    if (told.uncertain() && !(quantity.value > 0.0))
-        reader.fail(key, fmt::format("{} was drawn as {}; expected a ± that keeps it above 0, so give a smaller one",
-                                     told_text(told, "in SI"), quantity.value));
+    quantity.value = drawn_about(quantity.told, numerics::substream(stream, name_hash(scope)));
+    if (quantity.told.uncertain() && !(quantity.value > 0.0))
+        reader.fail(key, fmt::format("{} was drawn as {}, which must be above 0; give a smaller ±", told_text(quantity),
+                                     quantity.value));
     return quantity;
 }
 

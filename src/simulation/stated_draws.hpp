@@ -26,20 +26,23 @@ public:
     [[nodiscard]] StatedQuantity required(bytes::TomlReader& reader, const std::string& table, const char* key,
                                           const Expected& expected, const std::string& input = "");
 
-    /// The same of what was read already, at a place that errors name; they stand at the key.
-    [[nodiscard]] StatedQuantity of(const Estimate& told, const std::string& input, const std::string& place,
-                                    const bytes::TomlReader& reader, const char* key);
+    /// The same of what was read already: all but the value. place: what errors, which stand at the key, say of it.
+    [[nodiscard]] StatedQuantity drawn(StatedQuantity quantity, const std::string& place,
+                                       const bytes::TomlReader& reader, const char* key);
 
 private:
     struct Told {
-        Estimate value;
+        StatedQuantity quantity;
         std::string place;
     };
     std::uint64_t seed_;
     std::map<std::string, Told> told_;
 };
 
-/// What the study is told of a quantity, in the unit [SI] named: "0.025 ± 0.001 J/m2", "0.0012 to 0.0013 m".
+/// What the study is told of a quantity, SI: "0.025 ± 0.001 J/m2", "0.0012 to 0.0013 m".
 [[nodiscard]] std::string told_text(const Estimate& told, const std::string& unit);
+[[nodiscard]] inline std::string told_text(const StatedQuantity& quantity) {
+    return told_text(quantity.told, quantity.unit);
+}
 
 }  // namespace setae::simulation

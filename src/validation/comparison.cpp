@@ -104,8 +104,8 @@ void add_measured(std::vector<Comparison>& rows, int run, const Planted& planted
             add(rows, {run, pair_name(loop), "work_approach", "pairs", "J/m2", Deviation::relative,
                        loop.specimen.work_approach, *pair.approach});
         if (pair.loss)
-            add(rows, {run, pair_name(loop), "energy_loss", "pairs", "J", Deviation::relative,
-                       loop.truth.energy_loss(), *pair.loss});
+            add(rows, {run, pair_name(loop), "energy_loss", "pairs", "J", Deviation::relative, loop.truth.energy_loss(),
+                       *pair.loss});
     });
     for (const auto& elastomer : study.elastomers) {
         const auto& name = elastomer.input.name;

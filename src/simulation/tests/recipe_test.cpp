@@ -82,7 +82,8 @@ TEST(RangesOfARecipe, AreDrawnFromTheSeedWithinTheirEnds) {
     }
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const Recipe drawn = recipe_of(text, seed);
-        const double slope = parameter(drawn.surfaces[0], "rms_slope"), modulus = drawn.elastomers[0].youngs_modulus.value;
+        const double slope = parameter(drawn.surfaces[0], "rms_slope"),
+                     modulus = drawn.elastomers[0].youngs_modulus.value;
         EXPECT_TRUE(slope > 0.3 && slope < 1.5) << slope;
         EXPECT_TRUE(modulus > 1e5 && modulus < 1e7) << modulus;
         EXPECT_TRUE(drawn.work_of_adhesion > 0.030 && drawn.work_of_adhesion < 0.040);

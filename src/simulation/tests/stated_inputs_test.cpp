@@ -99,7 +99,7 @@ std::map<std::string, double> deviations(const Recipe& recipe) {
     const auto add = [&](const std::string& scope, const StatedQuantity& q) {
         found[scope] = (q.value - q.told.value) / q.told.standard_error;
     };
-    for (const auto& [quantity, unit] : named_inputs(recipe)) add(quantity.input, quantity);
+    for (const auto& quantity : named_inputs(recipe)) add(quantity.input, quantity);
     add("modulus", recipe.elastomers[0].youngs_modulus);
     add("sphere of E19", recipe.elastomers[2].sphere_radius);
     return found;
@@ -158,7 +158,7 @@ TEST(StatedInputs, DoNotDependOnOtherScopes) {
                          "batch = \"other\"\nsphere_radius = \"1 ± 0.1 mm\"\n[elastomers.E07]");
     text = replaced(text, "force = \"1 ± 0.01\"", "");
     const Recipe more = recipe_of(text);
-    for (const auto& [quantity, unit] : named_inputs(more)) {
+    for (const auto& quantity : named_inputs(more)) {
         const auto same = all.find(quantity.input);
         if (same == all.end()) continue;
         EXPECT_EQ((quantity.value - quantity.told.value) / quantity.told.standard_error, same->second)
@@ -228,28 +228,28 @@ TEST(Calibrations, DivideWhatInstrumentsState) {
 TEST(Calibrations, AreToldByTheirNamesAndEveryNameIsMentioned) {
     const auto study = bytes::read_file((twins().stated / "study.toml").string());
     const auto holds = [&](const std::string& text) { return study.find(text) != std::string::npos; };
-    for (const char* line : {
-             "[inputs]\n", "\"stylus_height\" = \"1 ± 0.02\"\n", "\"afm_height\" = \"1.05 ± 0.02\"\n",
-             "\"tem_lateral\" = \"1 ± 0.01\"\n", "\"afm_tip\" = \"1e-08 ± 1e-09 m\"\n",
-             "\"stylus_tip\" = \"5e-06 ± 4e-07 m\"\n", "\"lens_1\" = \"0.00125 ± 1.25e-05 m\"\n",
-             "\"surface_energy_sylgard\" = \"0.025 ± 0.005 J/m2\"\n", "\"force_calibration\" = \"1 ± 0.01\"\n",
-             "[loops]\nforce_calibration = \"force_calibration\"\ndisplacement_calibration = "
-             "\"displacement_calibration\"\ncontact_radius_calibration = \"contact_radius_calibration\"\n",
-             "instrument = \"afm\", tip_radius = \"afm_tip\", height_calibration = \"afm_height\", "
-             "lateral_calibration = \"afm_lateral\" }",
-             "instrument = \"tem\", height_calibration = \"tem_height\", lateral_calibration = \"tem_lateral\" }",
-             "youngs_modulus = \"700000 ± 20000 Pa\"\n", "surface_energy = \"surface_energy_sylgard\"\n",
-             "surface_energy = \"0.024 ± 0.002 J/m2\"\n", "sphere_radius = \"lens_1\"\n",
-             "sphere_radius = \"0.0015 to 0.0016 m\"\n"})
+    for (const char* line :
+         {"[inputs]\n", "\"stylus_height\" = \"1 ± 0.02\"\n", "\"afm_height\" = \"1.05 ± 0.02\"\n",
+          "\"tem_lateral\" = \"1 ± 0.01\"\n", "\"afm_tip\" = \"1e-08 ± 1e-09 m\"\n",
+          "\"stylus_tip\" = \"5e-06 ± 4e-07 m\"\n", "\"lens_1\" = \"0.00125 ± 1.25e-05 m\"\n",
+          "\"surface_energy_sylgard\" = \"0.025 ± 0.005 J/m2\"\n", "\"force_calibration\" = \"1 ± 0.01\"\n",
+          "[loops]\nforce_calibration = \"force_calibration\"\ndisplacement_calibration = "
+          "\"displacement_calibration\"\ncontact_radius_calibration = \"contact_radius_calibration\"\n",
+          "instrument = \"afm\", tip_radius = \"afm_tip\", height_calibration = \"afm_height\", "
+          "lateral_calibration = \"afm_lateral\" }",
+          "instrument = \"tem\", height_calibration = \"tem_height\", lateral_calibration = \"tem_lateral\" }",
+          "youngs_modulus = \"700000 ± 20000 Pa\"\n", "surface_energy = \"surface_energy_sylgard\"\n",
+          "surface_energy = \"0.024 ± 0.002 J/m2\"\n", "sphere_radius = \"lens_1\"\n",
+          "sphere_radius = \"0.0015 to 0.0016 m\"\n"})
         EXPECT_TRUE(holds(line)) << line << "\n" << study;
-    for (const auto& [quantity, unit] : named_inputs(twins().recipe))
+    for (const auto& quantity : named_inputs(twins().recipe))
         EXPECT_TRUE(holds(" = \"" + quantity.input + "\"")) << quantity.input;
 }
 
 TEST(Calibrations, OfInstrumentsOutOfUseAreNotTold) {
     auto text = replaced(calibrated, "tem = { lengths = [\"20 nm\"] }", "");
     text.erase(text.find("[loops]"));
-    for (const auto& [quantity, unit] : named_inputs(recipe_of(text))) {
+    for (const auto& quantity : named_inputs(recipe_of(text))) {
         EXPECT_EQ(quantity.input.find("tem_"), std::string::npos);
         EXPECT_EQ(quantity.input.find("force"), std::string::npos);
     }
@@ -303,9 +303,10 @@ TEST(RecipesWithoutStatedInputs, AreWrittenAsBefore) {
                             "[calibrations]\nheight = { stylus = 1, afm = 1, tem = \"1\" }\nforce = 1\n"
                             "[rough_solid]")),
          ones.string(), {2});
-    for (const auto& file : files)
-        if (file.ends_with(".csv") || file.ends_with(".txt"))
-            EXPECT_EQ(bytes::read_file((before / file).string()), bytes::read_file((ones / file).string())) << file;
+    for (const auto& file : files) {
+        if (file == "truth.json" || file == "study.toml") continue;
+        EXPECT_EQ(bytes::read_file((before / file).string()), bytes::read_file((ones / file).string())) << file;
+    }
 }
 
 TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
@@ -318,10 +319,10 @@ TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
     expect("force = \"1 ± 0.01\"", "force = \"1 ± 0.01 N\"", {"calibrations.force", "N"});
     expect("force = \"1 ± 0.01\"", "force = -1", {"calibrations.force", "above 0"});
     expect("force = \"1 ± 0.01\"", "force = \"1 ± 1.5\"", {"calibrations.force", "larger than the value"});
-    expect("afm = \"1.05 ± 0.02\"", "amf = \"1.05 ± 0.02\"", {"unknown key 'amf' in calibrations.height", "'afm'"});
-    expect("lateral = {", "laterals = {", {"unknown key 'laterals' in calibrations", "'lateral'"});
+    expect("afm = \"1.05 ± 0.02\"", "amf = \"1.05 ± 0.02\"", {"calibrations.height.amf", "expected stylus, afm or tem"});
+    expect("lateral = {", "laterals = {", {"unknown key 'laterals'", "'lateral'"});
     expect("surface_energy = \"25 ± 5 mJ/m2\"", "surface_energy = \"26 ± 5 mJ/m2\"",
-           {"elastomers.E10.surface_energy", "surface_energy_sylgard", "0.026 ± 0.005", "elastomers.E07", "another name"});
+           {"elastomers.E10.surface_energy", "surface_energy_sylgard", "0.026 ± 0.005", "elastomers.E07"});
     expect("sphere_radius = \"1.25 ± 0.0125 mm\"", "sphere_radius = \"1.25 mm\"",
            {"elastomers.E10.sphere_radius", "lens_1", "another name"});
     expect("lens = \"lens_1\"", "lens = \"force_calibration\"", {"elastomers.E07.sphere_radius", "calibrations.force"});

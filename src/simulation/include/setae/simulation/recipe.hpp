@@ -17,14 +17,14 @@ namespace setae::simulation {
 
 /// Scans of a stylus: one line a length.
 struct StylusProtocol {
-    std::vector<double> lengths;             ///< [m]
-    std::vector<double> steps{100e-9};       ///< [m], one for all or one a length
-    double tip_radius = 5e-6;                ///< what the study is told [m]; 0: points are read without a tip
-    double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told …
-    std::optional<double> shared_tip_radius; ///< … for each surface anew, unless this is the tip of all [m]
-    double noise = 0.0;                      ///< standard deviation of a point [m]
-    double bow = 0.0;                        ///< height of the arc over a scan [m]
-    double tilt = 0.0;                       ///< [1]
+    std::vector<double> lengths;              ///< [m]
+    std::vector<double> steps{100e-9};        ///< [m], one for all or one a length
+    double tip_radius = 5e-6;                 ///< what the study is told [m]; 0: points are read without a tip
+    double tip_radius_standard_error = 0.0;   ///< [m]; the radius used is drawn about the one told …
+    std::optional<double> shared_tip_radius;  ///< … for each surface anew, unless this is the tip of all [m]
+    double noise = 0.0;                       ///< standard deviation of a point [m]
+    double bow = 0.0;                         ///< height of the arc over a scan [m]
+    double tilt = 0.0;                        ///< [1]
     double artefact = 0.0;              ///< rms of the curve that the drive adds to all scans [m]; > 0: references, too
     double artefact_wavelength = 1e-3;  ///< longest of that curve [m]
 
@@ -33,17 +33,17 @@ struct StylusProtocol {
 
 /// Square maps of a force microscope: one a size.
 struct AfmProtocol {
-    std::vector<double> sizes;               ///< [m]
-    std::vector<Index> pixels{256};          ///< a side, one for all or one a size
-    double tip_radius = 10e-9;               ///< what the study is told [m]; 0: pixels are read without a tip
-    double tip_radius_standard_error = 0.0;  ///< [m]; the radius used is drawn about the one told …
-    std::optional<double> shared_tip_radius; ///< … for each surface anew, unless this is the tip of all [m]
-    double noise = 0.0;                      ///< standard deviation of a pixel [m]
-    double line_offset = 0.0;                ///< standard deviation of the offset of a line [m]
-    double line_drift = 0.0;                 ///< standard deviation of a step of the walk from line to line [m]
-    double tilt = 0.0;                       ///< along the fast axis [1]
-    double bow = 0.0;                        ///< height of the scanner's arc along the fast axis [m]
-    double feedback_lag = 0.0;               ///< distance over which the tip follows a step to 1/e [m]
+    std::vector<double> sizes;                ///< [m]
+    std::vector<Index> pixels{256};           ///< a side, one for all or one a size
+    double tip_radius = 10e-9;                ///< what the study is told [m]; 0: pixels are read without a tip
+    double tip_radius_standard_error = 0.0;   ///< [m]; the radius used is drawn about the one told …
+    std::optional<double> shared_tip_radius;  ///< … for each surface anew, unless this is the tip of all [m]
+    double noise = 0.0;                       ///< standard deviation of a pixel [m]
+    double line_offset = 0.0;                 ///< standard deviation of the offset of a line [m]
+    double line_drift = 0.0;                  ///< standard deviation of a step of the walk from line to line [m]
+    double tilt = 0.0;                        ///< along the fast axis [1]
+    double bow = 0.0;                         ///< height of the scanner's arc along the fast axis [m]
+    double feedback_lag = 0.0;                ///< distance over which the tip follows a step to 1/e [m]
 
     [[nodiscard]] Index pixels_of(std::size_t map) const { return pixels.size() == 1 ? pixels.front() : pixels[map]; }
 };
@@ -128,15 +128,9 @@ struct Recipe {
     std::optional<StatedQuantity> stylus_tip, afm_tip;  ///< radius [m] of one tip for all surfaces, where they share it
 };
 
-/// An input that the study is told by its name, and its SI unit, empty for factors.
-struct NamedInput {
-    StatedQuantity quantity;
-    std::string unit;
-};
-
-/// Inputs of a recipe that have a name, each once: calibrations and tips of the instruments in use, those of the machine
-/// where there are loops, lenses and batches of elastomers.
-[[nodiscard]] std::vector<NamedInput> named_inputs(const Recipe& recipe);
+/// What a recipe's study is told by name, each once: calibrations and tips of the instruments in use, calibrations of
+/// the machine where there are loops, lenses and batches of elastomers.
+[[nodiscard]] std::vector<StatedQuantity> named_inputs(const Recipe& recipe);
 
 /// Reads a recipe from TOML; docs/guides/laboratory.md describes every key.
 ///
@@ -146,8 +140,8 @@ struct NamedInput {
 ///   from (to/from)^u,  u uniform in (0, 1), of the seed and the names of table and key alone
 ///
 /// so that another surface, or another order, changes no other number. What is told with a ± is drawn about it once a
-/// scope (an instrument, a machine, a tip, a lens, a batch of elastomers), of the seed and the scope's name alone. seed:
-/// in place of the recipe's.
+/// scope (an instrument, a machine, a tip, a lens, a batch of elastomers), of the seed and the scope's name alone.
+/// seed: in place of the recipe's.
 /// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one),
 /// a missing or wrong unit, a pair that is not 0 < from <= to, a spectrum whose parameters contradict each other, a
 /// protocol that is not declared, two different values of one scope, a calibration with a unit or not above 0.

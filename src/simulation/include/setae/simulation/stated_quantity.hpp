@@ -11,6 +11,7 @@ namespace setae::simulation {
 struct StatedQuantity {
     double value = 0.0;   ///< true, SI
     Estimate told;        ///< what the study is told, SI
+    std::string unit{};   ///< SI: "m"; empty for factors
     std::string input{};  ///< its name in the study's [inputs]; empty where it is told without one
 };
 
