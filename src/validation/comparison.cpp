@@ -97,6 +97,17 @@ void add_predictions(std::vector<Comparison>& rows, int run, const Planted& plan
     });
 }
 
+/// W_app of each pair by (7) as fitted to the pairs of the other surfaces, of the other elastomers.
+void add_left_out(std::vector<Comparison>& rows, int run, const Planted& planted, const std::string& method,
+                  const study::Conclusions& study) {
+    for_each_pair(planted, study, [&](const simulation::PlantedLoop& loop, const study::PairResult&) {
+        for (const auto& left : study.left_out)
+            if (left.surface == loop.surface && left.elastomer == loop.elastomer)
+                add(rows, {run, pair_name(loop), left.surface_left_out ? "next_surface_work" : "next_elastomer_work",
+                           method, "J/m2", Deviation::absolute, loop.specimen.work_approach, left.predicted});
+    });
+}
+
 /// What the study makes of all loops on a pair, and of all on an elastomer.
 void add_measured(std::vector<Comparison>& rows, int run, const Planted& planted, const StudyResult& study) {
     for_each_pair(planted, study, [&](const simulation::PlantedLoop& loop, const study::PairResult& pair) {
@@ -177,6 +188,7 @@ std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, c
     const auto add_related = [&](const std::string& method, const study::Conclusions& related) {
         add_work_of_adhesion(rows, run, recipe.work_of_adhesion, method, related);
         add_predictions(rows, run, planted, method, related);
+        add_left_out(rows, run, planted, method, related);
     };
     add_related(likelihood ? "likelihood" : "average", study);
     if (likelihood) add_related("average", *study.by_average);

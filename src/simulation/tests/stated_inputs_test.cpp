@@ -319,7 +319,8 @@ TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
     expect("force = \"1 ± 0.01\"", "force = \"1 ± 0.01 N\"", {"calibrations.force", "N"});
     expect("force = \"1 ± 0.01\"", "force = -1", {"calibrations.force", "above 0"});
     expect("force = \"1 ± 0.01\"", "force = \"1 ± 1.5\"", {"calibrations.force", "larger than the value"});
-    expect("afm = \"1.05 ± 0.02\"", "amf = \"1.05 ± 0.02\"", {"calibrations.height.amf", "expected stylus, afm or tem"});
+    expect("afm = \"1.05 ± 0.02\"", "amf = \"1.05 ± 0.02\"",
+           {"calibrations.height.amf", "expected stylus, afm or tem"});
     expect("lateral = {", "laterals = {", {"unknown key 'laterals'", "'lateral'"});
     expect("surface_energy = \"25 ± 5 mJ/m2\"", "surface_energy = \"26 ± 5 mJ/m2\"",
            {"elastomers.E10.surface_energy", "surface_energy_sylgard", "0.026 ± 0.005", "elastomers.E07"});
