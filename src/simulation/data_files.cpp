@@ -58,7 +58,7 @@ void add_inputs(StudyLines& lines, const Recipe& recipe) {
 std::string measurement_text(const MeasurementFile& m) {
     std::string text = fmt::format("{{ file = {}, instrument = \"{}\"", bytes::toml_quoted(m.file), m.instrument);
     const auto add = [&](const char* key, const std::string& value) {
-        if (!value.empty()) text += fmt::format(", {} = \"{}\"", key, value);
+        if (!value.empty()) text += fmt::format(", {} = {}", key, bytes::toml_quoted(value));
     };
     add("tip_radius", m.tip_radius);
     add("height_calibration", m.height_calibration);
@@ -98,18 +98,16 @@ void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecip
         lines.add("preload = \"{} N\"", recipe.loops->protocol.maximum_force);
 }
 
-/// Factors of the machine that made all loops.
-void add_machine(StudyLines& lines, const Calibrations& factors) {
-    bool begun = false;
+/// Factors of the machine that made all loops, those with a name or those without; empty where there are none.
+std::string machine_text(const Calibrations& factors, bool named) {
+    StudyLines lines;
     const auto add = [&](const char* key, const std::optional<StatedQuantity>& factor) {
-        if (!factor) return;
-        if (!begun) lines.add("\n[loops]");
-        begun = true;
-        lines.add("{} = {}", key, bytes::toml_quoted(factor->input));
+        if (factor && factor->input.empty() != named) lines.add("{} = {}", key, bytes::toml_quoted(mention(*factor)));
     };
     add("force_calibration", factors.force);
     add("displacement_calibration", factors.displacement);
     add("contact_radius_calibration", factors.contact_radius);
+    return lines.text;
 }
 
 }  // namespace
@@ -218,13 +216,15 @@ std::string study_text(const Recipe& recipe, const std::vector<std::vector<Measu
         lines.add("]");
     }
     for (const auto& elastomer : recipe.elastomers) add_elastomer(lines, recipe, elastomer, loops);
-    if (recipe.loops) add_machine(lines, recipe.calibrations);
+    const auto machine = machine_text(recipe.calibrations, true);
+    if (recipe.loops && !machine.empty()) lines.text += "\n[loops]\n" + machine;
     for (const auto& loop : loops) {
         if (!loop.measured) continue;
         lines.add("\n[[experiments]]\nfile = {}\nelastomer = {}", bytes::toml_quoted(loop.file),
                   bytes::toml_quoted(loop.elastomer));
         if (loop.surface.empty()) lines.add("role = \"reference\"\nstage = \"{}\"", loop.stage);
         else lines.add("surface = {}", bytes::toml_quoted(loop.surface));
+        lines.text += machine_text(recipe.calibrations, false);
     }
     return lines.text;
 }

@@ -28,7 +28,7 @@ struct MeasurementFile {
     std::string file{};  ///< relative to the data set's folder
     std::string instrument;
     std::string tip_radius;                 ///< "5e-06 ± 2e-07 m", an input's name, or empty without tip
-    std::string height_calibration{};       ///< name of the input; empty without one
+    std::string height_calibration{};       ///< "afm_height", "1 ± 0.02"; empty without one
     std::string lateral_calibration{};      ///< likewise
     double foil_thickness = 0.0;            ///< [m]; 0: a line
     std::vector<std::string> references{};  ///< scans of a smooth standard in the same session

@@ -38,16 +38,16 @@ constexpr double cost_of_strip = 1e9;
 template <class Protocol>
 std::string tip_text(const Protocol& protocol, const std::optional<StatedQuantity>& shared) {
     if (protocol.tip_radius == 0.0) return "";
-    return shared ? shared->input : told_text({protocol.tip_radius, protocol.tip_radius_standard_error}, "m");
+    return shared ? mention(*shared) : told_text({protocol.tip_radius, protocol.tip_radius_standard_error}, "m");
 }
 
 /// How a measurement of an instrument is listed, without its file.
 MeasurementFile entry_of(const char* instrument, const InstrumentCalibration& factors, std::string tip) {
-    const auto name_of = [](const std::optional<StatedQuantity>& factor) { return factor ? factor->input : ""; };
+    const auto text_of = [](const std::optional<StatedQuantity>& factor) { return factor ? mention(*factor) : ""; };
     return {.instrument = instrument,
             .tip_radius = std::move(tip),
-            .height_calibration = name_of(factors.height),
-            .lateral_calibration = name_of(factors.lateral)};
+            .height_calibration = text_of(factors.height),
+            .lateral_calibration = text_of(factors.lateral)};
 }
 
 /// Collects what is to be written, then writes it with all threads; the order of the list is that of the calls.

@@ -86,6 +86,25 @@ LoopRecipe read_loops(TomlReader& reader) {
     return loops;
 }
 
+/// What is shared is drawn once all the same, but the study is told it anew at every place.
+void forget_names(Recipe& recipe) {
+    const auto forget = [](std::optional<StatedQuantity>& quantity) {
+        if (quantity) quantity->input.clear();
+    };
+    auto& calibrations = recipe.calibrations;
+    for (auto* instrument : {&calibrations.stylus, &calibrations.afm, &calibrations.tem}) {
+        forget(instrument->height);
+        forget(instrument->lateral);
+    }
+    for (auto* factor : {&calibrations.force, &calibrations.displacement, &calibrations.contact_radius,
+                         &recipe.stylus_tip, &recipe.afm_tip})
+        forget(*factor);
+    for (auto& elastomer : recipe.elastomers) {
+        elastomer.surface_energy.input.clear();
+        elastomer.sphere_radius.input.clear();
+    }
+}
+
 /// Pairs without a loop name what there is, and leave the study a modulus of every elastomer.
 void require_declared(const LoopRecipe& loops, const Recipe& recipe, const TomlReader& reader) {
     const auto count_of = [&](const std::string& elastomer) {
@@ -145,6 +164,7 @@ Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed) {
         recipe.loops = read_loops(inner);
         require_declared(*recipe.loops, recipe, inner);
     });
+    if (!reader.boolean("name_inputs").value_or(true)) forget_names(recipe);
     reader.finish();
     if (recipe.surfaces.empty()) reader.fail("surfaces", "missing: expected [surfaces.NAME]");
     return recipe;

@@ -44,5 +44,9 @@ private:
 [[nodiscard]] inline std::string told_text(const StatedQuantity& quantity) {
     return told_text(quantity.told, quantity.unit);
 }
+/// The same as a key of the study has it: its name, where it has one.
+[[nodiscard]] inline std::string mention(const StatedQuantity& quantity) {
+    return quantity.input.empty() ? told_text(quantity) : quantity.input;
+}
 
 }  // namespace setae::simulation

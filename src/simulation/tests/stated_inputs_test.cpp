@@ -255,6 +255,31 @@ TEST(Calibrations, OfInstrumentsOutOfUseAreNotTold) {
     }
 }
 
+// The same data; the study cannot know what is one thing.
+TEST(Calibrations, AreToldAnewAtEveryPlaceWithoutNames) {
+    const Recipe recipe = recipe_of(std::string("name_inputs = false\n") + calibrated);
+    EXPECT_EQ(recipe.calibrations.force->value, twins().recipe.calibrations.force->value);
+    EXPECT_EQ(recipe.elastomers[0].sphere_radius.value, twins().recipe.elastomers[0].sphere_radius.value);
+    const fs::path folder = scratch("unnamed");
+    make(recipe, folder.string(), {2});
+    const auto study = bytes::read_file((folder / "study.toml").string());
+    EXPECT_EQ(study.find("[inputs]"), std::string::npos);
+    for (const char* name : {"afm_", "lens_1", "sylgard", "\"force_calibration\""})
+        EXPECT_EQ(study.find(name, study.find("[elastomers")), std::string::npos) << name;
+    const auto count = [&](const std::string& text) {
+        int found = 0;
+        for (auto at = study.find(text); at != std::string::npos; at = study.find(text, at + 1)) ++found;
+        return found;
+    };
+    EXPECT_EQ(count("\nforce_calibration = \"1 ± 0.01\"\n"), 5);
+    EXPECT_EQ(count("sphere_radius = \"0.00125 ± 1.25e-05 m\"\n"), 2);
+    EXPECT_EQ(count("surface_energy = \"0.025 ± 0.005 J/m2\"\n"), 2);
+    EXPECT_EQ(count("height_calibration = \"1.05 ± 0.02\""), 2);
+    EXPECT_EQ(count("tip_radius = \"1e-08 ± 1e-09 m\""), 2);
+    EXPECT_EQ(bytes::read_file((folder / "loops/A_E07.csv").string()),
+              bytes::read_file((twins().stated / "loops/A_E07.csv").string()));
+}
+
 TEST(UnmeasuredPairs, ArePlantedAndToldApart) {
     const auto& [recipe, stated, exact] = twins();
     EXPECT_FALSE(fs::exists(stated / "loops/B_E10.csv"));
