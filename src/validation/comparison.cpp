@@ -67,7 +67,7 @@ void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted
     };
     if (study.modified) add_work("work_of_adhesion", study.modified->clustered);
     if (study.work_of_adhesion) add_work("work_of_predictions", *study.work_of_adhesion);
-    if (study.loop) add_work("work_of_adhesion_from_loss", study.loop->through_origin);
+    if (study.loop) add_work("work_of_adhesion_from_loss", study.loop->through_origin.clustered);
 }
 
 /// Calls visit(planted loop, what the study says of the pair) for every pair of the study that has one.
