@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recipe_instruments.hpp"
 
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace setae::simulation {
 namespace {
@@ -15,24 +17,34 @@ std::optional<StatedQuantity> factor(TomlReader& reader, const std::string& tabl
     return stated.required(reader, table, key, positive(dimension::none), input);
 }
 
+/// Factors of the instruments under a key, by take(factor, instrument).
+void of_instruments(TomlReader& reader, const char* key, StatedDraws& stated, Calibrations& calibrations,
+                    const std::function<void(StatedQuantity, InstrumentCalibration&)>& take) {
+    reader.table(key, [&](TomlReader inner) {
+        for (const auto& name : inner.keys()) {
+            auto* instrument = name == "stylus" ? &calibrations.stylus
+                               : name == "afm"  ? &calibrations.afm
+                               : name == "tem"  ? &calibrations.tem
+                                                : nullptr;
+            if (!instrument) inner.fail(name.c_str(), "no instrument of a laboratory; expected stylus, afm or tem");
+            auto quantity = stated.required(inner, std::string("calibrations.") + key, name.c_str(),
+                                            positive(dimension::none), name + "_" + key);
+            if (instrument->height && instrument->lateral)
+                inner.fail(name.c_str(), "has a scale, too; expected a scale, or a height and a lateral factor");
+            take(std::move(quantity), *instrument);
+        }
+    });
+}
+
 Calibrations read_calibrations(TomlReader reader, StatedDraws& stated) {
     Calibrations calibrations;
-    const auto of_instruments = [&](const char* what, std::optional<StatedQuantity> InstrumentCalibration::* member) {
-        reader.table(what, [&](TomlReader inner) {
-            for (const auto& name : inner.keys())
-                if (name != "stylus" && name != "afm" && name != "tem")
-                    inner.fail(name.c_str(), "no instrument of a laboratory; expected stylus, afm or tem");
-            const auto table = std::string("calibrations.") + what;
-            const auto take = [&](const char* instrument, InstrumentCalibration& to) {
-                to.*member = factor(inner, table, instrument, std::string(instrument) + "_" + what, stated);
-            };
-            take("stylus", calibrations.stylus);
-            take("afm", calibrations.afm);
-            take("tem", calibrations.tem);
-        });
-    };
-    of_instruments("height", &InstrumentCalibration::height);
-    of_instruments("lateral", &InstrumentCalibration::lateral);
+    of_instruments(reader, "scale", stated, calibrations, [](StatedQuantity quantity, InstrumentCalibration& to) {
+        to.height = to.lateral = std::move(quantity);
+    });
+    of_instruments(reader, "height", stated, calibrations,
+                   [](StatedQuantity quantity, InstrumentCalibration& to) { to.height = std::move(quantity); });
+    of_instruments(reader, "lateral", stated, calibrations,
+                   [](StatedQuantity quantity, InstrumentCalibration& to) { to.lateral = std::move(quantity); });
     const auto of_machine = [&](const char* what, std::optional<StatedQuantity>& to) {
         to = factor(reader, "calibrations", what, std::string(what) + "_calibration", stated);
     };

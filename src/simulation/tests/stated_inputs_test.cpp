@@ -246,6 +246,16 @@ TEST(Calibrations, AreToldByTheirNamesAndEveryNameIsMentioned) {
         EXPECT_TRUE(holds(" = \"" + quantity.input + "\"")) << quantity.input;
 }
 
+TEST(Calibrations, OfAScaleAreThoseOfHeightsAndLengths) {
+    auto text = replaced(calibrated, ", tem = \"1 ± 0.03\" }", " }");
+    text = replaced(text, ", tem = \"1 ± 0.01\" }", " }\nscale = { tem = \"1 ± 0.02\" }");
+    const Recipe recipe = recipe_of(text);
+    EXPECT_EQ(recipe.calibrations.tem.height->value, recipe.calibrations.tem.lateral->value);
+    EXPECT_EQ(recipe.calibrations.tem.height->input, "tem_scale");
+    EXPECT_NE(recipe.calibrations.tem.height->value, 1.0);
+    EXPECT_EQ(named_inputs(recipe).size(), named_inputs(recipe_of(calibrated)).size() - 1);
+}
+
 TEST(Calibrations, OfInstrumentsOutOfUseAreNotTold) {
     auto text = replaced(calibrated, "tem = { lengths = [\"20 nm\"] }", "");
     text.erase(text.find("[loops]"));
@@ -346,6 +356,7 @@ TEST(StatedInputs, ThatContradictThemselvesAreRefused) {
     expect("force = \"1 ± 0.01\"", "force = \"1 ± 1.5\"", {"calibrations.force", "larger than the value"});
     expect("afm = \"1.05 ± 0.02\"", "amf = \"1.05 ± 0.02\"",
            {"calibrations.height.amf", "expected stylus, afm or tem"});
+    expect("force = \"1 ± 0.01\"", "scale = { afm = 1.01 }", {"calibrations.height.afm", "has a scale, too"});
     expect("lateral = {", "laterals = {", {"unknown key 'laterals'", "'lateral'"});
     expect("surface_energy = \"25 ± 5 mJ/m2\"", "surface_energy = \"26 ± 5 mJ/m2\"",
            {"elastomers.E10.surface_energy", "surface_energy_sylgard", "0.026 ± 0.005", "elastomers.E07"});
