@@ -99,7 +99,8 @@ BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const Generalise
     if (pairs.empty()) deviates.add(work.components);
     for (const auto* list : {&pairs, &lines})
         for (const auto& pair : *list)
-            for (const auto* inputs : {&pair.measured_inputs, &pair.slope_inputs, &pair.offset_inputs})
+            for (const auto* inputs : {&pair.measured_inputs, &pair.measured_noise, &pair.slope_inputs,
+                                       &pair.offset_inputs})
                 deviates.add(*inputs);
     std::optional<GeneralisedWeights> weights;
     if (!pairs.empty()) weights.emplace(pairs, fit);
@@ -121,11 +122,11 @@ BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const Generalise
             std::vector<PairPoint> there;
             for (std::size_t i = 0; i < pairs.size(); ++i) {
                 auto pair = at_draw(pairs[i]);
-                const auto& measured = pairs[i].measured;
-                const double relative =
-                    measured.value > 0.0 ? pairs[i].prediction(work.value) / measured.value : 1.0;
-                pair.measured.value += relative * deviates.moved(pair.measured_inputs) + effects.of(pair) +
-                                       (measured.uncertain() ? measured.standard_error * noise[static_cast<Index>(i)] : 0.0);
+                const double measured = pairs[i].measured.value,
+                             relative = measured > 0.0 ? pairs[i].prediction(work.value) / measured : 1.0;
+                pair.measured.value += relative * deviates.moved(pair.measured_inputs) +
+                                       deviates.moved(pair.measured_noise) + effects.of(pair) +
+                                       std::sqrt(pairs[i].own_variance()) * noise[static_cast<Index>(i)];
                 there.push_back(std::move(pair));
             }
             drawn = weights->work_of(there);

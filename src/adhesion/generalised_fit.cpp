@@ -66,7 +66,7 @@ Residuals residuals_at(const std::vector<PairPoint>& pairs, double work) {
         for (Index j = 0; j <= i; ++j)
             result.covariance(i, j) = result.covariance(j, i) =
                 covariance(result.inputs[static_cast<std::size_t>(i)], result.inputs[static_cast<std::size_t>(j)]) +
-                (i == j ? pairs[static_cast<std::size_t>(i)].measured.variance() : 0.0);
+                (i == j ? pairs[static_cast<std::size_t>(i)].own_variance() : 0.0);
     return result;
 }
 
@@ -110,11 +110,6 @@ double minimum_of(const std::vector<PairPoint>& pairs, const Eigen::LLT<MatrixXd
         from = to;
     }
     return best;
-}
-
-Component own_noise(const Estimate& measured, double derivative) {
-    return {Array1D::Constant(1, derivative * measured.standard_error),
-            measured.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())};
 }
 
 class Fit {
@@ -226,8 +221,8 @@ private:
             parts.push_back({h[static_cast<Index>(i)], at_.inputs[i]});
         auto result = combined(parts);
         for (std::size_t i = 0; i < pairs_.size(); ++i)
-            if (const auto& measured = pairs_[i].measured; measured.uncertain())
-                result[pairs_[i].own_noise()] = own_noise(measured, h[static_cast<Index>(i)]);
+            if (pairs_[i].own_variance() > 0.0)
+                result[pairs_[i].own_noise()] = own_noise(pairs_[i], h[static_cast<Index>(i)]);
         add_scatter(result, h);
         return result;
     }

@@ -23,10 +23,10 @@ LeftOutPrediction predicted_by(const GeneralisedFit& others, const PairPoint& pa
     const auto of_work = combined({{share * pair.slope, others.work_of_adhesion.components}, {1.0, of_model}});
     const TracedValue predicted{pair.prediction(work),
                                 combined({{share, pair.prediction_inputs(work)}, {1.0, of_work}})};
-    const TracedValue own(pair.measured, pair.own_noise());
+    const Components own{{pair.own_noise(), own_noise(pair, 1.0)}};
     const TracedValue residual{
         pair.measured.value - predicted.value,
-        combined({{1.0, residual_inputs(pair, work)}, {-1.0, of_work}, {1.0, own.components}})};
+        combined({{1.0, residual_inputs(pair, work)}, {-1.0, of_work}, {1.0, own}})};
     const auto estimate = residual.estimate();
     const auto interval = interval_of(estimate);
     return {surface_left_out,

@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 namespace setae::adhesion {
+
+double PairPoint::own_variance() const {
+    return std::max(0.0, measured.variance() - covariance(measured_noise, measured_noise));
+}
 
 double PairPoint::prediction(double work) const {
     const double raw = raw_prediction(work);
@@ -35,10 +40,16 @@ TracedValue raw_prediction(const PairPoint& pair, const TracedValue& work) {
             combined({{1.0, pair.prediction_inputs(work.value)}, {pair.slope, work.components}})};
 }
 
+Component own_noise(const PairPoint& pair, double derivative) {
+    return {Array1D::Constant(1, derivative * std::sqrt(pair.own_variance())),
+            pair.measured.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity())};
+}
+
 Components residual_inputs(const PairPoint& pair, double work) {
     const double relative = pair.measured.value > 0.0 ? pair.prediction(work) / pair.measured.value : 1.0;
-    return combined(
-        {{relative, pair.measured_inputs}, {-share_through_floor(pair, work), pair.prediction_inputs(work)}});
+    return combined({{relative, pair.measured_inputs},
+                     {1.0, pair.measured_noise},
+                     {-share_through_floor(pair, work), pair.prediction_inputs(work)}});
 }
 
 double share_through_floor(const PairPoint& pair, double work) {

@@ -100,7 +100,7 @@ PredictionTest test_predictions(const std::vector<PairPoint>& pairs, const Trace
         for (Index j = 0; j < n; ++j)
             of_residuals(i, j) =
                 covariance(inputs[static_cast<std::size_t>(i)], inputs[static_cast<std::size_t>(j)]) +
-                (i == j ? pairs[static_cast<std::size_t>(i)].measured.variance() : 0.0);
+                (i == j ? pairs[static_cast<std::size_t>(i)].own_variance() : 0.0);
     return prediction_test(std::move(residuals), of_residuals, work_fitted ? std::optional(slopes) : std::nullopt);
 }
 

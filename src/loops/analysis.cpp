@@ -8,8 +8,11 @@
 
 #include "alerts.hpp"
 #include "attempt.hpp"
+#include "contact_analysis.hpp"
 #include "cycle_analysis.hpp"
+#include "records/baseline.hpp"
 #include "records/drift.hpp"
+#include "records/record.hpp"
 
 namespace setae::loops {
 namespace {
@@ -28,22 +31,38 @@ void add_ranges(std::vector<IndexRange>& ranges, const std::vector<IndexRange>& 
     ranges.insert(ranges.end(), further.begin(), further.end());
 }
 
-PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const AnalysisOptions& options) {
+Segments found_segments(const Loop& loop, const RecordFaults& faults, const SegmentOptions& options) {
+    Segments segments = find_segments(loop, options);
+    add_ranges(segments.ignored, faults.saturated_high);
+    add_ranges(segments.ignored, faults.saturated_low);
+    return segments;
+}
+
+Segments measured_anew(Segments segments, const Loop& loop, const SegmentOptions& options) {
+    const auto measured = [&](const Baseline& baseline) {
+        return baseline.range ? baseline_over(loop, *baseline.range) : find_baseline(loop, options);
+    };
+    segments.before = measured(segments.before);
+    if (segments.after) segments.after = measured(*segments.after);
+    return segments;
+}
+
+}  // namespace
+
+PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const AnalysisOptions& options,
+                        const Segments* known) {
     PreparedRecord record;
     Loop loop = recorded;
     if (faults.time_backwards) loop.time = Array1D();  // samples count on in its stead
     record.deflected = without_displacement_drift(without_compliance(loop, options.machine_stiffness),
                                                   options.displacement_drift_rate);
-    record.segments = find_segments(record.deflected, options.segments);
-    add_ranges(record.segments.ignored, faults.saturated_high);
-    add_ranges(record.segments.ignored, faults.saturated_low);
+    record.segments = known ? measured_anew(*known, record.deflected, options.segments)
+                            : found_segments(record.deflected, faults, options.segments);
     if (options.extrapolate_force_drift) record.drift = DriftModel::extrapolated;
     record.level =
         options.force_drift ? without_force_drift(record.deflected, record.segments, record.drift) : record.deflected;
     return record;
 }
-
-}  // namespace
 
 LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
                      const std::string& subject) {

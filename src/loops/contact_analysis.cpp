@@ -290,7 +290,7 @@ Selection without_ignored(Selection selection, const Segments& segments) {
 }
 
 ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const LensAndCounterBody& bodies,
-                                const AnalysisOptions& options) {
+                                const AnalysisOptions& options, const ContactAnalysis* decided) {
     const Loop& loop = record.level;
     const Segments& segments = record.segments;
     const ContactSegments& contact = segments.contacts[static_cast<std::size_t>(index)];
@@ -300,7 +300,9 @@ ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const
     analysis.loading = analyse_loading(loop, segments, contact, bodies, free);
     analysis.context = find_context(loop, segments, contact, analysis.loading, bodies, options);
     analysis.hold = hold_growth(loop, segments, contact, analysis.loading, bodies, options);
-    if (options.leave_pinned_out) analysis.pinned = pinned_stretch(loop, segments, contact, analysis, bodies, options);
+    if (decided) analysis.pinned = decided->pinned;
+    else if (options.leave_pinned_out)
+        analysis.pinned = pinned_stretch(loop, segments, contact, analysis, bodies, options);
     analysis.unloading = analyse_unloading(loop, segments, contact, analysis.pinned, analysis.loading, bodies, free);
     const ContactPointInputs inputs = inputs_of(loop, segments, index, analysis, bodies, options);
     analysis.contact_points = attempt([&] { return contact_points(inputs, bodies, options.contact_point); });

@@ -16,9 +16,16 @@ struct PreparedRecord {
 /// A branch without the samples that no fit uses.
 [[nodiscard]] Selection without_ignored(Selection selection, const Segments& segments);
 
-/// Everything about one touch.
+/// A record with its faults taken out, as the options want it. `known`: segments to keep, in which baselines are
+/// measured anew; else they are found.
+/// @throws as find_segments.
+[[nodiscard]] PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const AnalysisOptions& options,
+                                      const Segments* known = nullptr);
+
+/// Everything about one touch. `decided`: an analysis whose pinned stretch is kept; else it is found.
 /// @throws UndefinedDataError where its loading has too few samples.
 [[nodiscard]] ContactAnalysis analyse_contact(const PreparedRecord& record, Index contact,
-                                              const LensAndCounterBody& bodies, const AnalysisOptions& options);
+                                              const LensAndCounterBody& bodies, const AnalysisOptions& options,
+                                              const ContactAnalysis* decided = nullptr);
 
 }  // namespace setae::loops

@@ -233,7 +233,9 @@ std::vector<AlertKind> of_loops() {
         {"COLUMN_UNUSED", about, "columns of the table play no part"},
         {"CLOCK_DOUBTFUL", about, "the offset found between the clocks of camera and force is doubtful"},
         {"FRAMES_BAD", about, "frames of the recording have no contact radius"},
-        {"FRAMES_OUTSIDE", about, "frames lie outside the force record"}};
+        {"FRAMES_OUTSIDE", about, "frames lie outside the force record"},
+        {"INPUT_LOST", about,
+         "a loop analysed with one of its inputs a thousandth off lacks a number that it has without"}};
 }
 
 std::vector<AlertKind> of_studies() {

@@ -121,6 +121,19 @@ Estimate mean_of(const Fitted& fit, const std::string& surface, double level) {
                         std::numeric_limits<double>::infinity(), level);
 }
 
+/// ∂mean/∂row of a surface, over all rows of the data.
+Array1D weights_of(const Fitted& fit, const std::string& surface, std::size_t rows) {
+    Array1D weights = Array1D::Zero(static_cast<Index>(rows));
+    const auto place = static_cast<int>(fit.place(surface));
+    const auto own = std::count(fit.design.surface.begin(), fit.design.surface.end(), place);
+    for (std::size_t i = 0; i < fit.design.rows.size(); ++i)
+        if (fit.information)
+            weights[static_cast<Index>(fit.design.rows[i])] = fit.information->row_weights(place, static_cast<Index>(i));
+        else if (fit.design.surface[i] == place)  // one row, or rows all alike
+            weights[static_cast<Index>(fit.design.rows[i])] = 1.0 / static_cast<double>(own);
+    return weights;
+}
+
 std::optional<Interval> prediction_of(const Fitted& fit, const std::string& surface, double level) {
     if (!fit.information) return std::nullopt;
     const auto mean = fit.information->mean(fit.place(surface));
@@ -356,6 +369,7 @@ MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& optio
                             .groups = group_counts(data, own),
                             .n = static_cast<int>(own.size()),
                             .excluded = static_cast<int>(on_it.size() - own.size()),
+                            .weights = weights_of(*fit, name, data.rows.size()),
                             .notes = notes_of(data, *fit, own)};
         if (surface.excluded > 0) surface.with_excluded = mean_of(*with_excluded->of(name), name, options.level);
         if (options.influence && own.size() > 1)

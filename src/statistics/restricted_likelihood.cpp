@@ -342,6 +342,7 @@ DesignInformation information_of(const NestedDesign& design, const Array1D& vari
     if (!(unit > 0.0)) throw InternalError("a mixed model without any variance");
     DesignInformation result{
         .means = Eigen::VectorXd(surfaces),
+        .row_weights = Eigen::MatrixXd::Zero(surfaces, design.size()),
         .means_covariance = Eigen::MatrixXd::Zero(surfaces, surfaces),
         .gradients = std::vector<Eigen::MatrixXd>(design.levels.size(), Eigen::MatrixXd::Zero(surfaces, surfaces))};
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(levels, levels);
@@ -357,6 +358,8 @@ DesignInformation information_of(const NestedDesign& design, const Array1D& vari
             (block.surfaces.transpose() * value).cwiseQuotient(block.surfaces.colwise().sum().transpose());
         result.means.segment(at.first_surface, at.surfaces) =
             centre + block.means_covariance * (block.weighted.transpose() * (value - block.surfaces * centre));
+        result.row_weights.block(at.first_surface, at.first, at.surfaces, at.size) =
+            block.means_covariance * block.weighted.transpose();
         own(result.means_covariance) = unit * block.means_covariance;
         for (Index j = 0; j < levels; ++j) {
             const auto& Zj = block.groups[static_cast<std::size_t>(j)];

@@ -35,6 +35,7 @@ struct GeneralizedMean {
 /// What a design says of its means and variances at given θ. X: indicators of surfaces.
 struct DesignInformation {
     Eigen::VectorXd means;                   ///< μ = Φ XᵀV⁻¹y, in the order of the surfaces
+    Eigen::MatrixXd row_weights;             ///< Φ XᵀV⁻¹: ∂μ/∂y, a column each row of the design
     Eigen::MatrixXd means_covariance;        ///< Φ = (XᵀV⁻¹X)⁻¹
     std::vector<Eigen::MatrixXd> gradients;  ///< ∂Φ/∂θ of each level
     Array2D covariance;                      ///< of the variances: inverse of ½ tr(P Z_j Z_jᵀ P Z_k Z_kᵀ)

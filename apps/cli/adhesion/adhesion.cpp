@@ -54,9 +54,9 @@ study::Study study_of(const Arguments& arguments) {
     study::ElastomerInput elastomer;
     elastomer.name = "soft solid";
     elastomer.youngs_modulus = parse_uncertain_quantity(arguments.youngs_modulus, positive(dimension::pressure));
-    elastomer.poisson_ratio = arguments.poisson_ratio;
+    elastomer.poisson_ratio.value = arguments.poisson_ratio;
     if (!arguments.radius.empty()) {
-        elastomer.sphere_radius = parse_quantity(arguments.radius, positive(dimension::length));
+        elastomer.sphere_radius = parse_uncertain_quantity(arguments.radius, positive(dimension::length));
         elastomer.preload = parse_quantity(arguments.preload, non_negative(dimension::force));
     }
     elastomer.surface_energy =

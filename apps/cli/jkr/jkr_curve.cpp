@@ -71,6 +71,9 @@ bool CurveArguments::concerns(const std::string& file) const {
 }
 
 loops::LensAndCounterBody CurveArguments::bodies(const BodyArguments& given, const Table& of_curve) const {
+    if (const auto radius = given.given_radius(); radius && radius->uncertain())
+        throw InvalidArgument(
+            fmt::format("--radius \"{}\": fits of force curves take it for exact; give it without ±", given.radius));
     return tip == "paraboloid" ? given.bodies(of_curve) : given.without_radius(of_curve);
 }
 

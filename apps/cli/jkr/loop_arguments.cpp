@@ -10,6 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/machine_stiffness.hpp"
+#include "setae/loops/shared_inputs.hpp"
 #include "setae/study/force_map.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping_folder.hpp"
@@ -38,6 +39,11 @@ AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& fil
     loop.bodies = request.bodies.bodies(loop.opened.table);
     loop.options = request.analysis.options(loop.opened.table);
     loop.analysis = study::analyse_loop(loop.opened, file, loop.bodies, loop.options);
+    if (const auto radius = request.bodies.given_radius(); radius && radius->uncertain())
+        loops::add_input_error(loop.analysis, loop.bodies,
+                               {loops::loop_from_table(loop.opened.table), loop.bodies, loop.options, loop.analysis,
+                                loops::SharedInput::sphere_radius},
+                               radius->standard_error);
     return loop;
 }
 
@@ -114,7 +120,10 @@ study::OpenedLoop LoopArguments::open(const std::string& file) const {
 }
 
 void BodyArguments::add_to(Options& options) {
-    options.add("--radius", radius, "radius of the sphere, such as \"7.5 um\"").quantity(positive(dimension::length));
+    options
+        .add("--radius", radius,
+             "radius of the sphere, such as \"7.5 um\"; \"7.5 ± 0.1 um\" counts in the ± of JKR's fits of loops")
+        .quantity(positive(dimension::length));
     options.add("--nu,--poisson-ratio", poisson_ratio, "Poisson ratio of the soft body; default 0.5")
         .within(domain::poisson_ratio);
     options.add("--counter-E", counter_modulus, "Young's modulus of the counter-body; default rigid")
@@ -124,6 +133,11 @@ void BodyArguments::add_to(Options& options) {
         .quantity(positive(dimension::length));
     options.add("--layer-thickness", layer_thickness, "the same of a soft layer on a rigid base")
         .quantity(positive(dimension::length));
+}
+
+std::optional<Estimate> BodyArguments::given_radius() const {
+    return radius.empty() ? std::nullopt
+                          : std::optional(parse_uncertain_quantity(radius, positive(dimension::length)));
 }
 
 loops::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {
@@ -136,7 +150,7 @@ loops::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {
 
 loops::LensAndCounterBody BodyArguments::without_radius(const Table& loop) const {
     auto bodies = study::bodies_stated_in(loop);
-    bodies.radius = given(radius, dimension::length).value_or(bodies.radius);
+    if (const auto own = given_radius()) bodies.radius = own->value;
     bodies.lens_poisson_ratio = poisson_ratio.value_or(bodies.lens_poisson_ratio);
     bodies.counter_youngs_modulus = given(counter_modulus, dimension::pressure).value_or(bodies.counter_youngs_modulus);
     bodies.counter_poisson_ratio = counter_poisson_ratio.value_or(bodies.counter_poisson_ratio);

@@ -37,9 +37,9 @@ bool has_displacement(const ExperimentResult& e) { return e.analysis->corrected.
 
 /// Radius of the sphere [m]; 0 where the study does not say.
 double sphere_radius(const StudyResult& result, const ExperimentResult& e) {
-    if (e.input.sphere_radius) return *e.input.sphere_radius;
+    if (e.input.sphere_radius) return e.input.sphere_radius->value;
     const auto* elastomer = result.study.elastomer(e.input.elastomer);
-    return elastomer && elastomer->sphere_radius ? *elastomer->sphere_radius : 0.0;
+    return elastomer && elastomer->sphere_radius ? elastomer->sphere_radius->value : 0.0;
 }
 
 /// A series' look: which surface or stage, and its name.

@@ -160,6 +160,14 @@ loops::LensAndCounterBody bodies_stated_in(const Table& loop) {
     return bodies;
 }
 
+void apply(const loops::Calibration& factors, OpenedLoop& loop) {
+    for (auto& column : loop.table.columns) {
+        if (column.name == "force") column.values *= factors.force;
+        if (column.name == "displacement") column.values *= factors.displacement;
+        if (column.name == "contact_radius") column.values *= factors.contact_radius;
+    }
+}
+
 loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file,
                                  const loops::LensAndCounterBody& bodies, const loops::AnalysisOptions& options) {
     return naming(file, [&] {

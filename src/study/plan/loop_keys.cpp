@@ -2,6 +2,7 @@
 #include "loop_keys.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace setae::study {
 namespace {
@@ -23,10 +24,10 @@ auto fitted(Field field) {
 }
 
 void read_machine_stiffness(TomlReader& reader, ExperimentInput& e) {
-    const auto stiffness = reader.uncertain("machine_stiffness", positive(dimension::stiffness));
+    auto stiffness = reader.uncertain("machine_stiffness", positive(dimension::stiffness));
     if (!stiffness) return;
     e.options.machine_stiffness = stiffness->value;
-    e.options.machine_stiffness_standard_error = stiffness->standard_error > 0.0 ? stiffness->standard_error : 0.0;
+    e.machine_stiffness = std::move(*stiffness);
 }
 
 void read_models(TomlReader& reader, ExperimentInput& e) {
@@ -79,6 +80,15 @@ Keys<ExperimentInput> keys_of_loops() {
         .add({"machine_stiffness", "quantity ± error", si_unit(dimension::stiffness), "",
               "of a stage whose position stands for the displacement"},
              read_machine_stiffness)
+        .add("force_calibration", &ExperimentInput::force_calibration, positive(dimension::none),
+             "true force over what the file says")
+        .by_default("1")
+        .add("displacement_calibration", &ExperimentInput::displacement_calibration, positive(dimension::none),
+             "likewise of the displacement; a contact point or drift given here is multiplied, too")
+        .by_default("1")
+        .add("contact_radius_calibration", &ExperimentInput::contact_radius_calibration, positive(dimension::none),
+             "likewise of the contact radius: the size of the camera's pixel, say; its noise is multiplied, too")
+        .by_default("1")
         .parsed(
             "contact_point", "`auto`, `fit`, a method's name or a length",
             [](ExperimentInput& e, const std::string& text) {

@@ -182,6 +182,7 @@ const Keys<ElastomerInput>& elastomer_keys() {
             .add("youngs_modulus", &Input::youngs_modulus, positive(dimension::pressure),
                  "without it the mean of the loops on this elastomer")
             .add("poisson_ratio", &Input::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
+            .by_default("0.5")
             .add("surface_energy", &Input::surface_energy, non_negative(dimension::surface_energy), "γ1")
             .required()
             .add({"surface_energy_law", "table", "", "",

@@ -73,7 +73,8 @@ void Concluding::find_shares() {
         const auto& surface = result_.surface(pair.surface);
         if (surface.failed()) continue;
         const auto& soft = result_.elastomer(pair.elastomer).input;
-        adhesion::ContactScales scales{.thickness = soft.sphere_height, .poisson_ratio = soft.poisson_ratio};
+        adhesion::ContactScales scales{.poisson_ratio = soft.poisson_ratio.value};
+        if (soft.sphere_height) scales.thickness = soft.sphere_height->value;
         if (pair.contact_area && !result_.study.analysis.limits.longest)
             scales.contact_diameter = 2.0 * std::sqrt(*pair.contact_area / pi);
         if (scales.contact_diameter || scales.thickness)
@@ -98,6 +99,8 @@ std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& p
         auto point = balance({surface.name, rough.parameters, rough.spread}, elastomer.soft_side());
         point.measured = *pair.approach;
         point.measured.value = std::max(0.0, point.measured.value);
+        point.measured_inputs = pair.approach_inputs;
+        point.measured_noise = pair.approach_fits;
         found.push_back(std::move(point));
     }
     return found;
@@ -123,6 +126,7 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
         point.elastomer = pair.elastomer;
         point.quantity = "E_loss";
         point.measured = *pair.loss;
+        point.measured_inputs = pair.loss_inputs;
         point.slope = rough.parameters.area_ratio() * *pair.contact_area;
         const RoughSide side{pair.surface, rough.parameters, rough.spread};
         const auto ratio = side.traced([](const SpectralParameters& p) { return p.area_ratio(); });
@@ -323,10 +327,10 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     pair.general = general_balance(elastomer.input, work.value, {pair.area_ratio, prediction.stored_energy.value});
     const auto& input = elastomer.input;
     if (input.sphere_radius && input.preload)
-        pair.loop = adhesion::predict_loop(rough, soft, work, {*input.sphere_radius, *input.preload});
-    if (pair.contact_area) pair.traced_loss = adhesion::predicted_loss(rough, work, *pair.contact_area);
-    else if (pair.loop) pair.traced_loss = pair.loop->energy_loss_traced;
-    if (pair.contact_area || pair.loop) pair.predicted_loss = pair.traced_loss.estimate();
+        pair.loop = adhesion::predict_loop(rough, soft, work, {input.sphere_radius->value, *input.preload});
+    if (pair.contact_area) pair.traced_predicted_loss = adhesion::predicted_loss(rough, work, *pair.contact_area);
+    else if (pair.loop) pair.traced_predicted_loss = pair.loop->energy_loss_traced;
+    if (pair.contact_area || pair.loop) pair.predicted_loss = pair.traced_predicted_loss.estimate();
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value,
                                           rough.parameters.area_shape);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "loop_quantities.hpp"
 #include "pairs.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/errors.hpp"
@@ -30,29 +31,52 @@ std::optional<Outcome<loops::GlobalFit>> share(const StudyResult& result, const 
     }
 }
 
+/// E of the loops on an elastomer; nothing where there is none.
+void take_loops(ElastomerResult& elastomer, const StudyResult& result) {
+    LoopsInMean loops;
+    for (const auto& e : result.experiments)
+        if (e.analysis && !e.input.excluded() && e.input.elastomer == elastomer.input.name) {
+            loops.loops.push_back(&e);
+            loops.values.push_back(e.analysis->loading.primary().youngs_modulus);
+        }
+    if (loops.loops.empty()) return;
+    auto [mean, weights] = weighted_mean_of(loops.values);
+    loops.weights = std::move(weights);
+    const auto fits = fits_in_mean(loops, &FitNoise::youngs_modulus);
+    const auto inputs = inputs_in_mean(loops, &LoopDependence::youngs_modulus);
+    elastomer.traced_youngs_modulus = {mean.value, combined({{1.0, fits}, {1.0, inputs}})};
+    if (auto rest = beyond_fits(mean, fits); rest.directions.size() > 0)
+        elastomer.traced_youngs_modulus.components[fmt::format("E of {}, loops", elastomer.input.name)] =
+            std::move(rest);
+    elastomer.youngs_modulus = inputs.empty() ? mean : elastomer.traced_youngs_modulus.estimate(mean.method);
+    elastomer.modulus_from_loops = true;
+}
+
+/// E* of E and ν: ∂E*/∂E = (1 − ν²)(E*/E)², ∂E*/∂ν = 2ν E*²/E.
+void set_contact_modulus(ElastomerResult& elastomer, const StudyResult& result) {
+    const contact::ElasticSolid rough{result.study.counter_youngs_modulus, result.study.counter_poisson_ratio};
+    const double E = elastomer.youngs_modulus.value, nu = elastomer.input.poisson_ratio.value;
+    const TracedValue poisson_ratio(
+        elastomer.input.poisson_ratio,
+        input_name(elastomer.input.poisson_ratio, fmt::format("elastomers.{}.poisson_ratio", elastomer.input.name)));
+    const double modulus = contact::contact_modulus({E, nu}, rough);
+    elastomer.traced_contact_modulus = {
+        modulus, combined({{(1.0 - nu * nu) * modulus * modulus / (E * E), elastomer.traced_youngs_modulus.components},
+                           {2.0 * nu * modulus * modulus / E, poisson_ratio.components}})};
+    elastomer.contact_modulus.value = modulus;
+    elastomer.contact_modulus.method = "delta";
+    if (!elastomer.traced_contact_modulus.components.empty())
+        elastomer.contact_modulus.standard_error = elastomer.traced_contact_modulus.standard_error();
+}
+
 void set_modulus(ElastomerResult& elastomer, const StudyResult& result) {
     elastomer.youngs_modulus = elastomer.input.youngs_modulus;
-    if (!(elastomer.youngs_modulus.value > 0.0)) {
-        std::vector<Estimate> from_loops;
-        for (const auto& e : result.experiments)
-            if (e.analysis && !e.input.excluded() && e.input.elastomer == elastomer.input.name)
-                from_loops.push_back(e.analysis->loading.primary().youngs_modulus);
-        if (from_loops.empty()) return;
-        elastomer.youngs_modulus = mean_of(from_loops);
-        elastomer.modulus_from_loops = true;
-    }
-    const contact::ElasticSolid rough{result.study.counter_youngs_modulus, result.study.counter_poisson_ratio};
-    const auto against_rough = [&](double modulus) {
-        return contact::contact_modulus({modulus, elastomer.input.poisson_ratio}, rough);
-    };
-    const auto& E = elastomer.youngs_modulus;
-    elastomer.contact_modulus.value = against_rough(E.value);
-    // linear propagation by a central difference over the ± itself
-    elastomer.contact_modulus.method = "delta";
-    if (E.uncertain())
-        elastomer.contact_modulus.standard_error =
-            0.5 * (against_rough(E.value + E.standard_error) -
-                   against_rough(std::max(1e-3 * E.value, E.value - E.standard_error)));
+    if (elastomer.youngs_modulus.value > 0.0)
+        elastomer.traced_youngs_modulus = {
+            elastomer.youngs_modulus,
+            input_name(elastomer.youngs_modulus, fmt::format("elastomers.{}.youngs_modulus", elastomer.input.name))};
+    else take_loops(elastomer, result);
+    if (elastomer.youngs_modulus.value > 0.0) set_contact_modulus(elastomer, result);
 }
 
 void check_plausibility(ElastomerResult& elastomer) {

@@ -1,52 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <functional>
 
+#include "loop_quantities.hpp"
 #include "pairs.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::study {
 namespace {
 
-/// A quantity of loops, where a loop has it.
-struct LoopQuantity {
-    const char* name;
-    const char* symbol;
-    const char* unit;
-    std::function<std::optional<Estimate>(const loops::LoopAnalysis&)> of;
-};
-
-const std::vector<LoopQuantity>& loop_quantities() {
-    using loops::LoopAnalysis;
-    static const std::vector<LoopQuantity> quantities{
-        {work_of_approach, "W_app", "J/m2",
-         [](const LoopAnalysis& loop) { return std::optional(loop.loading.primary().work_of_adhesion); }},
-        {work_of_pull_off, "W_po", "J/m2",
-         [](const LoopAnalysis& loop) {
-             return loop.pull_off ? std::optional(loop.pull_off->work_of_adhesion) : std::nullopt;
-         }},
-        {work_of_retraction, "W_ret", "J/m2",
-         [](const LoopAnalysis& loop) {
-             return loop.retraction ? std::optional(loop.retraction->work_of_adhesion) : std::nullopt;
-         }},
-        {energy_loss, "E_loss", "J",
-         [](const LoopAnalysis& loop) { return loop.loop ? std::optional(loop.loop->estimate()) : std::nullopt; }}};
-    return quantities;
-}
-
 statistics::ReplicateData data_of(const StudyResult& result, const std::string& elastomer,
                                   const LoopQuantity& quantity) {
     statistics::ReplicateData data{
         .crossed = result.study.comparison.crossed, .quantity = quantity.name, .unit = quantity.unit};
-    for (const auto& e : result.experiments) {
-        if (!e.analysis || e.input.reference || e.input.elastomer != elastomer) continue;
-        const auto value = quantity.of(*e.analysis);
-        if (!value) continue;
-        data.rows.push_back({value->value,
-                             value->uncertain() ? value->standard_error : undefined,
-                             {e.input.surface, e.input.lens, e.input.spot},
-                             e.input.file});
-        if (e.input.excluded()) data.exclusions.push_back({data.rows.size() - 1, e.input.exclusion});
+    const auto rows = loops_with(result, quantity, elastomer, std::nullopt, true);
+    for (std::size_t i = 0; i < rows.loops.size(); ++i) {
+        const auto& input = rows.loops[i]->input;
+        const auto& value = rows.values[i];
+        data.rows.push_back({value.value,
+                             value.uncertain() ? value.standard_error : undefined,
+                             {input.surface, input.lens, input.spot},
+                             input.file});
+        if (input.excluded()) data.exclusions.push_back({i, input.exclusion});
     }
     return data;
 }

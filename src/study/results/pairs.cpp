@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "loop_quantities.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -20,29 +21,6 @@ const PublishedPair* published_of(const Study& study, const PairResult& pair) {
     return nullptr;
 }
 
-/// Values of all loops on a pair, by quantity.
-struct LoopValues {
-    std::vector<Estimate> approach, pull_off, retraction, loss;
-    std::vector<double> area, ideal_loss;
-};
-
-LoopValues loops_on(const StudyResult& result, const PairResult& pair) {
-    LoopValues values;
-    for (const auto& e : result.experiments) {
-        if (!e.analysis || e.input.reference || e.input.surface != pair.surface ||
-            e.input.elastomer != pair.elastomer || e.input.excluded())
-            continue;
-        const auto& loop = *e.analysis;
-        values.approach.push_back(loop.loading.primary().work_of_adhesion);
-        if (loop.pull_off) values.pull_off.push_back(loop.pull_off->work_of_adhesion);
-        if (loop.retraction) values.retraction.push_back(loop.retraction->work_of_adhesion);
-        if (loop.loop) values.loss.push_back(loop.loop->estimate());
-        values.area.push_back(loop.context.largest_contact_area);
-        values.ideal_loss.push_back(loop.context.ideal_smooth_sphere_loss);
-    }
-    return values;
-}
-
 void take_published(PairResult& pair, const PublishedPair& published) {
     pair.approach = published.approach;
     pair.pull_off = published.pull_off;
@@ -51,31 +29,40 @@ void take_published(PairResult& pair, const PublishedPair& published) {
     if (published.contact_radius) pair.contact_area = pi * *published.contact_radius * *published.contact_radius;
 }
 
-void take_loops(PairResult& pair, const LoopValues& values) {
-    if (values.approach.empty()) return;
-    pair.experiments = static_cast<int>(values.approach.size());
-    pair.approach = mean_of(values.approach);
-    if (!values.pull_off.empty()) pair.pull_off = mean_of(values.pull_off);
-    if (!values.retraction.empty()) pair.retraction = mean_of(values.retraction);
-    if (!values.loss.empty()) pair.loss = mean_of(values.loss);
-    pair.contact_area = mean_of(values.area);
-    pair.ideal_loss = mean_of(values.ideal_loss);
+void take_loops(PairResult& pair, const StudyResult& result, const ElastomerResult& elastomer) {
+    for (const auto& quantity : loop_quantities()) {
+        auto loops = loops_with(result, quantity, pair.elastomer, pair.surface, false);
+        if (loops.loops.empty()) continue;
+        auto [mean, weights] = weighted_mean_of(loops.values);
+        pair.*quantity.of_pair = std::move(mean);
+        loops.weights = std::move(weights);
+        take_dependence(pair, quantity, loops, elastomer.modulus_from_loops);
+        if (quantity.of_pair != &PairResult::approach) continue;  // which every loop has
+        std::vector<double> area, ideal_loss;
+        for (const auto* e : loops.loops) {
+            area.push_back(e->analysis->context.largest_contact_area);
+            ideal_loss.push_back(e->analysis->context.ideal_smooth_sphere_loss);
+        }
+        pair.experiments = static_cast<int>(loops.loops.size());
+        pair.contact_area = mean_of(area);
+        pair.ideal_loss = mean_of(ideal_loss);
+    }
 }
 
 /// Measured values by the mixed model, where the loops on the pair's elastomer name what was repeated.
-void take_replicates(PairResult& pair, const StudyResult& result) {
+void take_replicates(PairResult& pair, const StudyResult& result, const ElastomerResult& elastomer) {
     for (const auto& replicates : result.replicates) {
-        if (replicates.elastomer != pair.elastomer) continue;
-        std::optional<Estimate> mean;
-        if (replicates.model)
-            for (const auto& surface : replicates.model->surfaces)
-                if (surface.surface == pair.surface) mean = surface.mean;
-        if (!mean) continue;
-        const auto& quantity = replicates.data.quantity;
-        if (quantity == work_of_approach) pair.approach = mean;
-        else if (quantity == work_of_pull_off) pair.pull_off = mean;
-        else if (quantity == work_of_retraction) pair.retraction = mean;
-        else if (quantity == energy_loss) pair.loss = mean;
+        if (replicates.elastomer != pair.elastomer || !replicates.model) continue;
+        for (const auto& quantity : loop_quantities()) {
+            if (replicates.data.quantity != quantity.name) continue;
+            for (const auto& surface : replicates.model->surfaces) {
+                if (surface.surface != pair.surface) continue;
+                auto rows = loops_with(result, quantity, pair.elastomer, std::nullopt, true);
+                rows.weights = surface.weights;
+                pair.*quantity.of_pair = surface.mean;
+                take_dependence(pair, quantity, rows, elastomer.modulus_from_loops);
+            }
+        }
     }
 }
 
@@ -85,7 +72,7 @@ std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_o
     if (!elastomer.input.sphere_radius || !(elastomer.contact_modulus.value > 0.0)) return std::nullopt;
     if (!(work_of_adhesion > 0.0)) return 0.0;
     return contact::jkr::ideal_loop_loss(
-               {*elastomer.input.sphere_radius, elastomer.contact_modulus.value, work_of_adhesion})
+               {elastomer.input.sphere_radius->value, elastomer.contact_modulus.value, work_of_adhesion})
         .total;
 }
 
@@ -97,8 +84,8 @@ std::vector<PairResult> measured_pairs(const StudyResult& result) {
             pair.surface = surface.name;
             pair.elastomer = elastomer.input.name;
             if (const auto* published = published_of(result.study, pair)) take_published(pair, *published);
-            take_loops(pair, loops_on(result, pair));
-            take_replicates(pair, result);
+            take_loops(pair, result, elastomer);
+            take_replicates(pair, result, elastomer);
             if (!pair.ideal_loss && pair.approach) pair.ideal_loss = ideal_loss(elastomer, pair.approach->value);
             pairs.push_back(std::move(pair));
         }

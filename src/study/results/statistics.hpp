@@ -3,13 +3,21 @@
 
 #include <vector>
 
-#include "setae/core/units.hpp"
+#include "setae/core/arrays.hpp"
+#include "setae/core/estimate.hpp"
 
 namespace setae::study {
 
 /// Mean of estimates of one thing, as mixed_model() makes it of a single surface: their scatter beyond their own
 /// standard errors is a variance between them, and the interval is Student's. Of one estimate itself.
 [[nodiscard]] Estimate mean_of(const std::vector<Estimate>& values);
+
+/// The same with the weight of each value in it, their variances held.
+struct WeightedMean {
+    Estimate mean;
+    Array1D weights;
+};
+[[nodiscard]] WeightedMean weighted_mean_of(const std::vector<Estimate>& values);
 
 [[nodiscard]] double mean_of(const std::vector<double>& values);
 

@@ -8,13 +8,37 @@
 #include "setae/core/errors.hpp"
 
 namespace setae::study {
+namespace {
+
+/// A measured value of a pair; `fits`: the part of its own noise that other values share.
+std::optional<TracedValue> traced(const PairResult& pair, const char* symbol, const std::optional<Estimate>& measured,
+                                  const Components& inputs, const Components& fits) {
+    if (!measured) return std::nullopt;
+    TracedValue value(measured->value, combined({{1.0, inputs}, {1.0, fits}}));
+    if (auto own = beyond_fits(*measured, fits); own.directions.size() > 0)
+        value.components[input_name(*measured, fmt::format("{} of {} × {}", symbol, pair.surface, pair.elastomer))] =
+            std::move(own);
+    return value;
+}
+
+}  // namespace
+
+std::optional<TracedValue> PairResult::traced_approach() const {
+    return traced(*this, "W_app", approach, approach_inputs, approach_fits);
+}
+std::optional<TracedValue> PairResult::traced_pull_off() const {
+    return traced(*this, "W_po", pull_off, pull_off_inputs, {});
+}
+std::optional<TracedValue> PairResult::traced_retraction() const {
+    return traced(*this, "W_ret", retraction, retraction_inputs, {});
+}
+std::optional<TracedValue> PairResult::traced_loss() const {
+    return traced(*this, "E_loss", loss, loss_inputs, {});
+}
 
 adhesion::SoftSide ElastomerResult::soft_side() const {
-    const auto named = [this](const Estimate& value, const std::string& name, const char* what) {
-        return TracedValue(value, name.empty() ? fmt::format("{} of {}", what, input.name) : name);
-    };
-    return {input.name, named(contact_modulus, youngs_modulus.input, "modulus"),
-            named(input.surface_energy, input.surface_energy.input, "surface energy")};
+    return {input.name, traced_contact_modulus,
+            {input.surface_energy, input_name(input.surface_energy, fmt::format("surface energy of {}", input.name))}};
 }
 
 int StudyResult::failures() const {

@@ -104,8 +104,17 @@ std::string experiment_key(const Run& run, const ExperimentInput& input, const l
     cache::KeyBuilder key("experiment");
     key.add("input", bytes_of<LoopSource>(input))
         .add("bodies", bytes_of(bodies))
-        .add("options", bytes_of(input.options));
+        .add("options", bytes_of(input.options))
+        .add("calibration", bytes_of(calibration_of(input)));
     return add_content(key, run, input.files()) ? key.key() : std::string();
+}
+
+std::string derivatives_key(const std::string& of_experiment, const std::vector<UncertainInput>& inputs) {
+    if (of_experiment.empty()) return {};
+    cache::KeyBuilder key("loop derivatives");
+    key.add("experiment", of_experiment);
+    for (const auto& input : inputs) key.add("input", loops::shared_input_name(input.input));
+    return key.key();
 }
 
 }  // namespace setae::study

@@ -67,5 +67,7 @@ inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
 [[nodiscard]] std::string surface_key(const Run& run, const SurfaceInput& input, const SurfaceAnalysisOptions& options);
 [[nodiscard]] std::string experiment_key(const Run& run, const ExperimentInput& input,
                                          const loops::LensAndCounterBody& bodies);
+/// Of the derivatives of an experiment's numbers by some of its inputs. key: that of the experiment, or empty.
+[[nodiscard]] std::string derivatives_key(const std::string& key, const std::vector<UncertainInput>& inputs);
 
 }  // namespace setae::study

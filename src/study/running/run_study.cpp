@@ -58,12 +58,44 @@ loops::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& s
         throw InvalidArgument(fmt::format("{}: no sphere_radius, neither of the experiment nor of elastomer '{}'",
                                           input.file, elastomer.name));
     loops::LensAndCounterBody bodies;
-    bodies.radius = *radius;
-    bodies.lens_poisson_ratio = elastomer.poisson_ratio;
+    bodies.radius = radius->value;
+    bodies.lens_poisson_ratio = elastomer.poisson_ratio.value;
     bodies.counter_youngs_modulus = study.counter_youngs_modulus;
     bodies.counter_poisson_ratio = study.counter_poisson_ratio;
-    bodies.lens_height = elastomer.sphere_height;
+    if (elastomer.sphere_height) bodies.lens_height = elastomer.sphere_height->value;
     return bodies;
+}
+
+/// A loop's record, calibrations applied: opened when it is first needed.
+class Record {
+public:
+    Record(const ExperimentInput& input) : input_(input) {}
+
+    const OpenedLoop& opened() {
+        if (!opened_) {
+            opened_ = open_loop(input_);
+            apply(calibration_of(input_), *opened_);
+        }
+        return *opened_;
+    }
+
+private:
+    const ExperimentInput& input_;
+    std::optional<OpenedLoop> opened_;
+};
+
+/// What the inputs that loops share make of an experiment's numbers.
+LoopDependence dependence_of(const ExperimentResult& result, const std::vector<UncertainInput>& inputs,
+                             const std::string& key, Record& record, const Run& run) {
+    if (inputs.empty()) return {};
+    const auto kept_under = derivatives_key(key, inputs);
+    auto derivatives = run.find<std::vector<LoopNumbers>>(kept_under);
+    if (!derivatives || derivatives->size() != inputs.size()) {
+        derivatives = derivatives_of(loops::loop_from_table(record.opened().table), result.bodies,
+                                     result.input.options, *result.analysis, inputs);
+        run.keep(kept_under, *derivatives);
+    }
+    return dependence_of(numbers_of(*result.analysis), inputs, *derivatives);
 }
 
 ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& study, Run& run) {
@@ -77,12 +109,21 @@ ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& s
         const auto key = experiment_key(run, input, bodies);
         result.analysis = run.find<loops::LoopAnalysis>(key);
         cached = result.analysis.has_value();
+        Record record(input);
+        result.input.options = loops::calibrated(input.options, calibration_of(input));
+        const auto& options = result.input.options;
         if (!cached) {
-            result.analysis = analyse_loop(input, bodies, input.options);
+            result.analysis = analyse_loop(record.opened(), input.file, bodies, options);
             run.keep(key, *result.analysis);
         }
         result.alerts = result.analysis->alerts;
-        if (input.models.any()) result.models = loop_models(*result.analysis, bodies, input.options, input.models);
+        const auto inputs = uncertain_inputs(input, *study.elastomer(input.elastomer));
+        result.dependence = dependence_of(result, inputs, key, record, run);
+        for (const auto& lost : result.dependence.lost)
+            result.alerts.push_back({"INPUT_LOST", input.file, lost,
+                                     "its standard error is missing in what follows from the loop: state the segments "
+                                     "by `segments`, or look at the alerts of the loop"});
+        if (input.models.any()) result.models = loop_models(*result.analysis, bodies, options, input.models);
     } catch (const std::exception& error) {
         result.error = reason_of(error, input.file);
     }

@@ -200,6 +200,7 @@ SETAE_KEEP(HoldGrowth, samples, duration, force, displacement, contact_radius, w
 SETAE_KEEP(ContactAnalysis, loading, hold, pinned, unloading, pull_off, retraction, loop, context, contact_points,
            ledger, compliance)
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
+SETAE_KEEP(Calibration, force, displacement, contact_radius)
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
 template <class Archive>
 void serialize(Archive& archive, LoopAnalysis& of) {
@@ -213,6 +214,7 @@ namespace setae::study {
 
 SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fringes)
 SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
+SETAE_KEEP(LoopNumbers, contact_modulus, youngs_modulus, approach, pull_off, retraction, loss)
 SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, tip_half_angle, tip_file, foil_thickness,
            numerical_aperture, light_wavelength, resolution, trend, direction, references, unit, size, pipeline, steps)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)

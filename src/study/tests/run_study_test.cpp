@@ -12,6 +12,7 @@
 
 #include <unistd.h>
 
+#include "loop_files.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/output/json.hpp"
@@ -22,39 +23,9 @@ namespace setae::study::run_study_test {
 namespace {
 
 namespace jkr = contact::jkr;
-constexpr double sphere_radius = 1e-3;
-constexpr double contact_modulus = 1e6;
-
-/// One press and release: JKR with one work of adhesion in, with another out, free flight at both ends; fixed grips.
-Table loop(double work_in, double work_out, double depth) {
-    const jkr::Contact in{sphere_radius, contact_modulus, work_in}, out{sphere_radius, contact_modulus, work_out};
-    const double gap = 5e-6, step = depth / 2000.0;
-    std::vector<double> displacement, force, radius;
-    const auto add = [&](double d, double a, double f) {
-        displacement.push_back(d);
-        radius.push_back(a);
-        force.push_back(f);
-    };
-    for (double d = -gap; d < 0.0; d += step) add(d, 0.0, 0.0);
-    for (double d = 0.0; d <= depth; d += step) {
-        const double a = jkr::contact_radius_at_displacement(d, in, jkr::Branch::outer);
-        add(d, a, jkr::force(a, in));
-    }
-    const double end = jkr::pull_off_at_fixed_grips(out).displacement;
-    for (double d = depth; d > end; d -= step) {
-        const double a = jkr::contact_radius_at_displacement(d, out, jkr::Branch::outer);
-        add(d, a, jkr::force(a, out));
-    }
-    for (double d = end - step; d > end - gap; d -= step) add(d, 0.0, 0.0);
-    const auto column = [](const std::vector<double>& v) -> Array1D {
-        return Eigen::Map<const Array1D>(v.data(), static_cast<Index>(v.size()));
-    };
-    return {{{"time", "s", Array1D::LinSpaced(static_cast<Index>(force.size()), 0.0, 100.0)},
-             {"force", "N", column(force)},
-             {"displacement", "m", column(displacement)},
-             {"contact_radius", "m", column(radius)}},
-            {}};
-}
+using loop_files::contact_modulus;
+using loop_files::loop;
+using loop_files::sphere_radius;
 
 /// ∮F dδ of such a loop in closed form: the work to and fro is the change of elastic minus surface energy of each
 /// branch.

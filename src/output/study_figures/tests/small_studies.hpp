@@ -27,7 +27,7 @@ inline study::ElastomerResult elastomer(const std::string& name, double modulus)
     study::ElastomerResult result;
     result.input.name = name;
     result.input.surface_energy = {0.025, 0.001};
-    result.input.sphere_radius = 1.25e-3;
+    result.input.sphere_radius = Estimate{1.25e-3, 0.0};
     result.youngs_modulus = {modulus, 0.01 * modulus};
     result.contact_modulus = {modulus / 0.75, 0.01 * modulus};
     return result;
@@ -61,7 +61,7 @@ inline study::StudyResult study_of_pairs() {
 inline study::ExperimentResult jkr_experiment(const std::string& surface, const study::ElastomerResult& elastomer,
                                               double work) {
     constexpr Index n = 100;
-    const double radius = *elastomer.input.sphere_radius, modulus = elastomer.contact_modulus.value;
+    const double radius = elastomer.input.sphere_radius->value, modulus = elastomer.contact_modulus.value;
     const contact::jkr::Contact loading{radius, modulus, work}, unloading{radius, modulus, 2.0 * work};
     loops::LoopAnalysis loop;
     const Array1D up = Array1D::LinSpaced(n, -1.4 * pi * radius * work, 1e-3),

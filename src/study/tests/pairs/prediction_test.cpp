@@ -77,7 +77,7 @@ TEST(Prediction, OfAPairWithoutExperimentsHasItsLoop) {
     auto study = uncertain_study();
     study.published.clear();
     auto& elastomer = study.elastomers.front();
-    elastomer.sphere_radius = 1.25e-3;
+    elastomer.sphere_radius = Estimate{1.25e-3, 0.0};
     EXPECT_FALSE(run_study(study, {1}).pairs.at(0).predicted_loss) << "no force is given";
     elastomer.preload = 1e-3;
     const auto result = run_study(study, {1});

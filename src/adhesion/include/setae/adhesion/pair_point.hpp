@@ -21,13 +21,16 @@ struct PairPoint {
     std::string surface;
     std::string elastomer;
     std::string quantity = "W_app";  ///< what was measured
-    Estimate measured;               ///< its standard error is its own noise, what no other pair shares
-    Components measured_inputs;      ///< what it shares with others: radius of a lens, calibrations
+    Estimate measured;               ///< its standard error is of noise and scatter, without what inputs add
+    Components measured_inputs;      ///< inputs that it shares with others: radius of a lens, calibrations
+    Components measured_noise;       ///< the part of its noise that other values know, too: E of the same fit
     double slope = 0.0;              ///< > 0
     double offset = 0.0;
     Components slope_inputs, offset_inputs;
     bool floored = true;  ///< predictions stop at 0
 
+    /// Variance of what no other value shares.
+    [[nodiscard]] double own_variance() const;
     [[nodiscard]] double raw_prediction(double work) const { return slope * work - offset; }
     [[nodiscard]] double prediction(double work) const;
     /// Components of slope · W − offset, W exact.
@@ -41,6 +44,9 @@ struct PairPoint {
 
 /// slope · W − offset with every input it rests on.
 [[nodiscard]] TracedValue raw_prediction(const PairPoint& pair, const TracedValue& work);
+
+/// The pair's own noise as an input, times a derivative.
+[[nodiscard]] Component own_noise(const PairPoint& pair, double derivative);
 
 /// Components of measured − prediction(W), W exact and own noise left out. Relative errors of the measured value are
 /// taken of the prediction: of the measured value itself, its noise would weigh pairs that came out small more.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/core/arrays.hpp"
 #include "setae/core/estimate.hpp"
 #include "setae/statistics/replicate_data.hpp"
 
@@ -74,6 +75,7 @@ struct SurfaceMean {
     std::vector<int> groups;                     ///< number of groups of each level below the surface
     int n = 0;                                   ///< rows used
     int excluded = 0;
+    Array1D weights;  ///< of each row of the data in the mean, variances held; 0 of rows left out
     std::vector<Influence> influence;
     std::vector<std::string> notes;  ///< what the reader must know, such as that replicates are missing
 };

@@ -73,12 +73,12 @@ struct StretchedSurfaceEnergy {
 struct ElastomerInput {
     std::string name;
     Estimate youngs_modulus;  ///< [Pa]; 0 where loops are to give it
-    double poisson_ratio = 0.5;
+    Estimate poisson_ratio{.value = 0.5, .standard_error = 0.0};
     Estimate surface_energy;  ///< γ1 [J/m²]
     std::optional<StretchedSurfaceEnergy> surface_energy_law;
     std::optional<double> interface_change;      ///< χ of γ1s2 − γ12 = χ (r − 1) [J/m²]
-    std::optional<double> sphere_radius;         ///< [m]
-    std::optional<double> sphere_height;         ///< [m]
+    std::optional<Estimate> sphere_radius;       ///< [m]
+    std::optional<Estimate> sphere_height;       ///< [m]
     std::optional<double> preload;               ///< largest force of the loops to be predicted [N]
     std::optional<double> crosslink_molar_mass;  ///< M_c [kg/mol]
     double density = 970.0;                      ///< [kg/m³], PDMS
@@ -91,11 +91,17 @@ struct ExperimentInput : LoopSource {
     LoopModelOptions models;         ///< what is fitted to it beside JKR's own routes
     std::string surface;             ///< empty for a reference
     std::string elastomer;
-    std::optional<double> sphere_radius;  ///< [m], overrides the elastomer's
-    bool reference = false;               ///< on a smooth standard
-    std::string stage;                    ///< of references: "before" or "after" the rough loops, or empty
-    std::string lens, spot;               ///< what is repeated: labels, or empty where nobody says
-    std::string exclusion;                ///< why its numbers are left out of means; empty where they are not
+    std::optional<Estimate> sphere_radius;      ///< [m], overrides the elastomer's
+    std::optional<Estimate> machine_stiffness;  ///< [N/m]; `options` hold its value, and no standard error
+    /// true = factor × what the file says; > 0
+    Estimate force_calibration = exact_factor, displacement_calibration = exact_factor,
+             contact_radius_calibration = exact_factor;
+    bool reference = false;  ///< on a smooth standard
+    std::string stage;       ///< of references: "before" or "after" the rough loops, or empty
+    std::string lens, spot;  ///< what is repeated: labels, or empty where nobody says
+    std::string exclusion;   ///< why its numbers are left out of means; empty where they are not
+
+    static inline const Estimate exact_factor{.value = 1.0, .standard_error = 0.0};
 
     [[nodiscard]] bool excluded() const { return !exclusion.empty(); }
 };

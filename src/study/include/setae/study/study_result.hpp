@@ -14,10 +14,12 @@
 #include "setae/adhesion/prediction.hpp"
 #include "setae/adhesion/prediction_test.hpp"
 #include "setae/adhesion/scale_balance.hpp"
+#include "setae/core/traced_value.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/loops/reference_loop.hpp"
 #include "setae/statistics/equivalence.hpp"
 #include "setae/statistics/mixed_model.hpp"
+#include "setae/study/loop_dependence.hpp"
 #include "setae/study/provenance.hpp"
 #include "setae/study/run_options.hpp"
 #include "setae/study/study.hpp"
@@ -25,12 +27,14 @@
 
 namespace setae::study {
 
-/// One loop file of a study, or why it failed.
+/// One loop file of a study, or why it failed. Standard errors in `analysis` are of the loop's own noise; those of the
+/// study's inputs, a machine's stiffness included, are in `dependence` alone.
 struct ExperimentResult {
-    ExperimentInput input;
+    ExperimentInput input;  ///< its options in units of the record as analysed, calibrations applied
     loops::LensAndCounterBody bodies;
     std::string error;
     std::optional<loops::LoopAnalysis> analysis;
+    LoopDependence dependence;  ///< of its numbers on what it shares with other loops
     std::optional<LoopModels> models;  ///< where the study asks for them
     std::vector<Alert> alerts;
 
@@ -42,7 +46,10 @@ struct ElastomerResult {
     ElastomerInput input;
     Estimate youngs_modulus;  ///< [Pa]: the study's, else the mean of the loops on it; 0 where neither says
     bool modulus_from_loops = false;
-    Estimate contact_modulus;                                    ///< E* against the rough solid [Pa]
+    Estimate contact_modulus;  ///< E* against the rough solid [Pa]
+    /// The same two with the inputs they rest on: E itself where the study gives it; else "fit of FILE" of every loop,
+    /// which W_app of its pair shares, "E of NAME, loops" for scatter beyond, and what the loops share. E* of E and ν.
+    TracedValue traced_youngs_modulus, traced_contact_modulus;
     std::optional<double> network_modulus;                       ///< ρRT/M_c [Pa]
     std::optional<loops::Outcome<loops::GlobalFit>> shared_fit;  ///< of the loops on it that ask for one
     std::vector<Alert> alerts;
@@ -68,8 +75,14 @@ struct PairResult {
     std::optional<Estimate> pull_off;         ///< W by (S1) [J/m²]
     std::optional<Estimate> retraction;       ///< W by (S2) [J/m²]
     std::optional<Estimate> loss;             ///< E_loss [J]
-    std::optional<double> contact_area;       ///< π a_max² at maximum preload [m²]
-    std::optional<double> ideal_loss;         ///< of a smooth sphere with this W and E* [J]
+    /// ∂value/∂input × standard error by the inputs that loops share. The four standard errors above, of the loops' own
+    /// noise and scatter, hold nothing of it.
+    Components approach_inputs, pull_off_inputs, retraction_inputs, loss_inputs;
+    /// The part of `approach`'s own standard error that it shares with E of the elastomer where that comes from the
+    /// same fits: "fit of FILE" of each loop. Empty where the study gives E.
+    Components approach_fits;
+    std::optional<double> contact_area;  ///< π a_max² at maximum preload [m²]
+    std::optional<double> ideal_loss;    ///< of a smooth sphere with this W and E* [J]
     std::optional<Estimate> reference_share;  ///< of the hysteresis W_ret − W_app, what the smooth reference has, too
     int experiments = 0;                      ///< loops behind the measured values; 0 for published ones
 
@@ -80,7 +93,7 @@ struct PairResult {
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
     std::optional<Estimate> predicted_loss;       ///< (10) at W_int and the contact area, measured or of `loop` [J]
     std::optional<adhesion::DrawnValue> drawn;    ///< max(0, (7)) by draws of everything it rests on [J/m²]
-    TracedValue traced_loss;                      ///< the same with every input it rests on; of value 0 without it
+    TracedValue traced_predicted_loss;            ///< the same with every input it rests on; of value 0 without it
     std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and (7) conforms
     /// W_app by (7) with waves beyond both ends of the surface's data [J/m²]
     std::optional<Estimate> with_unmeasured_waves;
@@ -89,6 +102,14 @@ struct PairResult {
     std::optional<adhesion::ScaleBalance> scales;
     adhesion::ContactShares seen;  ///< of the surface's spectrum by this contact
     std::vector<Alert> alerts;
+
+    /// The measured values with all that they rest on, each thing once: the inputs, the fits, and what is left of the
+    /// own standard error as an input of its own, "W_app of SURFACE × ELASTOMER" (W_po, W_ret, E_loss), or the name the
+    /// study's file gives a published value. Nothing where the value is not measured.
+    [[nodiscard]] std::optional<TracedValue> traced_approach() const;
+    [[nodiscard]] std::optional<TracedValue> traced_pull_off() const;
+    [[nodiscard]] std::optional<TracedValue> traced_retraction() const;
+    [[nodiscard]] std::optional<TracedValue> traced_loss() const;
 
     /// How all of its roughness comes into contact; of a pair with `scales`.
     [[nodiscard]] adhesion::Closing closing() const {

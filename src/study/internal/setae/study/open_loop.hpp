@@ -8,6 +8,7 @@
 #include "setae/core/table.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/loops/clock_alignment.hpp"
+#include "setae/loops/shared_inputs.hpp"
 #include "setae/study/loop_source.hpp"
 #include "setae/tables/mapping.hpp"
 
@@ -34,6 +35,9 @@ void require_constants(const Table& curve, const std::string& file);
 
 /// The bodies as far as the loop's metadata say them; radius 0 where they do not.
 [[nodiscard]] loops::LensAndCounterBody bodies_stated_in(const Table& loop);
+
+/// Multiplies the channels of an open loop.
+void apply(const loops::Calibration& factors, OpenedLoop& loop);
 
 /// Opens a loop and analyses it; the alerts of opening come with those of the analysis.
 /// @throws what open_loop() and loops::analyse() throw; every message names the file.
