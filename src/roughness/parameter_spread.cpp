@@ -55,7 +55,6 @@ double ParameterSpread::covariance(const Function& f, const Function& g) const {
         sum += sum_of_products(values_of(f, replicas), values_of(g, replicas)) /
                (static_cast<double>(replicas.size()) - 1.0);
     }
-    if (replicas_are_draws) return sum;
     for (const auto& source : sources)
         sum += 0.25 * (f(source.plus) - f(source.minus)) * (g(source.plus) - g(source.minus));
     return sum;

@@ -12,6 +12,7 @@
 
 #include "agreement.hpp"
 #include "contour_kernel.hpp"
+#include "input_responses.hpp"
 #include "observed_groups.hpp"
 #include "place_scatter.hpp"
 #include "setae/core/constants.hpp"
@@ -91,7 +92,8 @@ public:
         r.design = spline_.design(r.C_iso.wavevector);
         r.theta = fit_.theta;
         const auto scatter = scatter_between_places(groups_, fit_);
-        r.covariance = full_covariance(scatter);
+        r.covariance = own_covariance(scatter);
+        r.inputs = input_responses(groups_, responses_, fit_, spline_, smoothness_);
         r.C_iso.kind = spectra::Density::C_iso;
         r.C_iso.density = (r.design * r.theta).array().exp();
         if (!stretch_.isotropic()) {
@@ -101,7 +103,8 @@ public:
             r.C_along = density_of_lines(spline_, fit_.theta, stretch_, r.C_iso.wavevector, 0.0);
             r.C_across = density_of_lines(spline_, fit_.theta, stretch_, r.C_iso.wavevector, 0.5 * pi);
         }
-        r.log_standard_error = (r.design * r.covariance).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
+        r.log_standard_error =
+            (r.design * r.total_covariance()).cwiseProduct(r.design).rowwise().sum().array().max(0.0).sqrt();
         r.rounds = rounds_;
         r.converged = fit_.converged;
         r.iterations = fit_.iterations;
@@ -410,9 +413,9 @@ private:
         return fit_.gain * fit_.jacobian[c].transpose() * groups_[c].data.freedom.matrix().asDiagonal();
     }
 
-    /// Of the fit, plus what uncertain radii, uncertain skewness and the noise of the simulation do, each tip by
-    /// itself, what measurements differ by as wholes, and what the stretch is not known to.
-    [[nodiscard]] Eigen::MatrixXd full_covariance(const Scatter& scatter) const {
+    /// Of the fit, plus what uncertain skewness and the noise of the simulation do, each tip by itself, what
+    /// measurements differ by as wholes, and what the stretch is not known to.
+    [[nodiscard]] Eigen::MatrixXd own_covariance(const Scatter& scatter) const {
         Eigen::MatrixXd covariance = fit_.covariance;
         for (std::size_t c = 0; c < groups_.size(); ++c) {
             const auto found = scatter.find(groups_[c].data.instrument);
@@ -421,18 +424,16 @@ private:
             covariance += together * together.transpose() * (found->second.normal_variance() / groups_[c].measurements);
         }
         for (const auto& [probe, response] : responses_) {
-            // a column a repetition, then by the size, then by the skewness
+            // a column a repetition, then by the skewness
             const Index repetitions = response.simulation_errors.rows();
             const auto& skewness = skewness_.at(probe);
-            Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), repetitions + 2);
+            Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(fit_.theta.size(), repetitions + 1);
             for (std::size_t c = 0; c < groups_.size(); ++c) {
                 const auto& g = groups_[c];
                 if (!read_with(g, probe)) continue;
                 const Eigen::MatrixXd answers = answer(c);
                 moved.leftCols(repetitions) += answers * g.tip.simulation_errors.matrix().transpose();
                 moved.col(repetitions) +=
-                    answers * (g.tip.size_response * (g.probe->size_error / g.probe->size)).matrix();
-                moved.col(repetitions + 1) +=
                     answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
             }
             covariance += moved * moved.transpose();
@@ -545,6 +546,12 @@ LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed
     JointFit fit(observed_groups(observed, range, options), stretch_of_maps(observed, options), range, options);
     fit.run();
     return fit.result();
+}
+
+Eigen::MatrixXd LikelihoodSpectrum::total_covariance() const {
+    Eigen::MatrixXd total = covariance;
+    for (const auto& input : inputs) total += input.theta * input.theta.transpose();
+    return total;
 }
 
 Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint64_t seed) {

@@ -83,6 +83,19 @@ std::optional<Probe> probe_of(const ObservedSurface& observed, const topography:
         {.value = *instrument.tip_radius, .standard_error = instrument.tip_radius_standard_error.value_or(0.0)});
 }
 
+/// Of a probe's size: as the measurement says it, else by its instrument and shape.
+std::string probe_input(const ObservedSurface& observed, const std::optional<Probe>& probe,
+                        const topography::Instrument& instrument) {
+    if (!probe || !(probe->size_error > 0.0)) return {};
+    if (!observed.probe_input.empty()) return observed.probe_input;
+    return fmt::format("{}{} ({})", probe->is_foil() ? "foil thickness" : "tip radius",
+                       instrument.type.empty() ? "" : " of " + instrument.type, probe->name);
+}
+
+bool same(const SharedFactor& a, const SharedFactor& b) {
+    return a.input == b.input && a.relative_error == b.relative_error;
+}
+
 std::string name_of(const std::optional<Probe>& probe) { return probe ? probe->name : std::string(); }
 
 bool same(const std::optional<OpticalTransfer>& a, const std::optional<OpticalTransfer>& b) {
@@ -122,6 +135,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
     const ScanShape shape{map.heights.rows(), trend_degree(observed)};
     const auto& instrument = map.metadata.instrument;
     const auto probe = probe_of(observed, instrument);
+    const auto input = probe_input(observed, probe, instrument);
     const double step = map.pixel_size()[0];
     const Array1D periodogram = scan_periodogram(map.heights, step, shape.trend_degree, options.threads);
     const double end = band_end(observed, pi / step * (1.0 + 1e-9), range, options);
@@ -130,6 +144,7 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
         return !g.contour && g.data.name == name && g.data.instrument == instrument.type &&
                g.lines == map.heights.cols() && g.trend_degree == shape.trend_degree &&
                g.direction == observed.direction && name_of(g.probe) == name_of(probe) &&
+               g.probe_input == input && same(g.height, observed.height) && same(g.lateral, observed.lateral) &&
                same(g.optics, observed.optics) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
                g.data.periodogram.size() == periodogram.size();
     });
@@ -142,6 +157,9 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
         group.trend_degree = shape.trend_degree;
         group.direction = observed.direction;
         group.probe = probe;
+        group.probe_input = input;
+        group.height = observed.height;
+        group.lateral = observed.lateral;
         add_response(group, shape, range, map.size[0], options.threads);
         if (observed.optics) look_through(group, *observed.optics);
         group.data.periodogram = Array1D::Zero(bins.size());
@@ -165,6 +183,9 @@ void add_curve(std::vector<ObservedGroup>& groups, const topography::Profile& cu
     group.data.response = std::move(kernel.response);
     group.contour = &curve;
     group.probe = probe_of(observed, curve.metadata.instrument);
+    group.probe_input = probe_input(observed, group.probe, curve.metadata.instrument);
+    group.height = observed.height;
+    group.lateral = observed.lateral;
     group.direction = observed.direction;
     group.pixel_size = kernel.length / static_cast<double>(curve.positions.size() - 1);
     if (kernel.noise.size() > 0 && kernel.noise.maxCoeff() > 0.0) {

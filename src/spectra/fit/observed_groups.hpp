@@ -16,6 +16,8 @@ namespace setae::spectral_fit {
 struct ObservedGroup {
     PeriodogramClass data;
     std::optional<Probe> probe;  ///< none: heights as they are
+    std::string probe_input;     ///< name of its size
+    SharedFactor height, lateral;
     double pixel_size = 0.0;     ///< [m]; of curves the mean step
     double pitch = 0.0;          ///< between lines [m]
     Index lines = 1;             ///< of one measurement

@@ -122,6 +122,13 @@ public:
         return s;
     }
 
+    /// −∂score/∂x of what is observed, the tip's response in it.
+    [[nodiscard]] Eigen::MatrixXd observed(const Eigen::VectorXd& x) const {
+        Eigen::MatrixXd result = precision_;
+        for (std::size_t c = 0; c < classes_.size(); ++c) add_observed(c, x, result);
+        return result;
+    }
+
     /// Where no tip responds, the higher objective. Where one does, the root of the score is sought, which need not
     /// raise it: the score nearer to zero then, in the metric of the information.
     [[nodiscard]] bool better(const State& next, const State& now) const {
@@ -201,55 +208,96 @@ private:
         }
     }
 
-    void add_class(std::size_t index, const Eigen::VectorXd& x, State& s) const {
+    /// E of a class and what it is made of.
+    struct Expectation {
+        Array1D followed;                 // C_iso with the tip, at the nodes
+        Array1D added;                    // by the tip; empty without
+        Array1D expected;                 // E
+        Eigen::MatrixXd derivative;       // ∂ ln E/∂x at fixed tip
+        Eigen::MatrixXd total;            // with the tip's response
+        Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta; empty where no tip responds
+    };
+
+    [[nodiscard]] Expectation expectation(std::size_t index, const Eigen::VectorXd& x) const {
         const auto& c = classes_[index];
+        Expectation e;
         const Eigen::VectorXd theta = x.head(spline_.coefficients());
         const Array1D f = factors_[index] * (designs_[index] * theta).array().exp();
-        double change = 0.0;              // of ln A
-        Eigen::VectorXd amplitude_slope;  // ∂ ln A/∂theta
+        double change = 0.0;  // of ln A
         if (c.reference_amplitude > 0.0) {
             const auto amplitude = spline_moment(spline_, theta, c.amplitude_order, c.amplitude_end);
             change = std::clamp(std::log(amplitude.value / c.reference_amplitude), -0.7, 0.7);
-            amplitude_slope = amplitude.gradient / amplitude.value;
+            e.amplitude_slope = amplitude.gradient / amplitude.value;
         }
-        Array1D followed = f;
-        if (c.log_followed.size() > 0) followed *= (c.log_followed + c.followed_response * change).exp();
-        const Eigen::MatrixXd scaled = c.response.matrix() * followed.matrix().asDiagonal();
+        e.followed = f;
+        if (c.log_followed.size() > 0) e.followed *= (c.log_followed + c.followed_response * change).exp();
+        const Eigen::MatrixXd scaled = c.response.matrix() * e.followed.matrix().asDiagonal();
         const Array1D surface = scaled.rowwise().sum().array();
-        Array1D expected = surface, added;
+        e.expected = surface;
         if (c.added.size() > 0) {
             Array1D raised = c.added_response * change;
             if (const Index at = added_index_[index]; at >= 0)
                 raised += (c.added_errors.matrix().transpose() * x.segment(at, c.added_errors.rows())).array();
-            added = c.added * raised.exp();
-            expected += added;
+            e.added = c.added * raised.exp();
+            e.expected += e.added;
         }
-        Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(c.wavevector.size(), parameters_);
-        derivative.leftCols(spline_.coefficients()) = scaled * designs_[index];
+        e.derivative = Eigen::MatrixXd::Zero(c.wavevector.size(), parameters_);
+        e.derivative.leftCols(spline_.coefficients()) = scaled * designs_[index];
         if (const Index at = noise_index_[index]; at >= 0) {
-            derivative.col(at) = (c.noise_response * std::exp(x[at])).matrix();
-            expected += derivative.col(at).array();
+            e.derivative.col(at) = (c.noise_response * std::exp(x[at])).matrix();
+            e.expected += e.derivative.col(at).array();
         }
         if (const Index at = added_index_[index]; at >= 0)
-            derivative.middleCols(at, c.added_errors.rows()) =
-                (c.added_errors.rowwise() * added.transpose()).transpose().matrix();
-        expected = expected.max(1e-300);
-        derivative = expected.inverse().matrix().asDiagonal() * derivative;
-        Eigen::MatrixXd total = derivative;
-        if (amplitude_slope.size() > 0) {
+            e.derivative.middleCols(at, c.added_errors.rows()) =
+                (c.added_errors.rowwise() * e.added.transpose()).transpose().matrix();
+        e.expected = e.expected.max(1e-300);
+        e.derivative = e.expected.inverse().matrix().asDiagonal() * e.derivative;
+        e.total = e.derivative;
+        if (e.amplitude_slope.size() > 0) {
             Array1D answer = (scaled * c.followed_response.matrix()).array();
-            if (added.size() > 0) answer += c.added_response * added;
-            total.leftCols(spline_.coefficients()) += (answer / expected).matrix() * amplitude_slope.transpose();
+            if (e.added.size() > 0) answer += c.added_response * e.added;
+            e.total.leftCols(spline_.coefficients()) += (answer / e.expected).matrix() * e.amplitude_slope.transpose();
         }
-        const Array1D ratio = c.periodogram / expected;
+        return e;
+    }
+
+    void add_class(std::size_t index, const Eigen::VectorXd& x, State& s) const {
+        const auto& c = classes_[index];
+        const auto e = expectation(index, x);
+        const Array1D ratio = c.periodogram / e.expected;
         for (Index k = 0; k < ratio.size(); ++k)
-            if (c.freedom[k] > 0.0) s.objective -= c.freedom[k] * (std::log(expected[k]) + ratio[k]);
-        const Eigen::MatrixXd weighted = c.freedom.matrix().asDiagonal() * derivative;
+            if (c.freedom[k] > 0.0) s.objective -= c.freedom[k] * (std::log(e.expected[k]) + ratio[k]);
+        const Eigen::MatrixXd weighted = c.freedom.matrix().asDiagonal() * e.derivative;
         s.score += weighted.transpose() * (ratio - 1.0).matrix();
-        s.information += numerics::transposed_product(weighted, derivative);
-        s.with_response += numerics::transposed_product(weighted, total);
-        s.jacobian.push_back(derivative.leftCols(spline_.coefficients()));
-        s.expected.push_back(expected);
+        s.information += numerics::transposed_product(weighted, e.derivative);
+        s.with_response += numerics::transposed_product(weighted, e.total);
+        s.jacobian.push_back(e.derivative.leftCols(spline_.coefficients()));
+        s.expected.push_back(e.expected);
+    }
+
+    /// Of −∂score/∂x, J = E_a/E:  Σ ν (2r − 1) J_a J_b − Σ ν (r − 1) E_ab/E, b with the tip's response.
+    void add_observed(std::size_t index, const Eigen::VectorXd& x, Eigen::MatrixXd& observed) const {
+        const auto& c = classes_[index];
+        const auto e = expectation(index, x);
+        const Index n = spline_.coefficients();
+        const Array1D used = (c.freedom > 0.0).select(c.periodogram / e.expected, 1.0);
+        const Eigen::MatrixXd weighted = (c.freedom * (2.0 * used - 1.0)).matrix().asDiagonal() * e.derivative;
+        observed += numerics::transposed_product(weighted, e.total);
+        const Array1D left = c.freedom * (used - 1.0) / e.expected;
+        const Array1D at_nodes = e.followed * (c.response.matrix().transpose() * left.matrix()).array();
+        const Eigen::MatrixXd turned = (designs_[index].transpose() * at_nodes.matrix().asDiagonal()).eval();
+        observed.topLeftCorner(n, n) -= turned * designs_[index];
+        if (e.amplitude_slope.size() > 0)
+            observed.topLeftCorner(n, n) -= (turned * c.followed_response.matrix()) * e.amplitude_slope.transpose();
+        if (const Index at = noise_index_[index]; at >= 0)
+            observed(at, at) -= (c.freedom * (used - 1.0) * e.derivative.col(at).array()).sum();
+        const Index at = added_index_[index];
+        if (at < 0) return;
+        const Index count = c.added_errors.rows();
+        const Eigen::MatrixXd errors = c.added_errors.matrix() * (left * e.added).matrix().asDiagonal();
+        observed.block(at, at, count, count) -= errors * c.added_errors.matrix().transpose();
+        if (e.amplitude_slope.size() > 0)
+            observed.block(at, 0, count, n) -= (errors * c.added_response.matrix()) * e.amplitude_slope.transpose();
     }
 
     const std::vector<PeriodogramClass>& classes_;
@@ -316,6 +364,7 @@ WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSp
             .topLeftCorner(n, n);
     fit.gain = gain.topLeftCorner(n, n);
     fit.theta = x.head(n);
+    fit.parameters = x;
     fit.log_noise = Array1D::Constant(static_cast<Index>(classes.size()), undefined);
     for (std::size_t c = 0; c < classes.size(); ++c)
         if (problem.noise_index(c) >= 0) fit.log_noise[static_cast<Index>(c)] = x[problem.noise_index(c)];
@@ -323,6 +372,16 @@ WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSp
     fit.expected = std::move(state.expected);
     fit.log_likelihood = state.objective;
     return fit;
+}
+
+Eigen::VectorXd theta_moved(const WhittleFit& fit, const std::vector<PeriodogramClass>& classes,
+                            const MovedClasses& moved, const LogSpline& spline, const Smoothness& smoothness) {
+    const auto score = [&](const std::vector<PeriodogramClass>& of) -> Eigen::VectorXd {
+        return Problem(of, spline, smoothness).state(fit.parameters).score;
+    };
+    const Eigen::VectorXd change = 0.5 * (score(moved.plus) - score(moved.minus));
+    const Eigen::MatrixXd observed = Problem(classes, spline, smoothness).observed(fit.parameters);
+    return numerics::solved(observed, change).head(spline.coefficients());
 }
 
 SplineMoment spline_moment(const LogSpline& spline, const Eigen::VectorXd& theta, double order, double end) {

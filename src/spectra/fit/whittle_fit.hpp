@@ -53,6 +53,7 @@ struct Smoothness {
 /// A fitted spectrum.
 struct WhittleFit {
     Eigen::VectorXd theta;       ///< coefficients of ln C_iso
+    Eigen::VectorXd parameters;  ///< theta, then ln σ² and η
     Array1D log_noise;           ///< ln σ² of each class, in the unit of its noise_response; NaN where none
     Eigen::MatrixXd covariance;  ///< of theta, with the tip's response
     Eigen::MatrixXd gain;  ///< ∂theta/∂score: how theta answers to a change Jᵀν δ(ln E) of what is expected
@@ -74,6 +75,22 @@ struct WhittleFit {
 /// derived here.
 [[nodiscard]] WhittleFit fit_whittle(const std::vector<PeriodogramClass>& classes, const LogSpline& spline,
                                      const Smoothness& smoothness, const Eigen::VectorXd& start = {});
+
+/// What a fit was made of, an input a small step larger and smaller.
+struct MovedClasses {
+    std::vector<PeriodogramClass> plus, minus;
+};
+
+/// How theta moves with such a step of an input, to first order and with everything that the classes hold:
+///
+///   δx = H⁻¹ ½ (s₊(x) − s₋(x)),   H = −∂s/∂x = J₀ᵀν(2r − 1)(J₀ + J_T) − Σ ν (r − 1) E_ab/E + Q,   r = P/E
+///
+/// s: score of the parameters x, which is 0 at the fit. Exact to second order of the step; noise, what tips add and
+/// their response to the surface move with theta. classes: those that were fitted, as the moved ones are in their order.
+/// Source: the implicit function theorem.
+[[nodiscard]] Eigen::VectorXd theta_moved(const WhittleFit& fit, const std::vector<PeriodogramClass>& classes,
+                                          const MovedClasses& moved, const LogSpline& spline,
+                                          const Smoothness& smoothness);
 
 /// ∫_0^{end} q^order C_iso dq of a spline, constant below its first knot, and its derivative by theta.
 struct SplineMoment {

@@ -63,6 +63,11 @@ const Keys<MeasurementInput>& measurement_keys() {
                   "with it")
             .add("foil_thickness", &Input::foil_thickness, positive(dimension::length),
                  "of a side view's lamella along the beam; without it what the contour's file says, else a line")
+            .add("height_calibration", &Input::height_calibration, positive(dimension::none),
+                 "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
+                 "pipeline. Under one name in `[inputs]` it is one instrument's in all surfaces")
+            .add("lateral_calibration", &Input::lateral_calibration, positive(dimension::none),
+                 "the same of lengths along the surface; a micrograph has both under one name")
             .add("numerical_aperture", &Input::numerical_aperture, positive(dimension::none),
                  "of an optical profiler; with `light_wavelength` the fitted spectrum allows for what it blurs")
             .add("light_wavelength", &Input::light_wavelength, positive(dimension::length),
@@ -94,6 +99,13 @@ const Keys<MeasurementInput>& measurement_keys() {
     return keys;
 }
 
+/// What nobody named is an instrument's, not a file's: without the place in the study file as its name.
+void forget_places(MeasurementInput& input) {
+    for (auto* value :
+         {&input.tip_radius, &input.foil_thickness, &input.height_calibration, &input.lateral_calibration})
+        if (*value && (*value)->input.find(".measurements[") != std::string::npos) (*value)->input.clear();
+}
+
 const Keys<PublishedMoments>& moment_keys() {
     using Moments = PublishedMoments;
     static const auto keys =
@@ -119,6 +131,7 @@ const Keys<SurfaceInput>& surface_keys() {
                  [](TomlReader& reader, Input& surface) {
                      reader.each_table("measurements", [&](TomlReader inner) {
                          surface.measurements.push_back(measurement_keys().from(std::move(inner)));
+                         forget_places(surface.measurements.back());
                      });
                  })
             .file("power_spectrum", &Input::power_spectrum,

@@ -216,14 +216,15 @@ SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fri
 SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
 SETAE_KEEP(LoopNumbers, contact_modulus, youngs_modulus, approach, pull_off, retraction, loss)
 SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, tip_half_angle, tip_file, foil_thickness,
-           numerical_aperture, light_wavelength, resolution, trend, direction, references, unit, size, pipeline, steps)
+           height_calibration, lateral_calibration, numerical_aperture, light_wavelength, resolution, trend, direction, references, unit, size, pipeline, steps)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, spectrum_units, moments)
 SETAE_KEEP(SurfaceAnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile,
            bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
 SETAE_KEEP(HeightPreview, positions, heights, map, size)
+SETAE_KEEP(InstrumentInputs, tip_radius, foil_thickness, height_calibration, lateral_calibration)
 SETAE_KEEP(MeasurementResult, file, name, error, channel, trend, processing, spectrum, real_space, arithmetic_height,
-           bands_of_uncertain_tip, slopes, triangulated, slope_shape, waves_energy_per_modulus, preview, alerts)
+           bands_of_uncertain_tip, inputs, slopes, triangulated, slope_shape, waves_energy_per_modulus, preview, alerts)
 SETAE_KEEP(SpectrumResult, curve, parameters, other_conversion, uncut_energy_per_modulus, spread)
 SETAE_KEEP(FittedSpectrum, band, wavevector, C_iso, log_C_iso_standard_error, C1D, log_C1D_standard_error, agreement,
            tips, stretch, C1D_along, C1D_across, rounds, converged)

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 
+#include "instrument_inputs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/bootstrap.hpp"
@@ -26,23 +29,47 @@ std::vector<spectra::MeasuredSpectrum> spectra_of(const std::vector<MeasurementR
     return found;
 }
 
-/// Spectra as all uncertain tips moved together would leave them: radii are shared by the measurements of an
-/// instrument, so their errors do not average out.
-std::vector<spectra::MeasuredSpectrum> with_moved_tips(const std::vector<MeasurementResult>& measurements,
-                                                       std::size_t direction) {
+/// C1D as it is where heights and lengths are these factors times what they were taken for: heights², and C1D of f x
+/// is f times that at f q.
+void rescale(spectra::MeasuredSpectrum& spectrum, double heights, double lengths) {
+    const double power = heights * heights * lengths;
+    spectrum.density *= power;
+    spectrum.standard_error *= power;
+    spectrum.wavevector /= lengths;
+    spectrum.band = {spectrum.band.lower / lengths, spectrum.band.upper / lengths};
+    spectrum.length *= lengths;
+    spectrum.pitch *= lengths;
+}
+
+/// Spectra as an input one standard error larger (side 1) or smaller (−1) would leave them: it is shared by the
+/// measurements of an instrument, so its error does not average out.
+std::vector<spectra::MeasuredSpectrum> with_moved(const SurfaceResult& surface, const std::string& input, double side) {
     std::vector<spectra::MeasuredSpectrum> moved;
-    for (const auto& m : measurements) {
+    for (const auto& m : surface.measurements) {
         if (m.failed()) continue;
         moved.push_back(m.spectrum);
-        if (!m.bands_of_uncertain_tip) continue;
-        moved.back().band = (*m.bands_of_uncertain_tip)[direction];
+        const auto names = input_names(m, surface.name);
+        if (names.tip_radius == input) moved.back().band = (*m.bands_of_uncertain_tip)[side > 0.0 ? 0 : 1];
+        const auto factor = [&](const std::string& name, const Estimate& calibration) {
+            return name == input ? 1.0 + side * relative_error(calibration) : 1.0;
+        };
+        const double heights = factor(names.height_calibration, m.inputs.height_calibration),
+                     lengths = factor(names.lateral_calibration, m.inputs.lateral_calibration);
+        if (heights != 1.0 || lengths != 1.0) rescale(moved.back(), heights, lengths);
     }
     return moved;
 }
 
-bool has_uncertain_tip(const std::vector<MeasurementResult>& measurements) {
-    return std::any_of(measurements.begin(), measurements.end(),
-                       [](const MeasurementResult& m) { return m.bands_of_uncertain_tip.has_value(); });
+/// Names of the uncertain inputs behind the average.
+std::set<std::string> inputs_of(const SurfaceResult& surface) {
+    std::set<std::string> found;
+    for (const auto& m : surface.measurements) {
+        if (m.failed()) continue;
+        const auto names = input_names(m, surface.name);
+        found.insert({names.tip_radius, names.height_calibration, names.lateral_calibration});
+    }
+    found.erase("");
+    return found;
 }
 
 std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectra& binned, const Band& band,
@@ -126,12 +153,12 @@ void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& o
     else spread.replicas = resampled_parameters(members, band, options, threads);
     spread.seed = options.seed;
     if (options.bootstrap_resamples > 0) spread.left_out = parameters_without_each(members, band, options);
-    if (!has_uncertain_tip(surface.measurements)) return;
-    const auto moved = [&](std::size_t direction) {
-        const auto spectra = with_moved_tips(surface.measurements, direction);
+    const auto moved = [&](const std::string& input, double side) {
+        const auto spectra = with_moved(surface, input, side);
         return parameters_of(spectrum_from(spectra, spectra::combine(spectra, combination)), options);
     };
-    spread.sources.push_back({"tip radius", moved(0), moved(1)});
+    for (const auto& input : inputs_of(surface))
+        spread.sources.push_back({input, moved(input, 1.0), moved(input, -1.0)});
 }
 
 }  // namespace setae::study

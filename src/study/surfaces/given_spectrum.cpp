@@ -42,11 +42,12 @@ void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const
     };
     surface.reconstructed = true;
     surface.average = spectrum_result(reconstruct(height, slope, curvature), options);
-    const auto source = [&](const char* name, double dh, double ds, double dc) {
-        if (dh == 0.0 && ds == 0.0 && dc == 0.0) return;
+    const auto source = [&](const char* name, const Estimate& moment, double dh, double ds, double dc) {
+        if (!moment.uncertain()) return;
         try {
             surface.average.spread.sources.push_back(
-                {name, parameters_of(reconstruct(height + dh, slope + ds, curvature + dc), options),
+                {moment.input.empty() ? fmt::format("{}, {}", name, surface.name) : moment.input,
+                 parameters_of(reconstruct(height + dh, slope + ds, curvature + dc), options),
                  parameters_of(reconstruct(height - dh, slope - ds, curvature - dc), options)});
         } catch (const InvalidArgument& error) {
             surface.alerts.push_back(
@@ -55,9 +56,9 @@ void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const
                  "the standard errors leave it out"});
         }
     };
-    source("rms height", moments.rms_height.standard_error, 0.0, 0.0);
-    source("rms slope", 0.0, moments.rms_slope.standard_error, 0.0);
-    source("rms curvature", 0.0, 0.0, moments.rms_curvature.standard_error);
+    source("rms height", moments.rms_height, moments.rms_height.standard_error, 0.0, 0.0);
+    source("rms slope", moments.rms_slope, 0.0, moments.rms_slope.standard_error, 0.0);
+    source("rms curvature", moments.rms_curvature, 0.0, 0.0, moments.rms_curvature.standard_error);
     surface.alerts.push_back(
         {"RECONSTRUCTION", surface.name,
          fmt::format(

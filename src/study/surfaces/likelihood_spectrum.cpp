@@ -2,9 +2,11 @@
 #include "likelihood_spectrum.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "instrument_inputs.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -53,7 +55,7 @@ Array1D log_error_of_lines(const spectral_fit::LikelihoodSpectrum& spectrum, con
                                                        spectrum.C_iso.density * spectrum.design.col(k).array()) /
                            C1D)
                               .matrix();
-    return (gradient * spectrum.covariance).cwiseProduct(gradient).rowwise().sum().array().max(0.0).sqrt();
+    return (gradient * spectrum.total_covariance()).cwiseProduct(gradient).rowwise().sum().array().max(0.0).sqrt();
 }
 
 FittedSpectrum fitted_spectrum(const spectral_fit::LikelihoodSpectrum& spectrum, const Band& band) {
@@ -114,16 +116,42 @@ void require_numbers(const spectral_fit::LikelihoodSpectrum& spectrum, const Spe
                       : fmt::format("; of {} no tip is known, and their finest waves are believed", names)));
 }
 
+/// Parameters with each input one standard error larger and smaller: of the moved spectrum, over the moved band.
+void add_sources(SpectrumResult& result, const spectral_fit::LikelihoodSpectrum& spectrum,
+                 const spectra::Spectrum& curve, const Lines& lines, const SurfaceAnalysisOptions& options) {
+    const double end = curve.wavevector[curve.wavevector.size() - 1];
+    for (const auto& input : spectrum.inputs) {
+        const Array1D change = (spectrum.design * input.theta).array();
+        const auto moved = [&](double side) {
+            auto other = curve;
+            other.density *= (side * change).exp();
+            other.band.lower *= std::exp(side * input.log_band.lower);
+            other.band.upper = std::min(end, other.band.upper * std::exp(side * input.log_band.upper));
+            auto parameters = parameters_of(other, options);
+            parameters.decade_C1D = lines.decade_means(other.density);
+            return parameters;
+        };
+        result.spread.sources.push_back({input.input, moved(1.0), moved(-1.0)});
+    }
+}
+
 }  // namespace
 
 void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared,
                             const SurfaceAnalysisOptions& options, parallel::Threads threads) {
     std::vector<spectral_fit::ObservedSurface> observed;
-    for (std::size_t i = 0; i < prepared.size(); ++i)
-        if (!surface.measurements[i].failed())
-            observed.push_back({std::move(prepared[i].measurement), prepared[i].trend,
-                                static_cast<int>(prepared[i].untouched.trend_degree), prepared[i].untouched.band,
-                                prepared[i].direction, std::move(prepared[i].probe), prepared[i].optics});
+    for (std::size_t i = 0; i < prepared.size(); ++i) {
+        if (surface.measurements[i].failed()) continue;
+        auto& p = prepared[i];
+        const auto names = input_names(p, surface.name);
+        const auto factor = [](const std::string& name, const Estimate& calibration) {
+            return spectral_fit::SharedFactor{name, name.empty() ? 0.0 : relative_error(calibration)};
+        };
+        observed.push_back({std::move(p.measurement), p.trend, static_cast<int>(p.untouched.trend_degree),
+                            p.untouched.band, p.direction, std::move(p.probe), p.optics, names.probe_size,
+                            factor(names.height_calibration, p.inputs.height_calibration),
+                            factor(names.lateral_calibration, p.inputs.lateral_calibration)});
+    }
     auto likelihood = options.likelihood;
     likelihood.seed = options.seed;
     likelihood.threads = threads;
@@ -131,7 +159,8 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     auto curve = spectrum.C_iso;
     curve.band.upper = std::min(curve.wavevector[curve.wavevector.size() - 1], group_end * curve.band.upper);
     auto result = spectrum_result(curve, options);
-    const Lines lines(curve, options);
+    const auto unmoved = curve;
+    const Lines lines(unmoved, options);
     result.parameters.decade_C1D = lines.decade_means();
     result.spread.seed = options.seed;
     result.spread.replicas_are_draws = true;
@@ -142,6 +171,7 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
         result.spread.replicas.push_back(parameters_of(curve, options));
         result.spread.replicas.back().decade_C1D = lines.decade_means(curve.density);
     }
+    add_sources(result, spectrum, unmoved, lines, options);
     for (auto alert : spectrum.alerts) {
         alert.subject = surface.name + ": " + alert.subject;
         surface.alerts.push_back(std::move(alert));

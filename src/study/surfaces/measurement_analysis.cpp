@@ -116,6 +116,7 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     MeasurementResult result;
     describe(result, topography::metadata(measurement), prepared.trend, prepared.alerts);
     result.channel = prepared.channel;
+    result.inputs = prepared.inputs;
     result.processing = prepared.processing;
     if (wanted.previews) result.preview = height_preview(measurement);
     if (wanted.parameters) {
@@ -167,6 +168,7 @@ MeasurementResult analyse_tiled_map(const TiledMeasurement& large, const Surface
     MeasurementResult result;
     describe(result, metadata, large.trend, large.alerts);
     result.channel = large.channel;
+    result.inputs = large.inputs;
     result.alerts.push_back(tiled_map_alert(metadata, large.map, options.largest_map));
     const auto levelled = topography::detrended(large.map, large.trend, lines_together, threads);
     if (wanted.previews) result.preview = preview_of(levelled, lines_together);

@@ -47,6 +47,58 @@ void apply_instrument(topography::Instrument& instrument, const MeasurementInput
     if (input.tip_radius->standard_error > 0.0) instrument.tip_radius_standard_error = input.tip_radius->standard_error;
 }
 
+/// What the study says of the inputs of an instrument.
+InstrumentInputs inputs_of(const MeasurementInput& input) {
+    InstrumentInputs inputs;
+    if (input.tip_radius) inputs.tip_radius = input.tip_radius->input;
+    if (input.foil_thickness) inputs.foil_thickness = input.foil_thickness->input;
+    const auto take = [&](const std::optional<Estimate>& stated, Estimate& factor, const char* key) {
+        if (!stated) return;
+        if (!(stated->value > 0.0))
+            throw InvalidArgument(fmt::format("{}: {} {}, expected true over stated, a factor > 0 such as 1.00 ± 0.02",
+                                              input.file, key, stated->value));
+        factor = *stated;
+    };
+    take(input.height_calibration, inputs.height_calibration, "height_calibration");
+    take(input.lateral_calibration, inputs.lateral_calibration, "lateral_calibration");
+    return inputs;
+}
+
+void scale_lengths(topography::Measurement& measurement, double factor) {
+    if (auto* map = std::get_if<topography::HeightMap>(&measurement)) {
+        for (double& size : map->size) size *= factor;
+    } else if (auto* scan = std::get_if<topography::LineScan>(&measurement)) {
+        scan->size *= factor;
+    } else {
+        auto& curve = std::get<topography::Profile>(measurement);
+        curve.positions *= factor;
+        if (!curve.response) return;
+        for (double* length : {&curve.response->blur, &curve.response->smoothing_length, &curve.response->step,
+                               &curve.response->noise_density})
+            *length *= factor;
+    }
+}
+
+/// Heights and lengths as they are, of those that the instrument stated.
+void calibrate(PreparedMeasurement& prepared) {
+    const double height = prepared.inputs.height_calibration.value, lateral = prepared.inputs.lateral_calibration.value;
+    if (height != 1.0) prepared.measurement = topography::scaled(std::move(prepared.measurement), height);
+    if (lateral == 1.0) return;
+    scale_lengths(prepared.measurement, lateral);
+    prepared.untouched.band.lower /= lateral;
+    prepared.untouched.band.upper /= lateral;
+}
+
+/// The same of a map by bands.
+void calibrate(topography::TiledMap& map, const InstrumentInputs& inputs) {
+    for (double& size : map.size) size *= inputs.lateral_calibration.value;
+    const double height = inputs.height_calibration.value;
+    if (height != 1.0)
+        map.lines = [lines = std::move(map.lines), height](Index first, Index count) -> Array2D {
+            return height * lines(first, count);
+        };
+}
+
 /// What a measurement was read with, where that is no sphere. @throws InvalidArgument for a shape without a size.
 std::optional<spectral_fit::Probe> probe_of(const MeasurementInput& input, const topography::Metadata& metadata,
                                             const formats::ReadOptions& options) {
@@ -152,7 +204,9 @@ std::optional<TiledMeasurement> tiled_measurement(const formats::Channel& channe
     if (!map) return {};
     apply_instrument(map->metadata.instrument, input);
     const auto trend = trend_of(channel, input, map->metadata);
-    return TiledMeasurement{std::move(*map), trend, channel.info.alerts, taken};
+    auto inputs = inputs_of(input);
+    calibrate(*map, inputs);
+    return TiledMeasurement{std::move(*map), trend, channel.info.alerts, std::move(inputs), taken};
 }
 
 /// Whether a pipeline takes more than the mean height away, so that no trend need be removed behind it.
@@ -185,6 +239,7 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     prepared.alerts = channel.info.alerts;
     prepared.direction = input.direction;
     prepared.optics = optics_of(input);
+    prepared.inputs = inputs_of(input);
     prepared.measurement = channel.read();
     apply_instrument(topography::metadata(prepared.measurement).instrument, input);
     if (!input.references.empty()) {
@@ -197,6 +252,7 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     const auto pipeline = pipeline_of_lines(input.steps);
     prepared.untouched = processing::untouched(pipeline, step_along_x(prepared.measurement));
     process(prepared, pipeline, options);
+    calibrate(prepared);
     make_analysable(prepared);
     topography::validate(prepared.measurement);
     prepared.probe = probe_of(input, topography::metadata(prepared.measurement), options);

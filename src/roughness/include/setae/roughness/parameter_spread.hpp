@@ -18,12 +18,14 @@ namespace setae::roughness {
 /// How uncertain spectral parameters are, and why: values without each measurement, replicas, and pairs of values a
 /// given ± leads to. Standard errors, covariances and intervals rest on the same of them:
 ///
-///   draws from the covariance of a fit, where the replicas are such: their scatter is the uncertainty itself
-///   else the jackknife within strata, where any stratum has two members, plus what the sources do
-///   else the scatter of bootstrap replicas, plus what the sources do
+///   draws from the covariance of a fit without its inputs, where the replicas are such
+///   else the jackknife within strata, where any stratum has two members
+///   else the scatter of bootstrap replicas
+///
+/// plus what the sources do, each independent of the others: inputs that numbers of other surfaces may share by name.
 struct ParameterSpread {
     struct Source {
-        std::string name;  ///< such as "tip radius"
+        std::string name;  ///< of the input, such as "tip radius of afm (10 nm), PUNCD"; one name is one input
         SpectralParameters plus, minus;
     };
     using Function = std::function<double(const SpectralParameters&)>;
@@ -31,13 +33,13 @@ struct ParameterSpread {
     std::vector<SpectralParameters> replicas;
     std::uint64_t seed = 0;  ///< of the replicas
     std::string replica_method = "bootstrap";
-    bool replicas_are_draws = false;  ///< drawn from the covariance of a fit, which knows the sources too
+    bool replicas_are_draws = false;  ///< drawn from the covariance of a fit
     std::vector<std::vector<SpectralParameters>> left_out;  ///< without each measurement of each stratum
     std::vector<Source> sources;
 
     /// Covariance of two functions of the parameters.
     ///
-    ///   jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·));  a source: ¼ (f₊ − f₋)(g₊ − g₋)
+    ///   draws: Σ (f_k − f̄)(g_k − ḡ)/(K − 1);  jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·));  a source: ¼ (f₊ − f₋)(g₊ − g₋)
     ///
     /// 0 where nothing is known. Source: Efron, Tibshirani, An Introduction to the Bootstrap (1993), ch. 11.
     [[nodiscard]] double covariance(const Function& f, const Function& g) const;
@@ -60,9 +62,9 @@ struct ParameterSpread {
     ///   above
     ///
     /// least: what f exceeds, 0 but for area ratios, 1. Where a value does not exceed it there is no interval of its
-    /// own. Method: "likelihood", "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add to them,
-    /// or "delta on ln" for sources alone; without " on ln" where there is no interval of its own. Source: coverage
-    /// measured in docs/theory/uncertainty.md.
+    /// own. Method: "likelihood" of draws; "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add to
+    /// them, or "delta on ln" for sources alone; without " on ln" where there is no interval of its own. Source:
+    /// coverage measured in docs/theory/uncertainty.md.
     [[nodiscard]] Estimate estimate(double value, const Function& f, double least = 0.0) const;
     /// Changes every set of parameters held here.
     void each(const std::function<void(SpectralParameters&)>& change);

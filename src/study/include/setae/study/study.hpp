@@ -30,7 +30,10 @@ struct MeasurementInput {
     std::optional<double> tip_half_angle;      ///< of a cone [rad]
     std::optional<std::string> tip_file;       ///< picture of the tip, apex up
     std::optional<Estimate> foil_thickness;    ///< of a side view, along the beam [m]
-    std::optional<double> numerical_aperture;  ///< of an optical profiler, with …
+    std::optional<Estimate>
+        height_calibration;  ///< true heights over those of the file, > 0; the data are multiplied with it
+    std::optional<Estimate> lateral_calibration;  ///< of lengths along the surface, likewise; of a contour along x
+    std::optional<double> numerical_aperture;     ///< of an optical profiler, with …
     std::optional<double> light_wavelength;    ///< … the mean wavelength of its light [m]
     std::optional<double> resolution;          ///< [m]
     std::optional<topography::Trend>

@@ -25,6 +25,13 @@
 
 namespace setae::study {
 
+/// Inputs that all measurements by one instrument share, beyond the sizes that it states itself.
+struct InstrumentInputs {
+    std::string tip_radius, foil_thickness;     ///< names; empty where nobody named them
+    Estimate height_calibration{1.0, 0.0};      ///< true over stated, which the data have been multiplied with
+    Estimate lateral_calibration{1.0, 0.0};     ///< likewise
+};
+
 /// One measurement of a surface: what was read, done and found, or why it failed.
 struct MeasurementResult {
     std::string file;
@@ -39,6 +46,7 @@ struct MeasurementResult {
     double arithmetic_height = 0.0;  ///< Ra or Sa [m]; NaN for polylines
     /// Reliable bands with the tip radius one standard error larger and smaller, where it has one.
     std::optional<std::array<Band, 2>> bands_of_uncertain_tip;
+    InstrumentInputs inputs;
     std::optional<roughness::SlopeDistribution> slopes;       ///< where there are enough of them
     std::optional<roughness::TriangulatedArea> triangulated;  ///< maps
     std::optional<roughness::WeighedShape> slope_shape;       ///< maps
@@ -124,7 +132,7 @@ struct NamedSpectrum {
 [[nodiscard]] std::vector<NamedSpectrum> spectra_of(const SurfaceResult& surface);
 
 /// Reads one input and prepares it: instrument and tip from the study, artefact subtracted, steps of its pipeline,
-/// contour cleaned, trend removed.
+/// heights and lengths calibrated, contour cleaned, trend removed.
 /// @throws what reading and preparing throw.
 struct PreparedMeasurement {
     topography::Measurement measurement;  ///< heights of maps and scans may be undefined
@@ -134,6 +142,7 @@ struct PreparedMeasurement {
     std::optional<spectral_fit::OpticalTransfer> optics = {};
     processing::Untouched untouched = {};  ///< of its waves by the pipeline before
     std::vector<processing::StepRecord> processing = {};
+    InstrumentInputs inputs = {};
     std::optional<std::size_t> channel = {};  ///< as MeasurementResult has it
     std::vector<Alert> alerts = {};
 };
@@ -143,6 +152,7 @@ struct TiledMeasurement {
     topography::TiledMap map;
     topography::Trend trend = topography::Trend::none;  ///< to be removed
     std::vector<Alert> alerts;
+    InstrumentInputs inputs;
     std::optional<std::size_t> channel = {};  ///< as MeasurementResult has it
 };
 

@@ -18,6 +18,12 @@
 
 namespace setae::spectral_fit {
 
+/// A factor that all heights, or all lengths along the surface, of measurements are known to: their calibration.
+struct SharedFactor {
+    std::string input;            ///< name of the input; measurements that share it are wrong together. Empty: none
+    double relative_error = 0.0;  ///< its standard error over its value, >= 0
+};
+
 /// A measurement and what was already taken from it, which its expected periodogram must know.
 struct ObservedSurface {
     topography::Measurement measurement;
@@ -27,6 +33,9 @@ struct ObservedSurface {
     double direction = 0.0;           ///< of its lines (x of a map) on the surface, against the same axis for all [rad]
     std::optional<Probe> probe = {};  ///< that it was read with; without it a sphere of its instrument's tip radius
     std::optional<OpticalTransfer> optics = {};
+    std::string probe_input = {};  ///< name of the probe's size; empty: by instrument and probe
+    SharedFactor height = {};      ///< of its heights, which have been multiplied with its value
+    SharedFactor lateral = {};     ///< of lengths along the surface, likewise
 };
 
 struct LikelihoodOptions {
@@ -75,6 +84,13 @@ struct SurfaceStretch {
     Estimate direction;       ///< of the long axis against the x of lines [rad]
 };
 
+/// How the fit moves with an input that many measurements share.
+struct InputResponse {
+    std::string input;      ///< its name
+    Eigen::VectorXd theta;  ///< d theta for one standard error of the input
+    Band log_band;          ///< what ln of the band's ends moves by
+};
+
 /// INSTRUMENTS_DISAGREE below this probability of an agreement's χ²: neighbouring groups share the window, so that
 /// chance goes further than χ² says.
 inline constexpr double improbable_agreement = 1e-6;
@@ -84,11 +100,12 @@ struct LikelihoodSpectrum {
     /// Forty nodes a decade up to q_s; its band is from the lowest to the highest wavevector that data speak of, beyond
     /// it the prior continues.
     spectra::Spectrum C_iso;
-    Array1D log_standard_error;  ///< of ln C_iso
+    Array1D log_standard_error;  ///< of ln C_iso, inputs in it
     Eigen::MatrixXd design;  ///< ∂ ln C_iso/∂theta; ln C_iso = design · theta of surfaces that are not stretched
     Eigen::VectorXd theta;
-    Eigen::MatrixXd covariance;  ///< of theta: scatter of the data and between measurements, response of the tips,
-                                 ///< uncertain radii and skewness, noise of the simulation
+    Eigen::MatrixXd covariance;  ///< of theta without the inputs below: scatter of the data and between measurements,
+                                 ///< response of the tips, uncertain skewness, noise of the simulation
+    std::vector<InputResponse> inputs;  ///< uncertain sizes of probes and calibrations, each independent of all else
     std::vector<Agreement> agreement;
     std::vector<TipFactor> tips;
     std::vector<SurfaceStretch>
@@ -98,6 +115,9 @@ struct LikelihoodSpectrum {
     int iterations = 0;      ///< of the last fit
     bool converged = false;  ///< else the numbers are those of the step it stopped at
     std::vector<Alert> alerts;  ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN
+
+    /// Of theta, with what every input does: covariance + Σ θ_i θ_iᵀ.
+    [[nodiscard]] Eigen::MatrixXd total_covariance() const;
 };
 
 /// Fits ln C_iso of an isotropic surface to the expected periodograms of all measurements: window, detrending, sampling
@@ -113,7 +133,7 @@ struct LikelihoodSpectrum {
 [[nodiscard]] LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed,
                                                      const LikelihoodOptions& options = {});
 
-/// Spectra drawn from the normal distribution of theta: row r is C_iso [m⁴] at the spectrum's wavevectors.
+/// Spectra drawn from the normal distribution of theta without its inputs' errors: row r is C_iso [m⁴] at the spectrum's wavevectors.
 [[nodiscard]] Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint64_t seed);
 
 }  // namespace setae::spectral_fit
