@@ -97,7 +97,6 @@ Components ParameterSpread::components(const Function& f, const std::string& sur
                 own.degrees_of_freedom = *freedom;
         result.emplace("spectrum of " + surface, std::move(own));
     }
-    if (replicas_are_draws) return result;
     for (const auto& source : sources)
         result[source.name] = {Array1D::Constant(1, 0.5 * (f(source.plus) - f(source.minus)))};
     return result;
