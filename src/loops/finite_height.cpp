@@ -25,7 +25,7 @@ class Shift {
 public:
     Shift(const contact::layer::Layer& layer, const contact::AdhesiveContact& contact, double largest_force)
         : fold_(contact::layer::pull_off_at_fixed_load(contact, layer).force),
-          step_(std::sqrt(std::max(largest_force - fold_, 0.0)) / (points - 1)) {
+          step_(std::sqrt(std::max(largest_force - fold_, least * std::abs(fold_))) / (points - 1)) {
         const Array1D root = step_ * Array1D::LinSpaced(points, 0.0, points - 1.0);
         Array1D a = contact::layer::contact_radius_at_force(fold_ + root.square(), contact, layer);
         a[0] = contact::layer::pull_off_at_fixed_load(contact, layer).contact_radius;
@@ -45,6 +45,7 @@ public:
 
 private:
     static constexpr int points = 129;
+    static constexpr double least = 1e-6;  ///< of the fold, where noise puts every force below it
 
     [[nodiscard]] double root(double force) const {
         return std::min(std::sqrt(std::max(force - fold_, 0.0)), step_ * (points - 1));

@@ -142,11 +142,11 @@ InputDerivative::InputDerivative(const Loop& recorded, const LensAndCounterBody&
         };
         if (value - step >= 0.0 && value + step <= most) {
             beside_ = {moved(step), moved(-step)};
-            weights_ = {0.0, 0.5 / step, -0.5 / step};
+            weights_ = {0.5 / step, -0.5 / step};
         } else {
             const double inwards = value + step > most ? -step : step;
             beside_ = {moved(inwards), moved(2.0 * inwards)};
-            weights_ = {-1.5 / inwards, 2.0 / inwards, -0.5 / inwards};
+            weights_ = {2.0 / inwards, -0.5 / inwards};
         }
         return;
     }
@@ -167,13 +167,13 @@ InputDerivative::InputDerivative(const Loop& recorded, const LensAndCounterBody&
         return analysed(there, analysis);
     };
     beside_ = {scaled(step), scaled(-step)};
-    weights_ = {0.0, 0.5 / (step * value), -0.5 / (step * value)};
+    weights_ = {0.5 / (step * value), -0.5 / (step * value)};
 }
 
 double InputDerivative::of(const std::function<double(const ContactAnalysis&)>& number) const {
-    double sum = weights_[1] * number(beside_[0]) + weights_[2] * number(beside_[1]);
-    if (weights_[0] != 0.0) sum += weights_[0] * number(here_);
-    return sum;
+    // differences: exactly 0 of what does not move
+    const double here = number(here_);
+    return weights_[0] * (number(beside_[0]) - here) + weights_[1] * (number(beside_[1]) - here);
 }
 
 void add_input_error(LoopAnalysis& analysis, const LensAndCounterBody& bodies, const InputDerivative& derivative,

@@ -153,4 +153,28 @@ TEST(CrossedLevels, MustBeLevelsBelowTheSurface) {
     EXPECT_THROW((void)mixed_model(data), InvalidArgument);
 }
 
+// A mean is linear in its rows at given variances; lenses pressed on both surfaces tell each of them of the other's rows.
+TEST(CrossedLevels, GiveEveryRowItsWeightInAMean) {
+    auto data = simulated({});
+    for (auto& row : data.rows) row.standard_error = 0.3 + 0.1 * std::fmod(std::abs(row.value), 3.0);
+    data.rows.pop_back();
+    data.rows.erase(data.rows.begin() + 3);
+    data.exclusions = {{1, "dust"}};
+    const auto model = mixed_model(data, {.influence = false});
+    for (const auto& surface : model.surfaces) {
+        ASSERT_EQ(surface.weights.size(), static_cast<Index>(data.rows.size()));
+        double mean = 0.0, own = 0.0, others = 0.0;
+        for (std::size_t i = 0; i < data.rows.size(); ++i) {
+            const double weight = surface.weights[static_cast<Index>(i)];
+            mean += weight * data.rows[i].value;
+            (data.rows[i].groups[0] == surface.surface ? own : others) += weight;
+        }
+        EXPECT_NEAR(mean, surface.mean.value, 1e-10 * surface.mean.value);
+        EXPECT_NEAR(own, 1.0, 1e-10);
+        EXPECT_NEAR(others, 0.0, 1e-10);
+        EXPECT_EQ(surface.weights[1], 0.0);
+        EXPECT_GT(surface.weights.abs().sum(), 1.001);
+    }
+}
+
 }  // namespace setae::statistics::crossed_levels_test

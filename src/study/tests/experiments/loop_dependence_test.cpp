@@ -246,12 +246,14 @@ TEST_F(LoopsOfAStudy, KeepDerivativesBesideTheAnalysis) {
 TEST_F(LoopsOfAStudy, RefuseInputsThatCannotBe) {
     const auto loops = [](const char* key) { return std::string("[loops]\n") + key + "\n"; };
     EXPECT_EQ(error_of(lens, loops("force_calibration = 0")),
-              "study.toml:11: loops.force_calibration: '0', expected above 0");
+              "study.toml:14: loops.force_calibration: '0', expected above 0");
     EXPECT_EQ(error_of(lens, loops("displacement_calibration = -1.0")),
-              "study.toml:11: loops.displacement_calibration: '-1', expected above 0");
-    EXPECT_NE(error_of(lens, loops("contact_radius_calibration = \"1.1 um\"")).find("study.toml:11: loops.contact_radius"),
+              "study.toml:14: loops.displacement_calibration: '-1', expected above 0");
+    EXPECT_NE(error_of(lens, loops("contact_radius_calibration = \"1.1 um\""))
+                  .find("study.toml:14: loops.contact_radius_calibration: "),
               std::string::npos);
-    EXPECT_NE(error_of("sphere_radius = \"1.0 ± 1.2 mm\"\n", "").find("elastomers.soft.sphere_radius"), std::string::npos);
+    EXPECT_NE(error_of("sphere_radius = \"1.0 ± 1.2 mm\"\n", "").find("elastomers.soft.sphere_radius: "),
+              std::string::npos);
     EXPECT_NE(error_of("sphere_radius = \"lens\"\n", experiment(0, "A", "sphere_radius = \"lens = 2 mm\"\n"),
                        "[inputs]\nlens = \"1.0 ± 0.1 mm\"\n")
                   .find("one name is one input"),

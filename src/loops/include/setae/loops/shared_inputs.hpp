@@ -61,7 +61,7 @@ public:
 private:
     const ContactAnalysis& here_;
     std::array<ContactAnalysis, 2> beside_;
-    std::array<double, 3> weights_{};  ///< of here and the two beside
+    std::array<double, 2> weights_{};  ///< of what the two beside differ from here
 };
 
 /// Adds to the standard errors of a loop's numbers, covariances of fits included, what the standard error of an input
