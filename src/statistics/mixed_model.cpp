@@ -128,7 +128,8 @@ Array1D weights_of(const Fitted& fit, const std::string& surface, std::size_t ro
     const auto own = std::count(fit.design.surface.begin(), fit.design.surface.end(), place);
     for (std::size_t i = 0; i < fit.design.rows.size(); ++i)
         if (fit.information)
-            weights[static_cast<Index>(fit.design.rows[i])] = fit.information->row_weights(place, static_cast<Index>(i));
+            weights[static_cast<Index>(fit.design.rows[i])] =
+                fit.information->row_weights(place, static_cast<Index>(i));
         else if (fit.design.surface[i] == place)  // one row, or rows all alike
             weights[static_cast<Index>(fit.design.rows[i])] = 1.0 / static_cast<double>(own);
     return weights;

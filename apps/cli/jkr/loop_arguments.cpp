@@ -136,8 +136,7 @@ void BodyArguments::add_to(Options& options) {
 }
 
 std::optional<Estimate> BodyArguments::given_radius() const {
-    return radius.empty() ? std::nullopt
-                          : std::optional(parse_uncertain_quantity(radius, positive(dimension::length)));
+    return radius.empty() ? std::nullopt : std::optional(parse_uncertain_quantity(radius, positive(dimension::length)));
 }
 
 loops::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {

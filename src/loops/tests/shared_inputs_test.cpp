@@ -63,9 +63,9 @@ double pull_off(const ContactAnalysis& a) { return a.pull_off->work_of_adhesion.
 double retraction(const ContactAnalysis& a) { return a.retraction->work_of_adhesion.value; }
 double loss(const ContactAnalysis& a) { return a.loop->energy; }
 
-const std::map<std::string, double (*)(const ContactAnalysis&)> numbers{
-    {"E*", contact_modulus}, {"E", youngs_modulus},     {"W_app", approach},
-    {"W_po", pull_off},      {"W_ret", retraction}, {"E_loss", loss}};
+const std::map<std::string, double (*)(const ContactAnalysis&)> numbers{{"E*", contact_modulus}, {"E", youngs_modulus},
+                                                                        {"W_app", approach},     {"W_po", pull_off},
+                                                                        {"W_ret", retraction},   {"E_loss", loss}};
 
 Loop exact_loop() { return SyntheticLoop{.retraction_work = 0.060, .samples = 120}.make(); }
 
@@ -197,10 +197,10 @@ void expect_whole_differences(const Case& c, const std::vector<SharedInput>& inp
 TEST(InputDerivative, IsThatOfTheWholeAnalysis) {
     Case measured{.loop = noisy_loop()};
     measured.bodies.lens_poisson_ratio = 0.45;
-    expect_whole_differences(measured,
-                             {sphere_radius, poisson_ratio, force_calibration, displacement_calibration,
-                              contact_radius_calibration},
-                             "measured radii");
+    expect_whole_differences(
+        measured,
+        {sphere_radius, poisson_ratio, force_calibration, displacement_calibration, contact_radius_calibration},
+        "measured radii");
     measured.bodies.lens_height = 0.6e-3;
     expect_whole_differences(
         measured, {sphere_radius, sphere_height, poisson_ratio, contact_radius_calibration, displacement_calibration},
@@ -260,7 +260,8 @@ TEST(AddInputError, AddsTheRadiusToEveryRouteOnce) {
         // E* ∝ R and W ∝ 1/R: what both share is all but all there is
         EXPECT_LT(with.correlation, -0.9);
     }
-    expect_added(all.loading.force_displacement->contact_modulus, own.loading.force_displacement->contact_modulus, -0.5);
+    expect_added(all.loading.force_displacement->contact_modulus, own.loading.force_displacement->contact_modulus,
+                 -0.5);
     expect_added(all.pull_off->work_of_adhesion, own.pull_off->work_of_adhesion, -1.0);
     expect_added(all.retraction->work_of_adhesion, own.retraction->work_of_adhesion, -1.0);
     EXPECT_EQ(all.loop->estimate().standard_error, own.loop->estimate().standard_error);

@@ -153,7 +153,8 @@ TEST(CrossedLevels, MustBeLevelsBelowTheSurface) {
     EXPECT_THROW((void)mixed_model(data), InvalidArgument);
 }
 
-// A mean is linear in its rows at given variances; lenses pressed on both surfaces tell each of them of the other's rows.
+// A mean is linear in its rows at given variances; lenses pressed on both surfaces tell each of them of the other's
+// rows.
 TEST(CrossedLevels, GiveEveryRowItsWeightInAMean) {
     auto data = simulated({});
     for (auto& row : data.rows) row.standard_error = 0.3 + 0.1 * std::fmod(std::abs(row.value), 3.0);

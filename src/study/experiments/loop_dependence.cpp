@@ -123,8 +123,8 @@ FitNoise fit_noise_of(const loops::JkrFit& fit) {
     if (!E.uncertain() || !W.uncertain() || !std::isfinite(fit.correlation)) return noise;
     const double along = std::clamp(fit.correlation, -1.0, 1.0);
     noise.youngs_modulus = {Array1D{{E.standard_error, 0.0}}, freedom_of(E)};
-    noise.work_of_adhesion = {
-        Array1D{{along * W.standard_error, std::sqrt(1.0 - along * along) * W.standard_error}}, freedom_of(W)};
+    noise.work_of_adhesion = {Array1D{{along * W.standard_error, std::sqrt(1.0 - along * along) * W.standard_error}},
+                              freedom_of(W)};
     return noise;
 }
 

@@ -36,7 +36,8 @@ struct LoopsInMean {
                                      const std::string& elastomer, const std::optional<std::string>& surface,
                                      bool excluded);
 
-/// Of a pair: the inputs behind a mean of loops and, of W_app where the elastomer's modulus comes from loops, their fits.
+/// Of a pair: the inputs behind a mean of loops and, of W_app where the elastomer's modulus comes from loops, their
+/// fits.
 void take_dependence(PairResult& pair, const LoopQuantity& quantity, const LoopsInMean& mean, bool modulus_from_loops);
 
 /// Own noise of fits in a weighed mean of what they give: `of_fit` is E or W.

@@ -32,9 +32,7 @@ std::optional<TracedValue> PairResult::traced_pull_off() const {
 std::optional<TracedValue> PairResult::traced_retraction() const {
     return traced(*this, "W_ret", retraction, retraction_inputs, {});
 }
-std::optional<TracedValue> PairResult::traced_loss() const {
-    return traced(*this, "E_loss", loss, loss_inputs, {});
-}
+std::optional<TracedValue> PairResult::traced_loss() const { return traced(*this, "E_loss", loss, loss_inputs, {}); }
 
 adhesion::SoftSide ElastomerResult::soft_side() const {
     return {input.name, traced_contact_modulus,

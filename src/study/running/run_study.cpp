@@ -91,8 +91,8 @@ LoopDependence dependence_of(const ExperimentResult& result, const std::vector<U
     const auto kept_under = derivatives_key(key, inputs);
     auto derivatives = run.find<std::vector<LoopNumbers>>(kept_under);
     if (!derivatives || derivatives->size() != inputs.size()) {
-        derivatives = derivatives_of(loops::loop_from_table(record.opened().table), result.bodies,
-                                     result.input.options, *result.analysis, inputs);
+        derivatives = derivatives_of(loops::loop_from_table(record.opened().table), result.bodies, result.input.options,
+                                     *result.analysis, inputs);
         run.keep(kept_under, *derivatives);
     }
     return dependence_of(numbers_of(*result.analysis), inputs, *derivatives);

@@ -232,7 +232,8 @@ TEST_F(StudyOfFiles, GivenSpectraCarryTheirErrorsAndTheirConventions) {
                            "surface_energy = \"25 mJ/m2\"\n";
     const auto result = run_study(read_study(path), {2});
     const auto height = [](const auto& p) { return p.rms_height; };
-    const auto known = result.surface("Q").average.estimate(height), bare = result.surface("F").average.estimate(height);
+    const auto known = result.surface("Q").average.estimate(height),
+               bare = result.surface("F").average.estimate(height);
     EXPECT_NEAR(known.value, std::sqrt(C0 * q0 / pi), 2e-3 * known.value);
     EXPECT_NEAR(bare.value, known.value, 1e-9 * known.value);
     // half of 10 % over the root of the thirty rows or so that hold most of the heights

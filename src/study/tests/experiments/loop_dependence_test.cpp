@@ -104,9 +104,9 @@ TEST_F(LoopsOfAStudy, CarryTheRadiusOfTheirLens) {
 }
 
 TEST_F(LoopsOfAStudy, ShareALensByItsName) {
-    const auto result = run(
-        "", experiment(0, "A", "sphere_radius = \"lens_3\"\n") + experiment(1, "B", "sphere_radius = \"lens_3\"\n"),
-        "[inputs]\nlens_3 = \"1.00 ± 0.01 mm\"\n");
+    const auto result =
+        run("", experiment(0, "A", "sphere_radius = \"lens_3\"\n") + experiment(1, "B", "sphere_radius = \"lens_3\"\n"),
+            "[inputs]\nlens_3 = \"1.00 ± 0.01 mm\"\n");
     const auto &a = pair(result, "A").approach_inputs, &b = pair(result, "B").approach_inputs;
     EXPECT_EQ(a.size(), 1U);
     EXPECT_NEAR(covariance(a, b) / (part(a, "lens_3") * part(b, "lens_3")), 1.0, 1e-12);
@@ -135,10 +135,9 @@ TEST_F(LoopsOfAStudy, MoveWithTheirInputsAsTheirDependenceSays) {
     const auto study_with = [&](const Input& changed, double factor, bool uncertain) {
         std::string elastomer, loops = "[loops]\n";
         for (const auto& input : inputs)
-            (input.of_loops ? loops : elastomer) +=
-                fmt::format("{} = \"{:.17g}{} {}\"\n", input.key, input.value * (input.key == changed.key ? factor : 1.0),
-                            uncertain && input.key == changed.key ? fmt::format(" ± {:.17g}", 0.01 * input.value) : "",
-                            input.unit);
+            (input.of_loops ? loops : elastomer) += fmt::format(
+                "{} = \"{:.17g}{} {}\"\n", input.key, input.value * (input.key == changed.key ? factor : 1.0),
+                uncertain && input.key == changed.key ? fmt::format(" ± {:.17g}", 0.01 * input.value) : "", input.unit);
         return run(elastomer, loops + experiment(0, "A"));
     };
     for (const auto& input : inputs) {
@@ -146,7 +145,8 @@ TEST_F(LoopsOfAStudy, MoveWithTheirInputsAsTheirDependenceSays) {
         const auto name = std::string(input.of_loops ? "loops." : "elastomers.soft.") + input.key;
         constexpr double step = 2e-3;
         const auto above = study_with(input, 1.0 + step, false), below = study_with(input, 1.0 - step, false);
-        const auto expect = [&](const char* number, const Components& found, double value, double higher, double lower) {
+        const auto expect = [&](const char* number, const Components& found, double value, double higher,
+                                double lower) {
             EXPECT_NEAR(part(found, name), 0.01 * (higher - lower) / (2.0 * step), 1e-4 * 0.01 * std::abs(value))
                 << number << " by " << input.key;
         };
@@ -155,7 +155,8 @@ TEST_F(LoopsOfAStudy, MoveWithTheirInputsAsTheirDependenceSays) {
         expect("W_po", p.pull_off_inputs, p.pull_off->value, high.pull_off->value, low.pull_off->value);
         expect("W_ret", p.retraction_inputs, p.retraction->value, high.retraction->value, low.retraction->value);
         expect("E_loss", p.loss_inputs, p.loss->value, high.loss->value, low.loss->value);
-        const auto &E = result.elastomers.front(), &E_high = above.elastomers.front(), &E_low = below.elastomers.front();
+        const auto &E = result.elastomers.front(), &E_high = above.elastomers.front(),
+                   &E_low = below.elastomers.front();
         expect("E", E.traced_youngs_modulus.components, E.youngs_modulus.value, E_high.youngs_modulus.value,
                E_low.youngs_modulus.value);
         expect("E*", E.traced_contact_modulus.components, E.contact_modulus.value, E_high.contact_modulus.value,
@@ -170,9 +171,9 @@ TEST_F(LoopsOfAStudy, ShareTheNoiseOfTheirFitsWithTheModulus) {
         const auto traced = *p.traced_approach();
         EXPECT_EQ(p.approach_fits.size(), 2U);
         EXPECT_NEAR(traced.variance() / p.approach->variance(), 1.0, 1e-12);
-        EXPECT_NEAR(traced.estimate().degrees_of_freedom.value_or(INFINITY) /
-                        p.approach->degrees_of_freedom.value_or(INFINITY),
-                    1.0, 1e-9);
+        EXPECT_NEAR(
+            traced.estimate().degrees_of_freedom.value_or(INFINITY) / p.approach->degrees_of_freedom.value_or(INFINITY),
+            1.0, 1e-9);
         EXPECT_TRUE(traced.components.contains(fmt::format("W_app of {} × soft", p.surface)));
     }
     const auto& soft = result.elastomers.front();
@@ -189,8 +190,9 @@ TEST_F(LoopsOfAStudy, ShareTheNoiseOfTheirFitsWithTheModulus) {
 }
 
 TEST_F(LoopsOfAStudy, OfAGivenModulusShareNoneOfTheirNoise) {
-    const auto result = run("sphere_radius = \"1 mm\"\nyoungs_modulus = \"0.7 ± 0.02 MPa\"\npoisson_ratio = \"0.48 ± 0.01\"\n",
-                            experiment(0, "A"));
+    const auto result =
+        run("sphere_radius = \"1 mm\"\nyoungs_modulus = \"0.7 ± 0.02 MPa\"\npoisson_ratio = \"0.48 ± 0.01\"\n",
+            experiment(0, "A"));
     EXPECT_TRUE(pair(result, "A").approach_fits.empty());
     const auto& soft = result.elastomers.front();
     EXPECT_EQ(part(soft.traced_youngs_modulus.components, "elastomers.soft.youngs_modulus"), 2e4);
@@ -205,10 +207,9 @@ TEST_F(LoopsOfAStudy, OfAGivenModulusShareNoneOfTheirNoise) {
 }
 
 TEST_F(LoopsOfAStudy, InMixedModelsCarryTheirInputsByTheirWeights) {
-    const auto result =
-        run(lens, "[comparison]\ncrossed = [\"lens\"]\n" + experiment(0, "A", "lens = \"a\"\n") +
-                      experiment(1, "A", "lens = \"b\"\n") + experiment(2, "B", "lens = \"a\"\n") +
-                      experiment(3, "B", "lens = \"b\"\n"));
+    const auto result = run(lens, "[comparison]\ncrossed = [\"lens\"]\n" + experiment(0, "A", "lens = \"a\"\n") +
+                                      experiment(1, "A", "lens = \"b\"\n") + experiment(2, "B", "lens = \"a\"\n") +
+                                      experiment(3, "B", "lens = \"b\"\n"));
     for (const auto& p : result.pairs) {
         ASSERT_NE(p.approach->method, "mean over loops");
         // every W goes with 1/R, and so does a mean that is linear in them
@@ -218,9 +219,9 @@ TEST_F(LoopsOfAStudy, InMixedModelsCarryTheirInputsByTheirWeights) {
 
 TEST_F(LoopsOfAStudy, AreMultipliedByTheirCalibrations) {
     const auto plain = run("sphere_radius = \"1 mm\"\n", experiment(0, "A"));
-    const auto result = run("sphere_radius = \"1 mm\"\n",
-                            "[loops]\nforce_calibration = 1.1\ndisplacement_calibration = 0.9\n" +
-                                experiment(0, "A", "contact_radius_calibration = 1.05\n"));
+    const auto result =
+        run("sphere_radius = \"1 mm\"\n", "[loops]\nforce_calibration = 1.1\ndisplacement_calibration = 0.9\n" +
+                                              experiment(0, "A", "contact_radius_calibration = 1.05\n"));
     const auto &p = pair(result, "A"), &before = pair(plain, "A");
     EXPECT_NEAR(p.approach->value / before.approach->value, 1.1, 1e-6);
     EXPECT_NEAR(p.loss->value / before.loss->value, 1.1 * 0.9, 1e-9);

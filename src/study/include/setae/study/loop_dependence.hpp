@@ -49,11 +49,11 @@ struct UncertainInput {
 /// What the inputs that loops share make of the numbers of one loop: ∂number/∂input × standard error, by input. The
 /// loop's own noise is not in it, but in the numbers' own standard errors, which hold nothing of the inputs.
 struct LoopDependence {
-    Components contact_modulus;               ///< [Pa]
-    Components youngs_modulus;                ///< [Pa]
+    Components contact_modulus;                 ///< [Pa]
+    Components youngs_modulus;                  ///< [Pa]
     Components approach, pull_off, retraction;  ///< [J/m²]
-    Components loss;                          ///< [J]
-    std::vector<std::string> lost;  ///< a sentence for each number whose derivative could not be found
+    Components loss;                            ///< [J]
+    std::vector<std::string> lost;              ///< a sentence for each number whose derivative could not be found
 };
 
 [[nodiscard]] LoopDependence dependence_of(const LoopNumbers& numbers, const std::vector<UncertainInput>& inputs,

@@ -34,7 +34,7 @@ struct ExperimentResult {
     loops::LensAndCounterBody bodies;
     std::string error;
     std::optional<loops::LoopAnalysis> analysis;
-    LoopDependence dependence;  ///< of its numbers on what it shares with other loops
+    LoopDependence dependence;         ///< of its numbers on what it shares with other loops
     std::optional<LoopModels> models;  ///< where the study asks for them
     std::vector<Alert> alerts;
 
@@ -71,18 +71,18 @@ struct ElastomerReplicates {
 struct PairResult {
     std::string surface;
     std::string elastomer;
-    std::optional<Estimate> approach;         ///< W_app of loading [J/m²]
-    std::optional<Estimate> pull_off;         ///< W by (S1) [J/m²]
-    std::optional<Estimate> retraction;       ///< W by (S2) [J/m²]
-    std::optional<Estimate> loss;             ///< E_loss [J]
+    std::optional<Estimate> approach;    ///< W_app of loading [J/m²]
+    std::optional<Estimate> pull_off;    ///< W by (S1) [J/m²]
+    std::optional<Estimate> retraction;  ///< W by (S2) [J/m²]
+    std::optional<Estimate> loss;        ///< E_loss [J]
     /// ∂value/∂input × standard error by the inputs that loops share. The four standard errors above, of the loops' own
     /// noise and scatter, hold nothing of it.
     Components approach_inputs, pull_off_inputs, retraction_inputs, loss_inputs;
     /// The part of `approach`'s own standard error that it shares with E of the elastomer where that comes from the
     /// same fits: "fit of FILE" of each loop. Empty where the study gives E.
     Components approach_fits;
-    std::optional<double> contact_area;  ///< π a_max² at maximum preload [m²]
-    std::optional<double> ideal_loss;    ///< of a smooth sphere with this W and E* [J]
+    std::optional<double> contact_area;       ///< π a_max² at maximum preload [m²]
+    std::optional<double> ideal_loss;         ///< of a smooth sphere with this W and E* [J]
     std::optional<Estimate> reference_share;  ///< of the hysteresis W_ret − W_app, what the smooth reference has, too
     int experiments = 0;                      ///< loops behind the measured values; 0 for published ones
 
