@@ -92,6 +92,18 @@ TEST(ParameterSpread, FallsBackOnReplicasWithoutStrata) {
     EXPECT_EQ(spread.estimate(1.0, height).method, "likelihood");
 }
 
+// Draws of variance 0.1² + 0.1² over one degree of freedom, an input of 0.3: each is in it once.
+TEST(ParameterSpread, AddsInputsToDraws) {
+    ParameterSpread spread;
+    spread.replicas = {of_height(1.1), of_height(0.9)};
+    spread.replicas_are_draws = true;
+    spread.sources = {{"afm tip", of_height(1.3), of_height(0.7)}};
+    EXPECT_NEAR(spread.covariance(height, height), 0.02 + 0.09, 1e-12);
+    EXPECT_NEAR(spread.variance_term(height).variance, 0.02 + 0.09, 1e-12);
+    EXPECT_NEAR(spread.standard_error(height), std::sqrt(0.11), 1e-12);
+    EXPECT_EQ(spread.estimate(1.0, height).method, "likelihood");
+}
+
 TEST(ParameterSpread, HasNoIntervalWithoutAnythingToRestOn) {
     EXPECT_FALSE(ParameterSpread{}.estimate(1.0, height).interval);
     ParameterSpread spread;
