@@ -108,15 +108,15 @@ void add_left_out(std::vector<Comparison>& rows, int run, const Planted& planted
     });
 }
 
-/// What the study makes of all loops on a pair, and of all on an elastomer.
+/// What the study makes of all loops on a pair, and of all on an elastomer, with every input.
 void add_measured(std::vector<Comparison>& rows, int run, const Planted& planted, const StudyResult& study) {
     for_each_pair(planted, study, [&](const simulation::PlantedLoop& loop, const study::PairResult& pair) {
-        if (pair.approach)
+        if (const auto found = pair.traced_approach())
             add(rows, {run, pair_name(loop), "work_approach", "pairs", "J/m2", Deviation::relative,
-                       loop.specimen.work_approach, *pair.approach});
-        if (pair.loss)
+                       loop.specimen.work_approach, found->estimate()});
+        if (const auto found = pair.traced_loss())
             add(rows, {run, pair_name(loop), "energy_loss", "pairs", "J", Deviation::relative, loop.truth.energy_loss(),
-                       *pair.loss});
+                       found->estimate()});
     });
     for (const auto& elastomer : study.elastomers) {
         const auto& name = elastomer.input.name;

@@ -47,11 +47,11 @@ struct Planted {
 
 /// Surfaces: rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, true_area_ratio and C1D by decade, by
 /// every spectrum of the study; where a spectrum begins above the roll-off, against the planted waves from there on.
-/// Loops: work_approach, work_retraction, contact_modulus, energy_loss as measured. Pairs: work_approach and
-/// energy_loss of all their loops; predicted_work and predicted_loss, which are new_pair_work and new_pair_loss where
-/// the pair was not measured; next_surface_work and next_elastomer_work by fits without its surface (elastomer).
-/// Elastomers: contact_modulus. Study: work_of_adhesion (clustered fit), work_of_predictions (W_int that predictions
-/// rest on) and work_of_adhesion_from_loss. Predictions and W_int by the spectrum used and by the average.
+/// Loops: work_approach, work_retraction, contact_modulus, energy_loss by their own noise alone. Pairs: work_approach
+/// and energy_loss of all their loops, with every input; predicted_work and predicted_loss, which are new_pair_work and
+/// new_pair_loss where the pair was not measured; next_surface_work and next_elastomer_work by fits without its surface
+/// (elastomer). Elastomers: contact_modulus. Study: work_of_adhesion (clustered fit), work_of_predictions (W_int that
+/// predictions rest on) and work_of_adhesion_from_loss. Predictions and W_int by the spectrum used and by the average.
 /// What failed or was not found is left out. Surfaces and loops are matched by name.
 [[nodiscard]] std::vector<Comparison> comparisons(int run, const simulation::Recipe& recipe, const Planted& planted,
                                                   const study::StudyResult& study);
