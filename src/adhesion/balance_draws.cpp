@@ -57,9 +57,10 @@ public:
         key_ = key;
         known_.clear();
     }
-    [[nodiscard]] double of(const PairPoint& pair) {
-        return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) + scatter_.surface * one("s" + pair.surface) +
-               scatter_.elastomer * one("e" + pair.elastomer);
+    /// share: of an error of the pair's balance that its floor lets through.
+    [[nodiscard]] double of(const PairPoint& pair, double share) {
+        return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) +
+               share * (scatter_.surface * one("s" + pair.surface) + scatter_.elastomer * one("e" + pair.elastomer));
     }
 
 private:
@@ -125,7 +126,7 @@ BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const Generalise
                 const double measured = pairs[i].measured.value,
                              relative = measured > 0.0 ? pairs[i].prediction(work.value) / measured : 1.0;
                 pair.measured.value += relative * deviates.moved(pair.measured_inputs) +
-                                       deviates.moved(pair.measured_noise) + effects.of(pair) +
+                                       deviates.moved(pair.measured_noise) + effects.of(pair, share_through_floor(pairs[i], work.value)) +
                                        std::sqrt(pairs[i].own_variance()) * noise[static_cast<Index>(i)];
                 there.push_back(std::move(pair));
             }

@@ -49,17 +49,19 @@ bool separable(const std::vector<PairPoint>& pairs, Label label) {
 /// What is known of y − f beside the scatter, at one W.
 struct Residuals {
     VectorXd value, slope;  ///< y − f, ∂f/∂W
+    VectorXd share;         ///< of an error of the balance that its floor lets through
     std::vector<Components> inputs;
     MatrixXd covariance;  ///< of own noise and inputs
 };
 
 Residuals residuals_at(const std::vector<PairPoint>& pairs, double work) {
     const auto n = static_cast<Index>(pairs.size());
-    Residuals result{VectorXd(n), VectorXd(n), {}, MatrixXd(n, n)};
+    Residuals result{VectorXd(n), VectorXd(n), VectorXd(n), {}, MatrixXd(n, n)};
     for (Index i = 0; i < n; ++i) {
         const auto& pair = pairs[static_cast<std::size_t>(i)];
         result.value[i] = pair.measured.value - pair.prediction(work);
         result.slope[i] = !pair.floored || pair.raw_prediction(work) > 0.0 ? pair.slope : 0.0;
+        result.share[i] = share_through_floor(pair, work);
         result.inputs.push_back(residual_inputs(pair, work));
     }
     for (Index i = 0; i < n; ++i)
@@ -77,39 +79,36 @@ Eigen::LLT<MatrixXd> factor_of(const MatrixXd& covariance) {
     return factor;
 }
 
-/// argmin of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0: one parabola between two kinks of the floors. start: of equal
-/// answers the one that is kept.
+/// The minimum of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0 that lies next to `start`: with V held, another valley, of
+/// floored pairs alone, says nothing. Within a piece between two kinks of the floors the cost is one parabola.
 double minimum_of(const std::vector<PairPoint>& pairs, const Eigen::LLT<MatrixXd>& factor, double start) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto n = static_cast<Index>(pairs.size());
-    std::vector<double> ends;
-    for (const auto& pair : pairs)
-        if (pair.floored && pair.offset > 0.0) ends.push_back(pair.offset / pair.slope);
-    std::sort(ends.begin(), ends.end());
-    ends.push_back(infinity);
-    double best = start, least = infinity, from = 0.0;
-    for (const double to : ends) {
-        if (!(to > from)) continue;
-        const double inside = std::isfinite(to) ? 0.5 * (from + to) : 2.0 * from + 1.0;
+    double work = start;
+    for (std::size_t step = 0; step <= pairs.size(); ++step) {
         VectorXd slope(n), constant(n);
+        double from = 0.0, to = infinity;  // the piece that holds W
         for (Index i = 0; i < n; ++i) {
             const auto& pair = pairs[static_cast<std::size_t>(i)];
-            const bool above = !pair.floored || pair.raw_prediction(inside) > 0.0;
+            const double kink = pair.offset / pair.slope;
+            const bool above = !pair.floored || work >= kink;
+            if (pair.floored && above) from = std::max(from, kink);
+            if (!above) to = std::min(to, kink);
             slope[i] = above ? pair.slope : 0.0;
             constant[i] = pair.measured.value + (above ? pair.offset : 0.0);
         }
         const VectorXd weighted = factor.solve(slope);
         const double information = slope.dot(weighted);
-        const double work = information > 0.0 ? std::clamp(weighted.dot(constant) / information, from, to) : from;
-        const VectorXd left = constant - slope * work;
-        const double cost = left.dot(factor.solve(left));
-        if (cost < least) {
-            least = cost;
-            best = work;
-        }
-        from = to;
+        if (!(information > 0.0)) return work;
+        const double found = weighted.dot(constant) / information;
+        if (found >= from && found <= to) return found;
+        // on into the next piece, or back to the kink where both sides lead
+        const double end = found < from ? std::nextafter(from, -infinity) : to;
+        if (end < 0.0 || (step > 0 && end == start)) return std::max(0.0, end);
+        start = work;
+        work = end;
     }
-    return best;
+    return work;
 }
 
 class Fit {
@@ -162,8 +161,9 @@ public:
 
 private:
     [[nodiscard]] MatrixXd whole_covariance(const ModelScatter& scatter) const {
-        MatrixXd whole = at_.covariance + scatter.surface * scatter.surface * same_surface_ +
-                         scatter.elastomer * scatter.elastomer * same_elastomer_;
+        const MatrixXd effects = scatter.surface * scatter.surface * same_surface_ +
+                                 scatter.elastomer * scatter.elastomer * same_elastomer_;
+        MatrixXd whole = at_.covariance + at_.share.asDiagonal() * effects * at_.share.asDiagonal();
         // where nothing is uncertain every pair counts alike
         const double least = 1e-9 * largest_;
         whole.diagonal().array() += std::max(scatter.pair * scatter.pair, least * least);
@@ -233,7 +233,8 @@ private:
         const auto add = [&](const char* groups, double scatter, Label label) {
             if (!(scatter > 0.0)) return;
             std::map<std::string, double> sums;
-            for (std::size_t i = 0; i < pairs_.size(); ++i) sums[pairs_[i].*label] += h[static_cast<Index>(i)];
+            for (std::size_t i = 0; i < pairs_.size(); ++i) 
+                sums[pairs_[i].*label] += h[static_cast<Index>(i)] * at_.share[static_cast<Index>(i)];
             Component component{Array1D(static_cast<Index>(sums.size())), static_cast<double>(sums.size()) - 1.0};
             Index at = 0;
             for (const auto& [group, sum] : sums) component.directions[at++] = scatter * sum;

@@ -18,8 +18,8 @@ LeftOutPrediction predicted_by(const GeneralisedFit& others, const PairPoint& pa
         return TracedValue(effect, pair.scatter_between(groups) + ", anew").components;
     };
     const auto of_model = combined({{1.0, anew(scatter.pair, freedom.pair, "pairs")},
-                                    {1.0, anew(scatter.surface, freedom.surface, "surfaces")},
-                                    {1.0, anew(scatter.elastomer, freedom.elastomer, "elastomers")}});
+                                    {share, anew(scatter.surface, freedom.surface, "surfaces")},
+                                    {share, anew(scatter.elastomer, freedom.elastomer, "elastomers")}});
     const auto of_work = combined({{share * pair.slope, others.work_of_adhesion.components}, {1.0, of_model}});
     const TracedValue predicted{pair.prediction(work),
                                 combined({{share, pair.prediction_inputs(work)}, {1.0, of_work}})};

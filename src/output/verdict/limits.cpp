@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "answer.hpp"
 #include "bearings.hpp"
@@ -10,6 +11,7 @@
 #include "setae/core/units.hpp"
 #include "setae/core/words.hpp"
 #include "setae/output/verdict.hpp"
+#include "setae/study/exact_inputs.hpp"
 
 namespace setae::output {
 namespace {
@@ -46,6 +48,7 @@ public:
         say_of_design();
         say_of_spectra();
         say_of_alerts();
+        say_of_exact_inputs();
         return std::move(sentences_);
     }
 
@@ -101,6 +104,14 @@ private:
         if (!result_.modified && result_.work_of_adhesion) say("No fit of approach: " + result_.modified.reason + ".");
         if (!result_.loop) say("No fit of loop energies: " + result_.loop.reason + ".");
         if (!result_.work_of_adhesion) say("No prediction: " + result_.work_of_adhesion.reason + ".");
+    }
+
+    void say_of_exact_inputs() {
+        std::vector<std::string> kinds;
+        for (const auto& [what, names] : study::exact_inputs(result_.study))
+            kinds.push_back(names.empty() ? what : fmt::format("{} ({})", what, fmt::join(names, ", ")));
+        if (!kinds.empty() && result_.work_of_adhesion)
+            say(fmt::format("Taken for exact, as the study gives no ±: {}.", listed(kinds)));
     }
 
     void say_of_design() {

@@ -36,7 +36,8 @@ struct GeneralisedFit {
 ///
 /// c: what one input, one standard error off, does to y − f: through measured values and through predictions. Relative
 /// errors of measured values are taken of what is predicted, not of what was measured, which would pull W down where
-/// inputs are shared. τ, τ_s, τ_e by restricted maximum likelihood; τ_s (τ_e) needs three surfaces (elastomers), some
+/// inputs are shared. Inputs of a prediction and effects of surfaces and elastomers are errors of the balance, of which a
+/// pair below its floor shows share_through_floor(); τ is one of pairs. τ, τ_s, τ_e by restricted maximum likelihood; τ_s (τ_e) needs three surfaces (elastomers), some
 /// of them with several pairs. W and V are iterated to a common answer. The components of W are hᵀ times those of y − f,
 /// h = V⁻¹g/(gᵀV⁻¹g), g = ∂f/∂W.
 /// @throws InvalidArgument for fewer than two pairs.

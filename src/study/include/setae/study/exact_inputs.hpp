@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/study/study.hpp"
+
+namespace setae::study {
+
+/// A kind of input that a study gives no ± for, and whose: nothing that rests on it knows how wrong it may be.
+struct ExactInputs {
+    std::string what;                ///< "sphere radius", "calibration of heights"
+    std::vector<std::string> names;  ///< elastomers or instruments; empty where it is of all loops
+};
+
+/// In the order in which they move W_int most, as a rule: surface energy and modulus of elastomers, sphere radius,
+/// calibrations of instruments and of loops, tips.
+[[nodiscard]] std::vector<ExactInputs> exact_inputs(const Study& study);
+
+}  // namespace setae::study

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/study/exact_inputs.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace setae::study {
+namespace {
+
+/// Adds a kind where some of its owners have no ±; each owner once.
+template <class Owners>
+void add(std::vector<ExactInputs>& found, const char* what, const Owners& owners,
+         const std::function<bool(const typename Owners::value_type&)>& exact,
+         const std::function<std::string(const typename Owners::value_type&)>& name) {
+    ExactInputs kind{what, {}};
+    for (const auto& owner : owners)
+        if (exact(owner) && std::find(kind.names.begin(), kind.names.end(), name(owner)) == kind.names.end())
+            kind.names.push_back(name(owner));
+    if (!kind.names.empty()) found.push_back(std::move(kind));
+}
+
+bool exact(const std::optional<Estimate>& value) { return !value || !value->uncertain(); }
+
+void add_elastomers(std::vector<ExactInputs>& found, const Study& study) {
+    using Input = ElastomerInput;
+    const auto name = [](const Input& e) { return e.name; };
+    const auto of = [&](const char* what, const std::function<bool(const Input&)>& without_error) {
+        add(found, what, study.elastomers, without_error, name);
+    };
+    of("surface energy", [](const Input& e) { return !e.surface_energy.uncertain(); });
+    of("Young's modulus", [](const Input& e) { return e.youngs_modulus.value > 0.0 && !e.youngs_modulus.uncertain(); });
+    of("sphere radius", [&](const Input& e) {
+        return e.sphere_radius && !e.sphere_radius->uncertain() &&
+               std::any_of(study.experiments.begin(), study.experiments.end(), [&](const ExperimentInput& loop) {
+                   return loop.elastomer == e.name && !loop.sphere_radius;
+               });
+    });
+}
+
+void add_instruments(std::vector<ExactInputs>& found, const Study& study) {
+    using Input = MeasurementInput;
+    std::vector<Input> measurements;
+    for (const auto& surface : study.surfaces)
+        measurements.insert(measurements.end(), surface.measurements.begin(), surface.measurements.end());
+    const auto name = [](const Input& m) { return m.instrument.empty() ? std::string("instruments not named") : m.instrument; };
+    add<std::vector<Input>>(
+        found, "calibration of heights", measurements, [](const Input& m) { return exact(m.height_calibration); }, name);
+    add<std::vector<Input>>(
+        found, "calibration of lengths", measurements, [](const Input& m) { return exact(m.lateral_calibration); }, name);
+    add<std::vector<Input>>(
+        found, "tip radius", measurements,
+        [](const Input& m) { return m.tip_radius && !m.tip_radius->uncertain(); }, name);
+}
+
+void add_loops(std::vector<ExactInputs>& found, const Study& study) {
+    const auto of = [&](const char* what, Estimate ExperimentInput::*factor) {
+        if (std::any_of(study.experiments.begin(), study.experiments.end(),
+                        [&](const ExperimentInput& e) { return !(e.*factor).uncertain(); }))
+            found.push_back({what, {}});
+    };
+    of("calibration of force", &ExperimentInput::force_calibration);
+    of("calibration of displacement", &ExperimentInput::displacement_calibration);
+    of("calibration of contact radii", &ExperimentInput::contact_radius_calibration);
+}
+
+}  // namespace
+
+std::vector<ExactInputs> exact_inputs(const Study& study) {
+    std::vector<ExactInputs> found;
+    add_elastomers(found, study);
+    add_instruments(found, study);
+    add_loops(found, study);
+    return found;
+}
+
+}  // namespace setae::study
