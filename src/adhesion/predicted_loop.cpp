@@ -19,12 +19,12 @@ using roughness::SpectralParameters;
 
 /// Everything a loop depends on, without errors.
 struct Inputs {
-    double contact_modulus, surface_energy, work;  ///< E*, γ1, W_int
+    double contact_modulus, surface_energy, work, radius;  ///< E*, γ1, W_int, R
 };
 
 /// A loop's numbers, without errors.
 struct Loop {
-    double contact_radius, energy_loss, ideal_loss, work_approach, work_retraction;
+    double contact_radius, energy_loss, ideal_loss, work_approach, work_retraction, radius;
 };
 
 /// W_ret with which edge and jumps together lose so much: more than the jumps alone with W_app, for W_int r >= W_app and
@@ -41,17 +41,18 @@ double work_of_retraction(const contact::AdhesiveContact& approach, double conta
     return numerics::bracketed_root(excess, lower, upper, 50);
 }
 
-Loop loop_of(const SpectralParameters& parameters, const Inputs& inputs, const Press& press) {
+Loop loop_of(const SpectralParameters& parameters, const Inputs& inputs, double preload) {
     const ConformalState state{parameters.area_ratio(),
                                inputs.contact_modulus * parameters.elastic_energy_per_modulus};
     Loop loop{};
     loop.work_approach = modified_balance(inputs.work, inputs.surface_energy, state).floored;
-    const contact::AdhesiveContact approach{press.radius, inputs.contact_modulus, loop.work_approach};
-    loop.contact_radius = contact::jkr::contact_radius_at_force(press.preload, approach);
+    const contact::AdhesiveContact approach{inputs.radius, inputs.contact_modulus, loop.work_approach};
+    loop.contact_radius = contact::jkr::contact_radius_at_force(preload, approach);
     const double area = pi * loop.contact_radius * loop.contact_radius;
     loop.energy_loss = inputs.work * state.area_ratio * area;
     loop.ideal_loss = contact::jkr::ideal_loop_loss(approach).total;
     loop.work_retraction = work_of_retraction(approach, area, loop.energy_loss);
+    loop.radius = inputs.radius;
     return loop;
 }
 
@@ -63,25 +64,26 @@ public:
           soft_(soft),
           work_(work),
           press_(press),
-          centre_{soft.contact_modulus.value, soft.surface_energy.value, work.value} {}
+          centre_{soft.contact_modulus.value, soft.surface_energy.value, work.value, press.radius.value} {}
 
     template <class Number>
     [[nodiscard]] TracedValue operator()(Number number) const {
-        auto result = rough_.traced([&](const SpectralParameters& p) { return number(loop_of(p, centre_, press_)); });
+        auto result = rough_.traced([&](const SpectralParameters& p) { return number(loop_of(p, centre_, press_.preload)); });
         const auto add = [&](const TracedValue& input, double Inputs::* member) {
             const double error = input.standard_error();
             if (!(error > 0.0)) return;
             auto more = centre_, less = centre_;
             more.*member += error;
             less.*member = std::max(less.*member - error, 1e-3 * less.*member);
-            const double derivative = (number(loop_of(rough_.parameters, more, press_)) -
-                                       number(loop_of(rough_.parameters, less, press_))) /
+            const double derivative = (number(loop_of(rough_.parameters, more, press_.preload)) -
+                                       number(loop_of(rough_.parameters, less, press_.preload))) /
                                       (more.*member - less.*member);
             result.components = combined({{1.0, result.components}, {derivative, input.components}});
         };
         add(soft_.contact_modulus, &Inputs::contact_modulus);
         add(soft_.surface_energy, &Inputs::surface_energy);
         add(work_, &Inputs::work);
+        add(press_.radius, &Inputs::radius);
         return result;
     }
 
@@ -97,12 +99,13 @@ private:
 
 std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide& soft, const TracedValue& work,
                                           const Press& press) {
-    if (!(press.radius > 0.0) || !(press.preload >= 0.0) || !std::isfinite(press.radius + press.preload))
+    const double radius = press.radius.value;
+    if (!(radius > 0.0) || !(press.preload >= 0.0) || !std::isfinite(radius + press.preload))
         throw InvalidArgument(fmt::format("a sphere of radius {} m under {} N; expected a radius above 0 and a force of 0 or more",
-                                          press.radius, press.preload));
+                                          radius, press.preload));
     if (!predict(rough, soft, work).modified.work.conforms) return std::nullopt;
     const Propagation propagated(rough, soft, work, press);
-    const double force_per_work = 1.5 * pi * press.radius;
+    const auto pull_off = [](const Loop& loop, double work) { return 1.5 * pi * loop.radius * work; };
     const auto estimate = [&](auto number) { return propagated(number).estimate(); };
     auto loss = propagated([](const Loop& loop) { return loop.energy_loss; });
     return PredictedLoop{
@@ -110,8 +113,8 @@ std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide
         .energy_loss = loss.estimate(),
         .ideal_loss = estimate([](const Loop& loop) { return loop.ideal_loss; }),
         .work_retraction = estimate([](const Loop& loop) { return loop.work_retraction; }),
-        .pull_off_force = estimate([&](const Loop& loop) { return force_per_work * loop.work_retraction; }),
-        .pull_off_force_reversible = estimate([&](const Loop& loop) { return force_per_work * loop.work_approach; }),
+        .pull_off_force = estimate([&](const Loop& loop) { return pull_off(loop, loop.work_retraction); }),
+        .pull_off_force_reversible = estimate([&](const Loop& loop) { return pull_off(loop, loop.work_approach); }),
         .energy_loss_traced = std::move(loss),
     };
 }

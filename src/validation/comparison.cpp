@@ -65,9 +65,12 @@ void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted
     const auto add_work = [&](const char* quantity, const Estimate& found) {
         add(rows, {run, "all", quantity, method, "J/m2", Deviation::absolute, planted, found});
     };
-    if (study.modified) add_work("work_of_adhesion", study.modified->clustered);
+    const auto generalised = [](const adhesion::WorkFit& fit) {
+        return fit.generalised.work_of_adhesion.estimate("generalised least squares");
+    };
+    if (study.modified) add_work("work_of_adhesion", generalised(*study.modified));
     if (study.work_of_adhesion) add_work("work_of_predictions", *study.work_of_adhesion);
-    if (study.loop) add_work("work_of_adhesion_from_loss", study.loop->through_origin.clustered);
+    if (study.loop) add_work("work_of_adhesion_from_loss", generalised(study.loop->through_origin));
 }
 
 /// Calls visit(planted loop, what the study says of the pair) for every pair of the study that has one.

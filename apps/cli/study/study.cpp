@@ -16,6 +16,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/output/budget.hpp"
 #include "setae/output/result_folder.hpp"
 #include "setae/output/screen.hpp"
 #include "setae/output/study_tables.hpp"
@@ -215,6 +216,21 @@ ExitCode run(const Arguments& arguments) {
     return until_interrupted(store, display, [&] { return run_and_write(arguments, store, display); });
 }
 
+/// Formulas and sources; of a study what each of its numbers rests on, too.
+ExitCode explain(const Arguments& arguments) {
+    print(explanation);
+    if (arguments.file.empty()) return ExitCode::done;
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress_mode());
+    return until_interrupted(store, display, [&] {
+        const auto result =
+            study::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
+        display.finish();
+        print("\n" + output::budget_text(result, output_size().width));
+        return result.failures() == 0 ? ExitCode::done : ExitCode::some_failed;
+    });
+}
+
 }  // namespace
 
 Action declare(Options& options) {
@@ -230,7 +246,12 @@ Action declare(Options& options) {
                 "write the pages on keys, alerts and figures of studies to this folder");
     options.example("setae study study.toml --dry-run", "what there is to do, and what will fail");
     options.example("setae study study.toml", "tables, figures and a report");
-    return action(options, arguments, explanation, run);
+    options.example("setae study study.toml --explain", "formulas, and which input gives how much of each ±");
+    arguments->common.add_to(options);
+    return [arguments] {
+        parallel::limit_threads(arguments->common.workers());
+        return arguments->common.explain ? explain(*arguments) : run(*arguments);
+    };
 }
 
 }  // namespace setae::cli::study_command

@@ -12,7 +12,8 @@
 namespace setae::adhesion::predicted_loop_test {
 namespace {
 
-constexpr Press press{.radius = 1.25e-3, .preload = 1e-3};
+constexpr double radius = 1.25e-3;
+const Press press{.radius = radius, .preload = 1e-3};
 constexpr double W_int = 0.037, gamma_1 = 0.025, modulus = 0.9e6;
 
 /// A rough side without errors.
@@ -31,19 +32,19 @@ TEST(PredictedLoop, LosesWhatEquationTenSays) {
     const double r = side.parameters.area_ratio(),
                  W_app = W_int * r - gamma_1 * (r - 1.0) - modulus * side.parameters.elastic_energy_per_modulus;
     // (1) in closed form
-    const double pull = 3.0 * pi * press.radius * W_app,
-                 a = std::cbrt(0.75 * press.radius / modulus *
+    const double pull = 3.0 * pi * radius * W_app,
+                 a = std::cbrt(0.75 * radius / modulus *
                                (press.preload + pull + std::sqrt(2.0 * pull * press.preload + pull * pull)));
     EXPECT_NEAR(loop->contact_radius.value, a, 1e-12 * a);
     EXPECT_NEAR(loop->energy_loss.value, W_int * r * pi * a * a, 1e-12 * loop->energy_loss.value);
-    EXPECT_NEAR(loop->pull_off_force_reversible.value, 1.5 * pi * press.radius * W_app, 1e-15);
+    EXPECT_NEAR(loop->pull_off_force_reversible.value, 1.5 * pi * radius * W_app, 1e-15);
     // the edge and both jumps lose as much together
     const double W_ret = loop->work_retraction.value;
-    const auto jumps = [&](double work) { return contact::jkr::ideal_loop_loss({press.radius, modulus, work}); };
+    const auto jumps = [&](double work) { return contact::jkr::ideal_loop_loss({radius, modulus, work}); };
     EXPECT_NEAR((W_ret - W_app) * pi * a * a + jumps(W_app).jump_in + jumps(W_ret).jump_out, loop->energy_loss.value,
                 1e-10 * loop->energy_loss.value);
     EXPECT_NEAR(loop->ideal_loss.value, jumps(W_app).total, 1e-20);
-    EXPECT_NEAR(loop->pull_off_force.value, 1.5 * pi * press.radius * W_ret, 1e-15);
+    EXPECT_NEAR(loop->pull_off_force.value, 1.5 * pi * radius * W_ret, 1e-15);
     EXPECT_GT(W_ret, W_app);
     EXPECT_TRUE(std::isnan(loop->energy_loss.standard_error)) << "nothing is uncertain";
 }
@@ -68,7 +69,7 @@ TEST(PredictedLoop, CarriesTheErrorsOfItsInputs) {
     ASSERT_TRUE(both && one);
     // dF/dW_int = 3/2 π R r at fixed modulus
     EXPECT_NEAR(one->pull_off_force_reversible.standard_error,
-                1.5 * pi * press.radius * side.parameters.area_ratio() * 1e-3, 1e-12);
+                1.5 * pi * radius * side.parameters.area_ratio() * 1e-3, 1e-12);
     EXPECT_GT(both->contact_radius.standard_error, one->contact_radius.standard_error);
     Side scattered;
     scattered.spread.replicas = {{.rms_slope = 0.34, .elastic_energy_per_modulus = 1e-10},

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "markup.hpp"
+#include "setae/core/units.hpp"
 #include "setae/output/verdict.hpp"
 
 namespace setae::report {
@@ -219,6 +220,67 @@ DataTable budget(const StudyResult& result) {
         table.rows.push_back({TextCell{result.pairs[i].surface}, TextCell{result.pairs[i].elastomer},
                               number("spectrum"), number("modulus"), number("surface_energy"),
                               number("work_of_adhesion")});
+    }
+    return table;
+}
+
+/// Quoted numbers against the inputs they rest on, small shares left to budget.csv.
+DataTable inputs_of_numbers(const Json& study) {
+    constexpr double least = 0.01;
+    DataTable table{"inputs",
+                    "Which input gives how much of a ±",
+                    "Inputs by their names in the study's file; those with less than 1 % of a variance stand in budget.csv. The last column is the ± that is left when this input is known to "
+                    "half its ±.",
+                    {{"number", ""},
+                     {"surface", ""},
+                     {"elastomer", ""},
+                     {"input", ""},
+                     {"± alone", ""},
+                     {"share of the variance", "1"},
+                     {"± with half of it", ""}},
+                    {}};
+    const auto& budgets = entry(study, "/budgets");
+    for (std::size_t i = 0; i < budgets.size(); ++i) {
+        const auto text = [&](const char* key) {
+            return TextCell{budgets[i].contains(key) ? budgets[i].at(key).get<std::string>() : "–"};
+        };
+        const auto& inputs = budgets[i].at("inputs");
+        for (std::size_t k = 0; k < inputs.size(); ++k) {
+            if (inputs[k].at("share_of_variance").get<double>() < least) continue;
+            const auto base = fmt::format("/budgets/{}/inputs/{}", i, k);
+            const auto error = [&](const char* key) {
+                return TextCell{format_value(inputs[k].at(key).get<double>(), budgets[i].at("unit").get<std::string>(), 2)};
+            };
+            table.rows.push_back({text("symbol"), text("surface"), text("elastomer"),
+                                  TextCell{inputs[k].at("input").get<std::string>()}, error("standard_error"),
+                                  NumberCell{joined(base, "share_of_variance")},
+                                  error("standard_error_with_half_of_it")});
+        }
+    }
+    return table;
+}
+
+/// Pairs predicted without their surface, then without their elastomer.
+DataTable left_out(const Json& study) {
+    DataTable table{"left-out",
+                    "How well the others predict a pair",
+                    "Every pair is predicted by (7) at the <i>W</i><sub>int</sub> of all pairs but those of its surface, then but those of its elastomer; the ± hold the scatter that the "
+                    "others show. This is what to expect of the next surface, the next elastomer.",
+                    {{"left out", ""},
+                     {"surface", ""},
+                     {"elastomer", ""},
+                     {"measured *W*_app", "J/m2"},
+                     {"predicted", "J/m2"},
+                     {"residual", "J/m2"},
+                     {"within 95 %", ""}},
+                    {}};
+    const auto& list = entry(study, "/left_out");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const auto quantity = [&](const char* key) { return QuantityCell{fmt::format("/left_out/{}/{}", i, key)}; };
+        const auto text = [&](const char* key) { return TextCell{list[i].at(key).get<std::string>()}; };
+        table.rows.push_back({text("left_out"), text("surface"), text("elastomer"), quantity("measured"),
+                              quantity("predicted"), quantity("residual"),
+                              TextCell{list[i].at("held").get<bool>() ? "yes" : "no"}});
     }
     return table;
 }
@@ -638,6 +700,8 @@ std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& s
         pairs_predicted(result),
         prediction_test(result, study),
         budget(result),
+        inputs_of_numbers(study),
+        left_out(study),
         replicate_means(result, "J/m2", "replicates-work", "Work of adhesion over lenses, spots and repeats"),
         replicate_means(result, "J", "replicates-loss", "Energy lost over lenses, spots and repeats"),
         replicate_variances(result, "J/m2", "variances-work", "Scatter of the work of adhesion"),

@@ -28,6 +28,7 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
                       StudyFigure& drawn);                                          // spectra:NAME
 void scales_of_cost(const FigureRequest& request, StudyFigure& drawn);              // scales
 void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn);    // agreement
+void budget_of_work(const FigureRequest& request, StudyFigure& drawn);              // budget
 void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn);      // balances
 void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn);         // replicates
 void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn);  // prediction

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::study {
@@ -20,12 +23,13 @@ struct Number {
     Components LoopDependence::*inputs;
     const char* name;
 };
-constexpr std::array<Number, 6> numbers{{{&LoopNumbers::contact_modulus, &LoopDependence::contact_modulus, "E*"},
+constexpr std::array<Number, 7> numbers{{{&LoopNumbers::contact_modulus, &LoopDependence::contact_modulus, "E*"},
                                          {&LoopNumbers::youngs_modulus, &LoopDependence::youngs_modulus, "E"},
                                          {&LoopNumbers::approach, &LoopDependence::approach, "W of approach"},
                                          {&LoopNumbers::pull_off, &LoopDependence::pull_off, "W of pull-off"},
                                          {&LoopNumbers::retraction, &LoopDependence::retraction, "W of retraction"},
-                                         {&LoopNumbers::loss, &LoopDependence::loss, "the loss"}}};
+                                         {&LoopNumbers::loss, &LoopDependence::loss, "the loss"},
+                                         {&LoopNumbers::contact_area, &LoopDependence::contact_area, "the contact area"}}};
 
 double freedom_of(const Estimate& estimate) {
     return estimate.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity());
@@ -41,6 +45,7 @@ LoopNumbers numbers_of(const loops::ContactAnalysis& contact) {
     if (contact.pull_off) found.pull_off = contact.pull_off->work_of_adhesion.value;
     if (contact.retraction) found.retraction = contact.retraction->work_of_adhesion.value;
     if (contact.loop) found.loss = contact.loop->energy;
+    if (contact.context.largest_contact_area > 0.0) found.contact_area = contact.context.largest_contact_area;
     return found;
 }
 
@@ -126,6 +131,26 @@ FitNoise fit_noise_of(const loops::JkrFit& fit) {
     noise.work_of_adhesion = {Array1D{{along * W.standard_error, std::sqrt(1.0 - along * along) * W.standard_error}},
                               freedom_of(W)};
     return noise;
+}
+
+Component area_noise_of(const loops::JkrFit& fit, const loops::LensAndCounterBody& bodies, double force) {
+    const auto noise = fit_noise_of(fit);
+    const double E = fit.youngs_modulus.value, modulus = fit.contact_modulus.value, W = fit.work_of_adhesion.value,
+                 nu = bodies.lens_poisson_ratio;
+    if (noise.youngs_modulus.directions.size() == 0 || !(W > 0.0)) return {};
+    const auto area = [&](double of_modulus, double of_work) {
+        const double a = contact::jkr::contact_radius_at_force(force, {bodies.radius, of_modulus, of_work});
+        return pi * a * a;
+    };
+    const auto slope = [](const std::function<double(double)>& of, double at, double error) {
+        const double step = std::min(error, 0.5 * at);
+        return (of(at + step) - of(at - step)) / (2.0 * step);
+    };
+    const double by_modulus = slope([&](double x) { return area(x, W); }, modulus, fit.contact_modulus.standard_error),
+                 by_work = slope([&](double x) { return area(modulus, x); }, W, fit.work_of_adhesion.standard_error),
+                 by_youngs_modulus = (1.0 - nu * nu) * modulus * modulus / (E * E) * by_modulus;
+    return {by_youngs_modulus * noise.youngs_modulus.directions + by_work * noise.work_of_adhesion.directions,
+            noise.youngs_modulus.degrees_of_freedom};
 }
 
 std::string fit_name(const std::string& file) { return "fit of " + file; }

@@ -130,7 +130,7 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
         point.slope = rough.parameters.area_ratio() * *pair.contact_area;
         const RoughSide side{pair.surface, rough.parameters, rough.spread};
         const auto ratio = side.traced([](const SpectralParameters& p) { return p.area_ratio(); });
-        point.slope_inputs = combined({{*pair.contact_area, ratio.components}});
+        point.slope_inputs = combined({{*pair.contact_area, ratio.components}, {ratio.value, pair.contact_area_inputs}});
         point.floored = false;
         whole.push_back(point);
         if (!pair.ideal_loss) continue;
@@ -327,8 +327,8 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     pair.general = general_balance(elastomer.input, work.value, {pair.area_ratio, prediction.stored_energy.value});
     const auto& input = elastomer.input;
     if (input.sphere_radius && input.preload)
-        pair.loop = adhesion::predict_loop(rough, soft, work, {input.sphere_radius->value, *input.preload});
-    if (pair.contact_area) pair.traced_predicted_loss = adhesion::predicted_loss(rough, work, *pair.contact_area);
+        pair.loop = adhesion::predict_loop(rough, soft, work, {elastomer.traced_radius(), *input.preload});
+    if (pair.contact_area) pair.traced_predicted_loss = adhesion::predicted_loss(rough, work, {*pair.contact_area, pair.contact_area_inputs});
     else if (pair.loop) pair.traced_predicted_loss = pair.loop->energy_loss_traced;
     if (pair.contact_area || pair.loop) pair.predicted_loss = pair.traced_predicted_loss.estimate();
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),

@@ -39,6 +39,11 @@ adhesion::SoftSide ElastomerResult::soft_side() const {
             {input.surface_energy, input_name(input.surface_energy, fmt::format("surface energy of {}", input.name))}};
 }
 
+TracedValue ElastomerResult::traced_radius() const {
+    if (!input.sphere_radius) throw InternalError(fmt::format("elastomer '{}' has no sphere", input.name));
+    return {*input.sphere_radius, input_name(*input.sphere_radius, fmt::format("elastomers.{}.sphere_radius", input.name))};
+}
+
 int StudyResult::failures() const {
     int count = 0;
     for (const auto& s : surfaces) {

@@ -9,7 +9,7 @@ namespace setae::adhesion {
 
 /// How a soft sphere is pressed on.
 struct Press {
-    double radius = 0.0;   ///< R of the sphere [m], > 0
+    TracedValue radius;    ///< R of the sphere [m], > 0
     double preload = 0.0;  ///< largest force [N], >= 0
 };
 
@@ -31,7 +31,7 @@ struct PredictedLoop {
 ///
 ///   E_loss = (W_ret − W_app) π a_max² + E_jump-in(W_app) + E_jump-out(W_ret),
 ///
-/// which is solved for W_ret. Every ± is over all inputs: derivatives by E*, γ1 and W_int are central differences over
+/// which is solved for W_ret. Every ± is over all inputs: derivatives by E*, γ1, W_int and R are central differences over
 /// their standard errors, those by the spectrum are of its spread. work_of_adhesion: W_int [J/m²], > 0.
 /// Nothing where (7) says that the surfaces do not conform.
 /// @throws InvalidArgument for R <= 0 or a preload < 0.

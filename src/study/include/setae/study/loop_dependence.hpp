@@ -18,6 +18,7 @@ struct LoopNumbers {
     double pull_off = undefined;         ///< W by (S1) [J/m²]
     double retraction = undefined;       ///< W by (S2) [J/m²]
     double loss = undefined;             ///< E_loss [J]
+    double contact_area = undefined;     ///< π a_max² at the largest force [m²]
 };
 
 [[nodiscard]] LoopNumbers numbers_of(const loops::ContactAnalysis& contact);
@@ -53,6 +54,7 @@ struct LoopDependence {
     Components youngs_modulus;                  ///< [Pa]
     Components approach, pull_off, retraction;  ///< [J/m²]
     Components loss;                            ///< [J]
+    Components contact_area;                    ///< [m²]
     std::vector<std::string> lost;              ///< a sentence for each number whose derivative could not be found
 };
 
@@ -68,6 +70,11 @@ struct FitNoise {
     Component youngs_modulus, work_of_adhesion;
 };
 [[nodiscard]] FitNoise fit_noise_of(const loops::JkrFit& fit);
+
+/// What the same noise makes of the contact area at a force, which is that of the fitted curve, (1).
+///
+///   ∂A/∂E = (1 − ν²)(E*/E)² ∂A/∂E*,  ∂A/∂W: central differences over the standard errors
+[[nodiscard]] Component area_noise_of(const loops::JkrFit& fit, const loops::LensAndCounterBody& bodies, double force);
 
 /// "fit of FILE": the input that E of an elastomer and W of a pair share where both rest on the same fit.
 [[nodiscard]] std::string fit_name(const std::string& file);

@@ -57,6 +57,8 @@ struct ElastomerResult {
     /// What balances know of it: E* and γ1 with the inputs they rest on, by their names in the study, else as this
     /// elastomer's own.
     [[nodiscard]] adhesion::SoftSide soft_side() const;
+    /// R of its sphere likewise. @throws InternalError where the study gives none.
+    [[nodiscard]] TracedValue traced_radius() const;
 };
 
 /// One quantity of all loops on one elastomer, and what a mixed model makes of them: the measured values of its pairs.
@@ -82,6 +84,7 @@ struct PairResult {
     /// same fits: "fit of FILE" of each loop. Empty where the study gives E.
     Components approach_fits;
     std::optional<double> contact_area;       ///< π a_max² at maximum preload [m²]
+    Components contact_area_inputs;           ///< of it: what loops share, and "fit of FILE" of each loop [m²]
     std::optional<double> ideal_loss;         ///< of a smooth sphere with this W and E* [J]
     std::optional<Estimate> reference_share;  ///< of the hysteresis W_ret − W_app, what the smooth reference has, too
     int experiments = 0;                      ///< loops behind the measured values; 0 for published ones

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "arrangement.hpp"
+#include "drawing.hpp"
+#include "setae/core/text.hpp"
+#include "setae/core/units.hpp"
+#include "setae/output/budget.hpp"
+
+namespace setae::study_figures {
+namespace {
+
+using figures::Mark;
+
+/// The end of a long name says more than its beginning: "…E07.surface_energy".
+std::string shortened_name(const std::string& name) {
+    constexpr std::size_t longest = 34;
+    const auto letters = utf8_length(name);
+    if (letters <= longest) return name;
+    std::size_t at = 0;
+    for (auto left = letters - (longest - 1); left > 0; --left)
+        do ++at;
+        while (at < name.size() && (static_cast<unsigned char>(name[at]) & 0xc0U) == 0x80U);
+    return "…" + name.substr(at);
+}
+
+/// A bar from 0 to `length` [%] at a height.
+figures::Series bar(double length, double height) {
+    constexpr double half = 0.3;
+    return {.x = Array1D{{0.0, length, length, 0.0, 0.0}},
+            .y = Array1D{{height - half, height - half, height + half, height + half, height - half}},
+            .mark = Mark::area,
+            .colour = 0,
+            .opacity = 0.75,
+            .in_legend = false};
+}
+
+}  // namespace
+
+void budget_of_work(const FigureRequest& request, StudyFigure& drawn) {
+    const auto budgets = output::budgets_of(request.result);
+    const auto found = std::find_if(budgets.begin(), budgets.end(),
+                                    [](const auto& budget) { return budget.quantity == "work_of_adhesion"; });
+    if (found == budgets.end()) {
+        drawn.reason = "no W_int with a standard error";
+        return;
+    }
+    constexpr std::size_t most = 8;
+    const auto& budget = *found;
+    const auto count = std::min(most, budget.rows.size());
+    figures::Panel panel{.x = {.quantity = "share of the variance of *W*_int", .unit = "%", .from = 0.0, .to = 135.0},
+                         .y = {.from = -0.6, .to = static_cast<double>(count) - 0.4},
+                         .legend = false};
+    panel.y.tick_labels.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& row = budget.rows[i];
+        const double height = static_cast<double>(count - 1 - i), length = 100.0 * row.share;
+        panel.y.tick_labels[count - 1 - i] = shortened_name(row.input);
+        panel.series.push_back(bar(length, height));
+        panel.notes.push_back({.text = fmt::format("± {}", format_value(row.halved, budget.unit, 2)),
+                               .x = length + 2.0,
+                               .y = height,
+                               .side = figures::Note::Side::right});
+    }
+    drawn.figure.panels = {std::move(panel)};
+    arrange(drawn.figure, request.options.width, 22.0 + 7.0 * static_cast<double>(count));
+    drawn.caption = fmt::format(
+        "What the ± of W_int, {}, is made of: the share of its variance that each input gives{}. Beside each bar the ± that "
+        "is left when this input is known to half its ±.",
+        format_value(budget.standard_error, budget.unit, 2),
+        budget.rows.size() > count ? fmt::format(", the {} largest of {}", count, budget.rows.size()) : "");
+}
+
+}  // namespace setae::study_figures
