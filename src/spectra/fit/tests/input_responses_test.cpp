@@ -117,7 +117,12 @@ std::vector<ObservedSurface> observed(double heights = 1.0, double lengths = 1.0
 
 /// Waves may go on beyond Nyquist, so that lengths can move; tips cut no data off.
 LikelihoodOptions options() {
-    return {.shortest_wavelength = 0.7 * shortest_wavelength, .tip_band = false, .least_transfer = 0.0, .tip_points = 512, .tip_length = 512, .threads = {2}};
+    return {.shortest_wavelength = 0.7 * shortest_wavelength,
+            .tip_band = false,
+            .least_transfer = 0.0,
+            .tip_points = 512,
+            .tip_length = 512,
+            .threads = {2}};
 }
 
 const InputResponse& response(const LikelihoodSpectrum& fit, const std::string& input) {
@@ -171,21 +176,30 @@ std::vector<ObservedSurface> touched(double of_radius, double error, double tip 
     return all;
 }
 
-// A blunter tip would have hidden more: the same readings mean a rougher surface. Another radius is simulated anew, which
-// moves what waves are hidden by more than T's derivative on the first fit says: to a quarter where T > 0.4.
+// A blunter tip would have hidden more: the same readings mean a rougher surface. Another radius is simulated on another
+// patch: what that scatters by is found with other random numbers. Measured: 0.0042 of 0.0049 ± 0.0007 and 0.017 of 0.019 ±
+// 0.007 for ∫ q C and ∫ q² C.
 TEST(InputResponses, OfATipAreThoseOfAnotherRadius) {
-    constexpr double sharp = 10e-9;
-    const auto fit = likelihood_spectrum(touched(sharp, 0.1 * sharp, sharp), options());
-    ASSERT_EQ(fit.inputs.size(), 1u);
-    EXPECT_EQ(fit.inputs[0].input, "tip radius of afm (sphere, 10 nm)");
-    constexpr double step = 0.1;
-    const auto blunter = likelihood_spectrum(touched((1.0 + step) * sharp, 0.0, sharp), options()),
-               sharper = likelihood_spectrum(touched((1.0 - step) * sharp, 0.0, sharp), options());
-    for (const double order : {2.0, 3.0}) {
-        const double refitted = 0.5 * (log_moment(blunter, order) - log_moment(sharper, order)),
-                     found = moved_moment(fit, fit.inputs[0].theta, order);
-        EXPECT_GT(found, 0.0) << order;
-        EXPECT_NEAR(found / refitted, 1.0, 0.25) << order << ' ' << found << ' ' << refitted;
+    constexpr double step = 0.2;
+    constexpr int seeds = 6;
+    for (const double order : {1.0, 2.0}) {
+        Array1D found(seeds), refitted(seeds);
+        for (int s = 0; s < seeds; ++s) {
+            auto own = options();
+            own.seed = static_cast<std::uint64_t>(1 + s);
+            const auto fit = likelihood_spectrum(touched(radius, step * radius), own),
+                       blunter = likelihood_spectrum(touched((1.0 + step) * radius, 0.0), own),
+                       sharper = likelihood_spectrum(touched((1.0 - step) * radius, 0.0), own);
+            ASSERT_EQ(fit.inputs.size(), 1u);
+            EXPECT_EQ(fit.inputs[0].input, "tip radius of afm (sphere, 30 nm)");
+            found[s] = moved_moment(fit, fit.inputs[0].theta, order);
+            refitted[s] = 0.5 * (log_moment(blunter, order) - log_moment(sharper, order));
+        }
+        const Array1D difference = found - refitted;
+        const double noise = std::sqrt((difference - difference.mean()).square().sum() / (seeds * (seeds - 1.0)));
+        EXPECT_GT(found.minCoeff(), 0.0) << order;
+        EXPECT_LT(std::abs(difference.mean()), 3.0 * noise)
+            << order << ": " << found.mean() << " of " << refitted.mean() << " ± " << noise;
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tips and calibrations that many measurements share: what surfaces' numbers say of them, against analyses of moved data.
+// Tips and calibrations that measurements share: what surfaces' numbers say of them, against analyses of moved data.
 #include <gtest/gtest.h>
 
 #include <cmath>
