@@ -105,7 +105,7 @@ std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide
                                           radius, press.preload));
     if (!predict(rough, soft, work).modified.work.conforms) return std::nullopt;
     const Propagation propagated(rough, soft, work, press);
-    const auto pull_off = [](const Loop& loop, double work) { return 1.5 * pi * loop.radius * work; };
+    const auto pull_off = [](const Loop& loop, double energy) { return 1.5 * pi * loop.radius * energy; };
     const auto estimate = [&](auto number) { return propagated(number).estimate(); };
     auto loss = propagated([](const Loop& loop) { return loop.energy_loss; });
     return PredictedLoop{

@@ -31,6 +31,8 @@ std::vector<double> values_of(const ParameterSpread::Function& f, const std::vec
 
 }  // namespace
 
+std::string spectrum_input(const std::string& surface) { return "spectrum of " + surface; }
+
 bool ParameterSpread::has_jackknife() const {
     return !replicas_are_draws &&
            std::any_of(left_out.begin(), left_out.end(), [](const auto& stratum) { return stratum.size() > 1; });
@@ -95,7 +97,7 @@ Components ParameterSpread::components(const Function& f, const std::string& sur
         if (has_jackknife())
             if (const auto freedom = jackknife_estimate(undefined, without_each(f)).degrees_of_freedom)
                 own.degrees_of_freedom = *freedom;
-        result.emplace("spectrum of " + surface, std::move(own));
+        result.emplace(spectrum_input(surface), std::move(own));
     }
     for (const auto& source : sources)
         result[source.name] = {Array1D::Constant(1, 0.5 * (f(source.plus) - f(source.minus)))};

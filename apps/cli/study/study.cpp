@@ -21,6 +21,7 @@
 #include "setae/output/screen.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/report/report.hpp"
+#include "setae/study/next_measurement.hpp"
 #include "setae/study/study_gaps.hpp"
 #include "setae/study_figures/write_figures.hpp"
 #include "study/interruption.hpp"
@@ -51,6 +52,8 @@ struct Arguments {
     bool dry_run = false;
     bool no_figures = false;
     bool all = false;
+    bool next = false;
+    std::string target = "W_int";
     std::string documentation;
 };
 
@@ -205,12 +208,53 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     return result.failures() + failed_figures == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
+std::string words_of(const adhesion::Candidate& candidate) {
+    using Kind = adhesion::Candidate::Kind;
+    switch (candidate.kind) {
+        case Kind::input: return fmt::format("{} to half its ±", candidate.name);
+        case Kind::loop: return fmt::format("another loop of {} on {}", candidate.elastomer, candidate.name);
+        case Kind::spectrum: return fmt::format("the measurements of {} once more", candidate.name);
+    }
+    return "";
+}
+
+/// Which further measurement lowers a ± most.
+ExitCode show_next(const Arguments& arguments) {
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress_mode());
+    return until_interrupted(store, display, [&] {
+        const auto result =
+            study::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
+        display.finish();
+        const auto list = study::next_measurements(result, arguments.target);
+        tables::TidyTable table{
+            fmt::format("± of {} with one further measurement", arguments.target),
+            {"measurement", "± [mJ/m²]", "smaller by [%]", "hours", "% an hour"},
+            {}};
+        output::Json json = output::Json::array();
+        for (const auto& [candidate, error, gain] : list) {
+            table.rows.push_back({words_of(candidate), fmt::format("{:.4g}", 1e3 * error), fmt::format("{:.1f}", 100.0 * gain),
+                                  candidate.hours ? fmt::format("{:.3g}", *candidate.hours) : std::string("–"),
+                                  candidate.hours ? fmt::format("{:.2g}", 100.0 * gain / *candidate.hours)
+                                                  : std::string("–")});
+            json.push_back({{"measurement", words_of(candidate)},
+                            {"standard_error", {{"value", error}, {"unit", "J/m2"}}},
+                            {"gain", gain}});
+            if (candidate.hours) json.back()["hours"] = *candidate.hours;
+        }
+        if (arguments.common.json) print_json({{"target", arguments.target}, {"measurements", std::move(json)}});
+        else print(tables::as_text_within(table, output_size().width));
+        return result.failures() == 0 ? ExitCode::done : ExitCode::some_failed;
+    });
+}
+
 ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) {
         write_pages(arguments.documentation, study_pages());
         return ExitCode::done;
     }
     if (arguments.dry_run) return show_plan(arguments);
+    if (arguments.next) return show_next(arguments);
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress_mode());
     return until_interrupted(store, display, [&] { return run_and_write(arguments, store, display); });
@@ -242,10 +286,16 @@ Action declare(Options& options) {
     arguments->run.add_to(options);
     options.flag("--dry-run", arguments->dry_run,
                  "list the steps, what of them is kept from earlier runs, and what the study leaves open, then stop");
+    options.flag("--next", arguments->next,
+                 "list what one further measurement would leave of a number's ±, the most telling first, then stop; [costs] of "
+                 "the study tells hours");
+    options.add("--target", arguments->target, "the number that --next is about: W_int, or a pair such as \"E07 on rough\"")
+        .value_named("NUMBER");
     options.add("--documentation", arguments->documentation,
                 "write the pages on keys, alerts and figures of studies to this folder");
     options.example("setae study study.toml --dry-run", "what there is to do, and what will fail");
     options.example("setae study study.toml", "tables, figures and a report");
+    options.example("setae study study.toml --next", "which further measurement lowers the ± of W_int most");
     options.example("setae study study.toml --explain", "formulas, and which input gives how much of each ±");
     arguments->common.add_to(options);
     return [arguments] {

@@ -155,6 +155,8 @@ Component area_noise_of(const loops::JkrFit& fit, const loops::LensAndCounterBod
 
 std::string fit_name(const std::string& file) { return "fit of " + file; }
 
+std::string loops_name(const std::string& elastomer) { return fmt::format("E of {}, loops", elastomer); }
+
 Component beyond_fits(const Estimate& mean, const Components& fits) {
     double left = mean.variance(), uncertainty = left * left / freedom_of(mean);
     for (const auto& [name, fit] : fits) {

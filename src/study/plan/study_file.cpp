@@ -605,6 +605,13 @@ Study read_study(const std::string& path) {
         if (const auto& r_squared = reported.r_squared)
             study.reported.push_back({fit, "r_squared", *r_squared, reported.source});
     });
+    reader.table("costs", [&](TomlReader inner) {
+        for (const auto& name : inner.keys()) {
+            const auto time = inner.quantity(name.c_str(), positive(dimension::time));
+            constexpr double hour = 3600.0;
+            study.costs[name] = *time / hour;
+        }
+    });
     reader.finish();
     reader.require_inputs_used();
     if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
@@ -634,6 +641,12 @@ std::vector<KeyTable> study_keys() {
         {"[comparison]", "How repeated loops and the smooth reference are compared.", comparison_keys().descriptions()},
         {"[published]", "Measured values of others, rows `SURFACE = [one value an elastomer]`.",
          PublishedTables::descriptions()},
+        {"[inputs]", "Values with a name, which any key below may mention by it ([inputs](../guides/study.md#inputs-with-a-name)).",
+         {{"NAME", "quantity ± error", "", "", "such as `\"1.25 ± 0.01 mm\"`, or `\"1.2 to 1.3 mm\"`"}}},
+        {"[costs]", "What the next measurement takes, for `setae study STUDY --next`.",
+         {{"loop", "quantity above 0", "s", "", "one more loop on a pair, such as `\"0.5 h\"`"},
+          {"measurements", "quantity above 0", "s", "", "the measurements of a surface once more"},
+          {"NAME", "quantity above 0", "s", "", "an input of that name known to half its ±"}}},
         {"[reported.FIT]", "What others found by `modified`, `persson_tosatti` or `loop`; printed beside ours.",
          reported_keys().descriptions()}};
 }

@@ -321,6 +321,7 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     pair.area_ratio = prediction.area_ratio;
     pair.stored_energy = prediction.stored_energy;
     pair.modified = prediction.modified;
+    pair.line = adhesion::modified_point(rough, soft);
     pair.persson_tosatti = prediction.persson_tosatti;
     pair.without_area_change = prediction.without_area_change;
     pair.budget = prediction.budget;
@@ -382,10 +383,8 @@ void Concluding::draw() {
     std::vector<PairPoint> lines;
     std::vector<PairResult*> predicted;
     for (auto& pair : to_.pairs) {
-        if (!pair.modified) continue;
-        const auto rough = in_contact(pair, to_.spectrum_of(result_.surface(pair.surface)).parameters);
-        lines.push_back(adhesion::modified_point({pair.surface, rough.parameters, rough.spread},
-                                                 result_.elastomer(pair.elastomer).soft_side()));
+        if (!pair.line) continue;
+        lines.push_back(*pair.line);
         predicted.push_back(&pair);
     }
     if (!to_.traced_work_of_adhesion.components.empty() || !lines.empty()) {

@@ -46,7 +46,7 @@ void take_loops(ElastomerResult& elastomer, const StudyResult& result) {
     const auto inputs = inputs_in_mean(loops, &LoopDependence::youngs_modulus);
     elastomer.traced_youngs_modulus = {mean.value, combined({{1.0, fits}, {1.0, inputs}})};
     if (auto rest = beyond_fits(mean, fits); rest.directions.size() > 0)
-        elastomer.traced_youngs_modulus.components[fmt::format("E of {}, loops", elastomer.input.name)] =
+        elastomer.traced_youngs_modulus.components[loops_name(elastomer.input.name)] =
             std::move(rest);
     elastomer.youngs_modulus = inputs.empty() ? mean : elastomer.traced_youngs_modulus.estimate(mean.method);
     elastomer.modulus_from_loops = true;

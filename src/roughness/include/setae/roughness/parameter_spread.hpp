@@ -15,6 +15,9 @@
 
 namespace setae::roughness {
 
+/// The input that the spectrum of a surface is: what its measurements leave open.
+[[nodiscard]] std::string spectrum_input(const std::string& surface);
+
 /// How uncertain spectral parameters are, and why: values without each measurement, replicas, and pairs of values a
 /// given ± leads to. Standard errors, covariances and intervals rest on the same of them:
 ///

@@ -79,6 +79,9 @@ struct FitNoise {
 /// "fit of FILE": the input that E of an elastomer and W of a pair share where both rest on the same fit.
 [[nodiscard]] std::string fit_name(const std::string& file);
 
+/// "E of NAME, loops": what the loops on an elastomer scatter in E beyond that.
+[[nodiscard]] std::string loops_name(const std::string& elastomer);
+
 /// The own noise of a mean of loops that its fits' noise, weighed, leaves: their scatter beyond it. Variance that of
 /// the mean less theirs, >= 0; degrees of freedom so that all together have those of the mean.
 [[nodiscard]] Component beyond_fits(const Estimate& mean, const Components& fits);

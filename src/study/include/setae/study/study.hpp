@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -175,6 +176,7 @@ struct Study {
     std::vector<ExperimentInput> experiments;
     std::vector<PublishedPair> published;
     std::vector<ReportedValue> reported;
+    std::map<std::string, double> costs;  ///< hours by input, "loop" and "measurements", where given
 
     [[nodiscard]] const ElastomerInput* elastomer(const std::string& name) const;
     [[nodiscard]] const SurfaceInput* surface(const std::string& name) const;

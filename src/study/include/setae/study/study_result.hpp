@@ -95,6 +95,7 @@ struct PairResult {
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
     std::optional<Estimate> predicted_loss;       ///< (10) at W_int and the contact area, measured or of `loop` [J]
+    std::optional<adhesion::PairPoint> line;      ///< (7) as a line in W_int; nothing measured is in it
     std::optional<adhesion::DrawnValue> drawn;    ///< max(0, (7)) by draws of everything it rests on [J/m²]
     TracedValue traced_predicted_loss;            ///< the same with every input it rests on; of value 0 without it
     std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and (7) conforms
