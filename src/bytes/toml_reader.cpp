@@ -2,6 +2,7 @@
 #include "setae/bytes/toml_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -130,7 +131,11 @@ Estimate TomlReader::named(const std::string& name, const std::string& value, co
     auto estimate = parse_uncertain_quantity(input.text, expected);
     if (!fresh && !value.empty()) {
         const auto again = parse_uncertain_quantity(value, expected);
-        if (again.value != estimate.value || again.standard_error != estimate.standard_error)
+        const auto alike = [](double a, double b) {
+            constexpr double rounding = 1e-12;  // 1250 um and 1.25 mm
+            return std::abs(a - b) <= rounding * std::abs(a);
+        };
+        if (!alike(estimate.value, again.value) || !alike(estimate.standard_error, again.standard_error))
             throw InvalidArgument(fmt::format("input '{}' is '{}' here and '{}' in line {}; one name is one input", name,
                                               value, input.text, input.place.line));
     }

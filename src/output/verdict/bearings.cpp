@@ -54,7 +54,7 @@ const std::vector<Bearing>& bearings() {
          "Where the spectrum of {} ends is not seen: slope, curvature and true area rest on an end that was assumed."},
         {{"MODEL_MISSES"}, "A self-affine spectrum does not describe {}: what rests on its form is approximate."},
         {{"SPECTRUM_WITHOUT_ERROR"}, "The spectrum of {} comes without errors: no ± follows from it."},
-        {{"SPREAD_INCOMPLETE"}, "The ± of {} leaves a part out: its intervals are too narrow."},
+        {{"SPREAD_INCOMPLETE", "INPUT_LOST"}, "The ± of {} leaves a part out: its intervals are too narrow."},
         {{"ONE_PLACE"}, "One place of {} was measured: whether others are like it is not known."},
         {{"FEW_PATCHES"}, "Maps of {} hold few independent patches: their ± is itself uncertain."},
         {{"MEASUREMENTS_SCATTER"}, "Places of {} differ beyond their waves: few places may not stand for the whole."},
