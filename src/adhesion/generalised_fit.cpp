@@ -139,10 +139,12 @@ public:
 
     void hold(const ModelScatter& scatter) { scatter_ = scatter; }
 
-    /// The covariance of y − f at a W and a scatter.
-    [[nodiscard]] MatrixXd covariance_at(double work, const ModelScatter& scatter) {
+    /// h at a W and a scatter.
+    [[nodiscard]] VectorXd weights_at(double work, const ModelScatter& scatter) {
+        work_ = work;
+        scatter_ = scatter;
         at_ = residuals_at(pairs_, work);
-        return whole_covariance(scatter);
+        return weights();
     }
 
     [[nodiscard]] GeneralisedFit result() const {
@@ -210,12 +212,15 @@ private:
         }
     }
 
-    [[nodiscard]] Components components() const {
-        const Eigen::LLT<MatrixXd> factor(whole_covariance(scatter_));
-        const VectorXd direction = factor.solve(at_.slope);
+    /// h = V⁻¹g/(gᵀV⁻¹g); 0 where no pair answers to W.
+    [[nodiscard]] VectorXd weights() const {
+        const VectorXd direction = factor_of(whole_covariance(scatter_)).solve(at_.slope);
         const double information = at_.slope.dot(direction);
-        if (!(information > 0.0)) return {};
-        const VectorXd h = direction / information;
+        return information > 0.0 ? VectorXd(direction / information) : VectorXd::Zero(direction.size());
+    }
+
+    [[nodiscard]] Components components() const {
+        const VectorXd h = weights();
         std::vector<Dependence> parts;
         for (std::size_t i = 0; i < pairs_.size(); ++i)
             parts.push_back({h[static_cast<Index>(i)], at_.inputs[i]});
@@ -255,12 +260,22 @@ private:
 
 }  // namespace
 
+Estimate GeneralisedFit::estimate() const {
+    auto result = work_of_adhesion.estimate("generalised least squares");
+    if (!drawn_interval) return result;
+    result.interval = drawn_interval;
+    result.method += ", interval by draws";
+    return result;
+}
+
 GeneralisedWeights::GeneralisedWeights(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit)
-    : factor_(factor_of(Fit(pairs).covariance_at(fit.work_of_adhesion.value, fit.scatter))),
-      start_(fit.work_of_adhesion.value) {}
+    : weights_(Fit(pairs).weights_at(fit.work_of_adhesion.value, fit.scatter)), work_(fit.work_of_adhesion.value) {}
 
 double GeneralisedWeights::work_of(const std::vector<PairPoint>& pairs) const {
-    return minimum_of(pairs, factor_, start_);
+    double work = work_;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        work += weights_[static_cast<Index>(i)] * (pairs[i].measured.value - pairs[i].prediction(work_));
+    return std::max(0.0, work);
 }
 
 GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs) {

@@ -3,23 +3,25 @@
 
 #include <vector>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include "setae/adhesion/generalised_fit.hpp"
 
 namespace setae::adhesion {
 
-/// The weights of a fit, held while its pairs move.
+/// What each pair of a fit weighs, held while the pairs move a little: W + hᵀ (y − f(W)), >= 0. With the covariance of the
+/// fit held instead, a least cost may lie far off, where that covariance does not hold: a W of 0 takes pairs' predictions
+/// away, not their errors.
 class GeneralisedWeights {
 public:
     GeneralisedWeights(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit);
 
-    /// W of as many pairs by these weights.
+    /// W of as many pairs.
     [[nodiscard]] double work_of(const std::vector<PairPoint>& pairs) const;
 
 private:
-    Eigen::LLT<Eigen::MatrixXd> factor_;
-    double start_;
+    Eigen::VectorXd weights_;  ///< h
+    double work_;
 };
 
 }  // namespace setae::adhesion

@@ -32,7 +32,7 @@ std::string PairPoint::own_noise() const {
 }
 
 std::string PairPoint::scatter_between(const char* groups) const {
-    return fmt::format("scatter of {} about the balance between {}", quantity, groups);
+    return fmt::format("scatter of {} between {}", quantity, groups);
 }
 
 TracedValue raw_prediction(const PairPoint& pair, const TracedValue& work) {

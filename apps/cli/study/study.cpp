@@ -264,6 +264,10 @@ ExitCode run(const Arguments& arguments) {
 ExitCode explain(const Arguments& arguments) {
     print(explanation);
     if (arguments.file.empty()) return ExitCode::done;
+    if (!std::filesystem::exists(arguments.file)) {
+        complain(fmt::format("{}: no such file, so only formulas are shown", arguments.file));
+        return ExitCode::done;
+    }
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress_mode());
     return until_interrupted(store, display, [&] {

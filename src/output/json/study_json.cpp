@@ -36,7 +36,7 @@ Json estimate_json(const adhesion::WorkEstimate& estimate, const char* unit_of_s
 
 Json generalised_json(const adhesion::GeneralisedFit& fit, const char* unit_of_scatter) {
     Json json;
-    auto work = quantity("work_of_adhesion", "W_int", fit.work_of_adhesion.estimate("generalised least squares"), "J/m2");
+    auto work = quantity("work_of_adhesion", "W_int", fit.estimate(), "J/m2");
     work.n = fit.n;
     add(json, work);
     add(json, quantity("r_squared", "R2", fit.r_squared, "1"));

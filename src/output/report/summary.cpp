@@ -94,7 +94,7 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
         }
         items += fmt::format("<li>{}: <i>W</i><sub>int</sub> = {}, {}, from {} pairs{}.</li>", lead,
                              quantity_html(study, joined(place, "generalised/work_of_adhesion")),
-                             r_squared(study, place), number_html(study, joined(place, "n"), {}, 0),
+                             r_squared(study, joined(place, "generalised")), number_html(study, joined(place, "n"), {}, 0),
                              reported.empty() ? "" : "; " + reported);
     };
     item("modified", "By approach, balance (7)");

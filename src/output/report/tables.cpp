@@ -227,7 +227,7 @@ DataTable budget(const StudyResult& result) {
 /// Quoted numbers against the inputs they rest on, small shares left to budget.csv.
 DataTable inputs_of_numbers(const Json& study) {
     constexpr double least = 0.01;
-    DataTable table{"inputs",
+    DataTable table{"budget-inputs",
                     "Which input gives how much of a ±",
                     "Inputs by their names in the study's file; those with less than 1 % of a variance stand in budget.csv. The last column is the ± that is left when this input is known to "
                     "half its ±.",

@@ -50,7 +50,7 @@ void budget_of_work(const FigureRequest& request, StudyFigure& drawn) {
     constexpr std::size_t most = 8;
     const auto& budget = *found;
     const auto count = std::min(most, budget.rows.size());
-    figures::Panel panel{.x = {.quantity = "share of the variance of *W*_int", .unit = "%", .from = 0.0, .to = 135.0},
+    figures::Panel panel{.x = {.quantity = "share of variance", .unit = "%", .from = 0.0, .to = 135.0},
                          .y = {.from = -0.6, .to = static_cast<double>(count) - 0.4},
                          .legend = false};
     panel.y.tick_labels.resize(count);

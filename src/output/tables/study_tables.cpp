@@ -46,7 +46,7 @@ public:
         add(fit, variant, f.work_of_adhesion, f.r_squared, undefined, undefined, f.n);
         const auto joined = [&](const char* name) { return variant.empty() ? name : variant + ", " + name; };
         const auto& generalised = f.generalised;
-        add(fit, joined("generalised least squares"), generalised.work_of_adhesion.estimate("generalised least squares"),
+        add(fit, joined("generalised least squares"), generalised.estimate(),
             generalised.r_squared, undefined, generalised.scatter.pair, f.n);
         add(fit, joined("clustered errors"), f.clustered, undefined, undefined, undefined, f.n);
         const auto estimate = [&](const char* name, const std::optional<adhesion::WorkEstimate>& e) {

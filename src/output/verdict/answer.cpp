@@ -124,7 +124,7 @@ bool may_be_zero(const Estimate& difference) {
 }
 
 Estimate work_of(const adhesion::WorkFit& fit) {
-    return fit.generalised.work_of_adhesion.estimate("generalised least squares");
+    return fit.generalised.estimate();
 }
 
 std::vector<std::string> answer_of(const StudyResult& result) {

@@ -642,11 +642,11 @@ std::vector<KeyTable> study_keys() {
         {"[published]", "Measured values of others, rows `SURFACE = [one value an elastomer]`.",
          PublishedTables::descriptions()},
         {"[inputs]", "Values with a name, which any key below may mention by it ([inputs](../guides/study.md#inputs-with-a-name)).",
-         {{"NAME", "quantity ± error", "", "", "such as `\"1.25 ± 0.01 mm\"`, or `\"1.2 to 1.3 mm\"`"}}},
+         {{"any name", "quantity ± error", "", "", "such as `\"1.25 ± 0.01 mm\"`, or `\"1.2 to 1.3 mm\"`"}}},
         {"[costs]", "What the next measurement takes, for `setae study STUDY --next`.",
          {{"loop", "quantity above 0", "s", "", "one more loop on a pair, such as `\"0.5 h\"`"},
           {"measurements", "quantity above 0", "s", "", "the measurements of a surface once more"},
-          {"NAME", "quantity above 0", "s", "", "an input of that name known to half its ±"}}},
+          {"any name", "quantity above 0", "s", "", "an input of that name known to half its ±"}}},
         {"[reported.FIT]", "What others found by `modified`, `persson_tosatti` or `loop`; printed beside ours.",
          reported_keys().descriptions()}};
 }

@@ -266,7 +266,7 @@ void Concluding::fit() {
         to_.traced_work_of_adhesion = {*given, given->input.empty() ? "work_of_adhesion" : given->input};
     } else if (to_.modified) {
         to_.traced_work_of_adhesion = to_.modified->generalised.work_of_adhesion;
-        to_.work_of_adhesion = to_.traced_work_of_adhesion.estimate("generalised least squares");
+        to_.work_of_adhesion = to_.modified->generalised.estimate();
         to_.work_of_adhesion_source = "fit of (7) to the measured pairs";
     } else {
         to_.work_of_adhesion =
@@ -397,10 +397,10 @@ void Concluding::draw() {
         to_.draws = {.count = drawn.count, .seed = drawn.seed, .work_of_adhesion = drawn.work_of_adhesion};
     }
     if (to_.draws.work_of_adhesion && to_.draws.work_of_adhesion->parts) {
-        auto work = *to_.work_of_adhesion;
-        work.interval = to_.draws.work_of_adhesion->interval;
-        work.method += ", interval by draws";
-        to_.work_of_adhesion = std::move(work);
+        auto fit = *to_.modified;
+        fit.generalised.drawn_interval = to_.draws.work_of_adhesion->interval;
+        to_.work_of_adhesion = fit.generalised.estimate();
+        to_.modified = std::move(fit);
     }
 }
 

@@ -26,7 +26,7 @@ TEST(StudyFigures, OfAnEmptyStudySayWhatIsMissing) {
         EXPECT_FALSE(figure.title.empty());
         names.insert(figure.name);
     }
-    EXPECT_EQ(names.size(), 18u);
+    EXPECT_EQ(names.size(), 19u);
     EXPECT_EQ(reason_of(empty, "1"), "the study has no surface");
     EXPECT_EQ(reason_of(empty, "2"), "the study has no loop on a rough surface");
     EXPECT_EQ(reason_of(empty, "4"), "the study has no pair of surface and elastomer");

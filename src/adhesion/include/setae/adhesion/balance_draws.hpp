@@ -27,8 +27,9 @@ struct BalanceDraws {
     std::vector<DrawnValue> predictions;         ///< max(0, balance) of each line
 };
 
-/// Draws every direction of every input, the noise of every measured value and the scatter of the model; fits W again
-/// to each draw with the weights of the fit, and predicts with it through the floor at 0. Directions are normal, those
+/// Draws every direction of every input, the noise of every measured value and the scatter of the model; each draw has its
+/// W with the weights of the fit, W + hᵀ(y − f(W)) with the draw's y and f, and predicts with it through the floor at 0.
+/// Directions are normal, those
 /// of rectangular inputs uniform.
 ///
 /// pairs, fit: what was measured and the fit to it; or no pairs and W as given, with its inputs.

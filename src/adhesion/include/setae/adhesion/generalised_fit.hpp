@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct GeneralisedFit {
     double r_squared = 0.0;                  ///< 1 − SS_res/SS_tot at this W, every pair alike
     double restricted_log_likelihood = 0.0;  ///< of the scatter, without its constant
     int n = 0;
+    std::optional<Interval> drawn_interval{};  ///< of W by draws, where linear propagation does not hold
+
+    /// W with its standard error, and its interval by draws where there is one.
+    [[nodiscard]] Estimate estimate() const;
 };
 
 /// W from all pairs with the covariance of all errors.
