@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "setae/core/words.hpp"
+
 namespace setae::study {
 namespace {
 
@@ -43,24 +45,32 @@ void add_instruments(std::vector<ExactInputs>& found, const Study& study) {
     for (const auto& surface : study.surfaces)
         measurements.insert(measurements.end(), surface.measurements.begin(), surface.measurements.end());
     const auto name = [](const Input& m) { return m.instrument.empty() ? std::string("instruments not named") : m.instrument; };
+    std::vector<ExactInputs> calibrations;
     add<std::vector<Input>>(
-        found, "calibration of heights", measurements, [](const Input& m) { return exact(m.height_calibration); }, name);
+        calibrations, "calibration of heights", measurements, [](const Input& m) { return exact(m.height_calibration); },
+        name);
     add<std::vector<Input>>(
-        found, "calibration of lengths", measurements, [](const Input& m) { return exact(m.lateral_calibration); }, name);
+        calibrations, "calibration of lengths", measurements, [](const Input& m) { return exact(m.lateral_calibration); },
+        name);
+    if (calibrations.size() == 2 && calibrations[0].names == calibrations[1].names)
+        calibrations = {{"calibration of heights and lengths", calibrations[0].names}};
+    found.insert(found.end(), calibrations.begin(), calibrations.end());
     add<std::vector<Input>>(
         found, "tip radius", measurements,
         [](const Input& m) { return m.tip_radius && !m.tip_radius->uncertain(); }, name);
 }
 
 void add_loops(std::vector<ExactInputs>& found, const Study& study) {
-    const auto of = [&](const char* what, Estimate ExperimentInput::*factor) {
+    std::vector<std::string> channels;
+    const auto of = [&](const char* channel, Estimate ExperimentInput::*factor) {
         if (std::any_of(study.experiments.begin(), study.experiments.end(),
                         [&](const ExperimentInput& e) { return !(e.*factor).uncertain(); }))
-            found.push_back({what, {}});
+            channels.emplace_back(channel);
     };
-    of("calibration of force", &ExperimentInput::force_calibration);
-    of("calibration of displacement", &ExperimentInput::displacement_calibration);
-    of("calibration of contact radii", &ExperimentInput::contact_radius_calibration);
+    of("force", &ExperimentInput::force_calibration);
+    of("displacement", &ExperimentInput::displacement_calibration);
+    of("contact radii", &ExperimentInput::contact_radius_calibration);
+    if (!channels.empty()) found.push_back({"calibration of " + listed(channels), {}});
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace setae::study {
 
 /// A kind of input that a study gives no ± for, and whose: nothing that rests on it knows how wrong it may be.
 struct ExactInputs {
-    std::string what;                ///< "sphere radius", "calibration of heights"
+    std::string what;                ///< "sphere radius", "calibration of heights and lengths"
     std::vector<std::string> names;  ///< elastomers or instruments; empty where it is of all loops
 };
 
