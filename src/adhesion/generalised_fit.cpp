@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
@@ -32,18 +31,22 @@ MatrixXd alike(const std::vector<PairPoint>& pairs, Label label) {
     return result;
 }
 
-double others_of(const std::vector<PairPoint>& pairs, Label label) {
-    std::set<std::string> names;
-    for (const auto& pair : pairs) names.insert(pair.*label);
-    return static_cast<double>(names.size()) - 1.0;
+/// Pairs by a label.
+std::map<std::string, int> counts_of(const std::vector<PairPoint>& pairs, Label label) {
+    std::map<std::string, int> counts;
+    for (const auto& pair : pairs) ++counts[pair.*label];
+    return counts;
+}
+
+double freedom_of(const std::vector<PairPoint>& pairs, Label label) {
+    return static_cast<double>(counts_of(pairs, label).size()) - 1.0;
 }
 
 /// Whether effects of a label can be told from those of pairs: three of them, and one with several pairs.
 bool separable(const std::vector<PairPoint>& pairs, Label label) {
-    std::map<std::string, int> count;
-    for (const auto& pair : pairs) ++count[pair.*label];
-    return count.size() >= 3 &&
-           std::any_of(count.begin(), count.end(), [](const auto& entry) { return entry.second > 1; });
+    const auto counts = counts_of(pairs, label);
+    return counts.size() >= 3 &&
+           std::any_of(counts.begin(), counts.end(), [](const auto& entry) { return entry.second > 1; });
 }
 
 /// What is known of y − f beside the scatter, at one W.
@@ -56,7 +59,7 @@ struct Residuals {
 
 Residuals residuals_at(const std::vector<PairPoint>& pairs, double work) {
     const auto n = static_cast<Index>(pairs.size());
-    Residuals result{VectorXd(n), VectorXd(n), VectorXd(n), {}, MatrixXd(n, n)};
+    Residuals result{VectorXd(n), VectorXd(n), VectorXd(n), {}, {}};
     for (Index i = 0; i < n; ++i) {
         const auto& pair = pairs[static_cast<std::size_t>(i)];
         result.value[i] = pair.measured.value - pair.prediction(work);
@@ -64,11 +67,7 @@ Residuals residuals_at(const std::vector<PairPoint>& pairs, double work) {
         result.share[i] = share_through_floor(pair, work);
         result.inputs.push_back(residual_inputs(pair, work));
     }
-    for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j <= i; ++j)
-            result.covariance(i, j) = result.covariance(j, i) =
-                covariance(result.inputs[static_cast<std::size_t>(i)], result.inputs[static_cast<std::size_t>(j)]) +
-                (i == j ? pairs[static_cast<std::size_t>(i)].own_variance() : 0.0);
+    result.covariance = residual_covariance(pairs, result.inputs);
     return result;
 }
 
@@ -151,8 +150,8 @@ public:
         GeneralisedFit fit;
         fit.n = static_cast<int>(pairs_.size());
         fit.scatter = scatter_;
-        fit.freedom = {static_cast<double>(pairs_.size()) - 1.0, others_of(pairs_, &PairPoint::surface),
-                       others_of(pairs_, &PairPoint::elastomer)};
+        fit.freedom = {static_cast<double>(pairs_.size()) - 1.0, freedom_of(pairs_, &PairPoint::surface),
+                       freedom_of(pairs_, &PairPoint::elastomer)};
         fit.restricted_log_likelihood = restricted_log_likelihood(scatter_);
         std::vector<double> measured;
         for (const auto& pair : pairs_) measured.push_back(pair.measured.value);
@@ -234,11 +233,12 @@ private:
 
     void add_scatter(Components& result, const VectorXd& h) const {
         if (scatter_.pair > 0.0)
-            result[pairs_.front().scatter_between("pairs")] = {scatter_.pair * h.array(), static_cast<double>(pairs_.size()) - 1.0};
+            result[pairs_.front().scatter_between("pairs")] = {scatter_.pair * h.array(),
+                                                               static_cast<double>(pairs_.size()) - 1.0};
         const auto add = [&](const char* groups, double scatter, Label label) {
             if (!(scatter > 0.0)) return;
             std::map<std::string, double> sums;
-            for (std::size_t i = 0; i < pairs_.size(); ++i) 
+            for (std::size_t i = 0; i < pairs_.size(); ++i)
                 sums[pairs_[i].*label] += h[static_cast<Index>(i)] * at_.share[static_cast<Index>(i)];
             Component component{Array1D(static_cast<Index>(sums.size())), static_cast<double>(sums.size()) - 1.0};
             Index at = 0;

@@ -158,6 +158,18 @@ FlooredMinimum least_squares(const std::vector<PairPoint>& pairs) {
     return minimise_with(pairs, [](const PairPoint&) { return 1.0; });
 }
 
+Eigen::MatrixXd residual_covariance(const std::vector<PairPoint>& pairs, const std::vector<Components>& inputs) {
+    const auto n = static_cast<Index>(pairs.size());
+    Eigen::MatrixXd result(n, n);
+    for (Index i = 0; i < n; ++i) {
+        const auto own = static_cast<std::size_t>(i);
+        for (Index j = 0; j < i; ++j)
+            result(i, j) = result(j, i) = covariance(inputs[own], inputs[static_cast<std::size_t>(j)]);
+        result(i, i) = covariance(inputs[own], inputs[own]) + pairs[own].own_variance();
+    }
+    return result;
+}
+
 double squares_about_mean(const std::vector<double>& values) {
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     double total = 0.0;

@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "floored_least_squares.hpp"
 #include "setae/adhesion/pair_fit.hpp"
 
@@ -18,6 +20,10 @@ using PairVariance = std::function<double(const PairPoint&)>;
 
 /// @throws InvalidArgument for fewer than two pairs, a slope <= 0 and values that are not finite.
 void require_pairs(const std::vector<PairPoint>& pairs);
+
+/// Covariance of measured − predicted of pairs: what `inputs` of residuals share, and on the diagonal each pair's own.
+[[nodiscard]] Eigen::MatrixXd residual_covariance(const std::vector<PairPoint>& pairs,
+                                                  const std::vector<Components>& inputs);
 
 /// Σ (y − ⟨y⟩)².
 [[nodiscard]] double squares_about_mean(const std::vector<double>& values);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 
@@ -95,13 +96,8 @@ PredictionTest test_predictions(const std::vector<PairPoint>& pairs, const Trace
                               .standard_error = std::sqrt(covariance(predicted, predicted)),
                               .method = "delta"}});
     }
-    Array2D of_residuals(n, n);
-    for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j)
-            of_residuals(i, j) =
-                covariance(inputs[static_cast<std::size_t>(i)], inputs[static_cast<std::size_t>(j)]) +
-                (i == j ? pairs[static_cast<std::size_t>(i)].own_variance() : 0.0);
-    return prediction_test(std::move(residuals), of_residuals, work_fitted ? std::optional(slopes) : std::nullopt);
+    return prediction_test(std::move(residuals), residual_covariance(pairs, inputs).array(),
+                           work_fitted ? std::optional(slopes) : std::nullopt);
 }
 
 }  // namespace setae::adhesion

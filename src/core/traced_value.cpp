@@ -64,14 +64,16 @@ Components combined(std::span<const Dependence> parts) {
     return sum;
 }
 
-std::vector<BudgetRow> budget_of(const TracedValue& value) {
+std::vector<BudgetRow> budget_of(const TracedValue& value,
+                                 const std::function<std::string(const std::string&)>& row_of) {
     const double variance = value.variance();
+    std::map<std::string, double> own_variances;
+    for (const auto& [input, component] : value.components)
+        own_variances[row_of ? row_of(input) : input] += component.variance();
     std::vector<BudgetRow> rows;
-    for (const auto& [input, component] : value.components) {
-        const double own = component.variance();
+    for (const auto& [row, own] : own_variances)
         if (own > 0.0)
-            rows.push_back({input, std::sqrt(own), own / variance, std::sqrt(std::max(0.0, variance - 0.75 * own))});
-    }
+            rows.push_back({row, std::sqrt(own), own / variance, std::sqrt(std::max(0.0, variance - 0.75 * own))});
     std::stable_sort(rows.begin(), rows.end(),
                      [](const BudgetRow& a, const BudgetRow& b) { return a.standard_error > b.standard_error; });
     return rows;

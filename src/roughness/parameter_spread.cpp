@@ -83,8 +83,9 @@ Components ParameterSpread::components(const Function& f, const std::string& sur
         const double mean = mean_of(values);
         for (const double value : values) open.push_back(factor * (value - mean));
     };
-    if (has_jackknife()) {
-        for (const auto& stratum : without_each(f)) {
+    const auto strata = has_jackknife() ? without_each(f) : std::vector<LeaveOneOut>{};
+    if (!strata.empty()) {
+        for (const auto& stratum : strata) {
             const auto n = static_cast<double>(stratum.size());
             add_scaled(stratum, std::sqrt((n - 1.0) / n));
         }
@@ -94,8 +95,8 @@ Components ParameterSpread::components(const Function& f, const std::string& sur
     Components result;
     if (!open.empty()) {
         Component own{Eigen::Map<const Array1D>(open.data(), static_cast<Index>(open.size()))};
-        if (has_jackknife())
-            if (const auto freedom = jackknife_estimate(undefined, without_each(f)).degrees_of_freedom)
+        if (!strata.empty())
+            if (const auto freedom = jackknife_estimate(undefined, strata).degrees_of_freedom)
                 own.degrees_of_freedom = *freedom;
         result.emplace(spectrum_input(surface), std::move(own));
     }

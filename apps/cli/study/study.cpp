@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/output/budget.hpp"
+#include "setae/output/next_measurement_output.hpp"
 #include "setae/output/result_folder.hpp"
 #include "setae/output/screen.hpp"
 #include "setae/output/study_tables.hpp"
@@ -208,43 +210,25 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     return result.failures() + failed_figures == 0 ? ExitCode::done : ExitCode::some_failed;
 }
 
-std::string words_of(const adhesion::Candidate& candidate) {
-    using Kind = adhesion::Candidate::Kind;
-    switch (candidate.kind) {
-        case Kind::input: return fmt::format("{} to half its ±", candidate.name);
-        case Kind::loop: return fmt::format("another loop of {} on {}", candidate.elastomer, candidate.name);
-        case Kind::spectrum: return fmt::format("the measurements of {} once more", candidate.name);
-    }
-    return "";
-}
-
-/// Which further measurement lowers a ± most.
-ExitCode show_next(const Arguments& arguments) {
+/// Runs the study without writing anything, and prints what `show` makes of it.
+ExitCode run_and_show(const Arguments& arguments, const std::function<void(const study::StudyResult&)>& show) {
     const auto store = arguments.run.store();
     ProgressDisplay display(arguments.run.progress_mode());
     return until_interrupted(store, display, [&] {
         const auto result =
             study::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
         display.finish();
-        const auto list = study::next_measurements(result, arguments.target);
-        tables::TidyTable table{
-            fmt::format("± of {} with one further measurement", arguments.target),
-            {"measurement", "± [mJ/m²]", "smaller by [%]", "hours", "% an hour"},
-            {}};
-        output::Json json = output::Json::array();
-        for (const auto& [candidate, error, gain] : list) {
-            table.rows.push_back({words_of(candidate), fmt::format("{:.4g}", 1e3 * error), fmt::format("{:.1f}", 100.0 * gain),
-                                  candidate.hours ? fmt::format("{:.3g}", *candidate.hours) : std::string("–"),
-                                  candidate.hours ? fmt::format("{:.2g}", 100.0 * gain / *candidate.hours)
-                                                  : std::string("–")});
-            json.push_back({{"measurement", words_of(candidate)},
-                            {"standard_error", {{"value", error}, {"unit", "J/m2"}}},
-                            {"gain", gain}});
-            if (candidate.hours) json.back()["hours"] = *candidate.hours;
-        }
-        if (arguments.common.json) print_json({{"target", arguments.target}, {"measurements", std::move(json)}});
-        else print(tables::as_text_within(table, output_size().width));
+        show(result);
         return result.failures() == 0 ? ExitCode::done : ExitCode::some_failed;
+    });
+}
+
+/// Which further measurement lowers a ± most.
+ExitCode show_next(const Arguments& arguments) {
+    return run_and_show(arguments, [&](const study::StudyResult& result) {
+        const auto list = study::next_measurements(result, arguments.target);
+        if (arguments.common.json) print_json(output::next_json(arguments.target, list));
+        else print(tables::as_text_within(output::next_table(arguments.target, list), output_size().width));
     });
 }
 
@@ -268,14 +252,8 @@ ExitCode explain(const Arguments& arguments) {
         complain(fmt::format("{}: no such file, so only formulas are shown", arguments.file));
         return ExitCode::done;
     }
-    const auto store = arguments.run.store();
-    ProgressDisplay display(arguments.run.progress_mode());
-    return until_interrupted(store, display, [&] {
-        const auto result =
-            study::run_study(study_of(arguments), run_options(arguments.common.workers(), store, display));
-        display.finish();
+    return run_and_show(arguments, [](const study::StudyResult& result) {
         print("\n" + output::budget_text(result, output_size().width));
-        return result.failures() == 0 ? ExitCode::done : ExitCode::some_failed;
     });
 }
 

@@ -2,7 +2,6 @@
 #include "setae/output/budget.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -17,27 +16,11 @@ namespace {
 
 /// Noise that no two measured values share, as one row: nobody halves it pair by pair.
 std::vector<BudgetRow> with_noise_as_one(const TracedValue& value) {
-    TracedValue noise, others = value;
-    std::size_t count = 0;
-    std::erase_if(others.components, [&](const auto& entry) {
-        if (!entry.first.starts_with(adhesion::own_noise_of)) return false;
-        ++count;
-        noise.components.insert(entry);
-        return true;
-    });
-    auto rows = budget_of(others);
-    const double whole = value.variance(), own = noise.variance();
-    for (auto& row : rows) {
-        const double variance = row.standard_error * row.standard_error;
-        row.share = variance / whole;
-        row.halved = std::sqrt(std::max(0.0, whole - 0.75 * variance));
-    }
-    if (own > 0.0)
-        rows.push_back({fmt::format("noise of {}", counted(count, "measured value", "measured values")), std::sqrt(own),
-                        own / whole, std::sqrt(std::max(0.0, whole - 0.75 * own))});
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const BudgetRow& a, const BudgetRow& b) { return a.standard_error > b.standard_error; });
-    return rows;
+    const auto is_noise = [](const std::string& input) { return input.starts_with(adhesion::own_noise_of); };
+    const auto count = std::count_if(value.components.begin(), value.components.end(),
+                                     [&](const auto& entry) { return is_noise(entry.first); });
+    const auto noise = fmt::format("noise of {}", counted(static_cast<std::size_t>(count), "measured value", "measured values"));
+    return budget_of(value, [&](const std::string& input) { return is_noise(input) ? noise : input; });
 }
 
 std::string place_of(const QuotedBudget& budget) {

@@ -329,7 +329,9 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     const auto& input = elastomer.input;
     if (input.sphere_radius && input.preload)
         pair.loop = adhesion::predict_loop(rough, soft, work, {elastomer.traced_radius(), *input.preload});
-    if (pair.contact_area) pair.traced_predicted_loss = adhesion::predicted_loss(rough, work, {*pair.contact_area, pair.contact_area_inputs});
+    if (pair.contact_area)
+        pair.traced_predicted_loss =
+            adhesion::predicted_loss(rough, work, {*pair.contact_area, pair.contact_area_inputs});
     else if (pair.loop) pair.traced_predicted_loss = pair.loop->energy_loss_traced;
     if (pair.contact_area || pair.loop) pair.predicted_loss = pair.traced_predicted_loss.estimate();
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -81,7 +82,9 @@ struct BudgetRow {
     double halved = 0.0;          ///< standard error of the value with half the input's
 };
 
-/// Rows of a value, the largest first.
-[[nodiscard]] std::vector<BudgetRow> budget_of(const TracedValue& value);
+/// Rows of a value, the largest first. row_of: the row that an input belongs to, where several make one; without it each
+/// has its own.
+[[nodiscard]] std::vector<BudgetRow> budget_of(const TracedValue& value,
+                                               const std::function<std::string(const std::string&)>& row_of = {});
 
 }  // namespace setae

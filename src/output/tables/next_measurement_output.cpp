@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/next_measurement_output.hpp"
+
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace setae::output {
+namespace {
+
+std::string words_of(const adhesion::Candidate& candidate) {
+    using Kind = adhesion::Candidate::Kind;
+    switch (candidate.kind) {
+        case Kind::input: return fmt::format("{} to half its ±", candidate.name);
+        case Kind::loop: return fmt::format("another loop of {} on {}", candidate.elastomer, candidate.name);
+        case Kind::spectrum: return fmt::format("the measurements of {} once more", candidate.name);
+    }
+    return "";
+}
+
+}  // namespace
+
+tables::TidyTable next_table(const std::string& target, const std::vector<adhesion::NextMeasurement>& measurements) {
+    tables::TidyTable table{fmt::format("± of {} with one further measurement", target),
+                            {"measurement", "± [mJ/m²]", "smaller by [%]", "hours", "% an hour"},
+                            {}};
+    for (const auto& [candidate, error, gain] : measurements)
+        table.rows.push_back(
+            {words_of(candidate), fmt::format("{:.4g}", 1e3 * error), fmt::format("{:.1f}", 100.0 * gain),
+             candidate.hours ? fmt::format("{:.3g}", *candidate.hours) : std::string("–"),
+             candidate.hours ? fmt::format("{:.2g}", 100.0 * gain / *candidate.hours) : std::string("–")});
+    return table;
+}
+
+Json next_json(const std::string& target, const std::vector<adhesion::NextMeasurement>& measurements) {
+    Json list = Json::array();
+    for (const auto& [candidate, error, gain] : measurements) {
+        list.push_back({{"measurement", words_of(candidate)},
+                        {"standard_error", {{"value", error}, {"unit", "J/m2"}}},
+                        {"gain", gain}});
+        if (candidate.hours) list.back()["hours"] = *candidate.hours;
+    }
+    return {{"target", target}, {"measurements", std::move(list)}};
+}
+
+}  // namespace setae::output
