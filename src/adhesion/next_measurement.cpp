@@ -30,22 +30,39 @@ PairPoint with(PairPoint pair, const Candidate& candidate) {
     return pair;
 }
 
-double error_of(const GeneralisedFit& fit, const std::optional<PairPoint>& line) {
-    return line ? raw_prediction(*line, fit.work_of_adhesion).standard_error() : fit.work_of_adhesion.standard_error();
-}
-
 }  // namespace
 
-std::vector<NextMeasurement> next_measurements(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit,
-                                               const std::optional<PairPoint>& line,
-                                               const std::vector<Candidate>& candidates) {
-    const double now = error_of(fit, line);
+Target work_target(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit) {
+    return [pairs, scatter = fit.scatter](const Change& change) {
+        std::vector<PairPoint> there;
+        for (const auto& pair : pairs) there.push_back(change(pair));
+        return fit_generalised(there, scatter).work_of_adhesion;
+    };
+}
+
+Target prediction_target(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit, const PairPoint& line) {
+    return [work = work_target(pairs, fit), line](const Change& change) {
+        return raw_prediction(change(line), work(change));
+    };
+}
+
+Target difference_target(const Target& one, const Target& other) {
+    return [one, other](const Change& change) {
+        const auto a = one(change), b = other(change);
+        return TracedValue(a.value - b.value, combined({{1.0, a.components}, {-1.0, b.components}}));
+    };
+}
+
+TracedValue value_of(const Target& target) {
+    return target([](const PairPoint& pair) { return pair; });
+}
+
+std::vector<NextMeasurement> next_measurements(const Target& target, const std::vector<Candidate>& candidates) {
+    const double now = value_of(target).standard_error();
     std::vector<NextMeasurement> list;
     for (const auto& candidate : candidates) {
-        std::vector<PairPoint> there;
-        for (const auto& pair : pairs) there.push_back(with(pair, candidate));
-        const auto later = line ? std::optional(with(*line, candidate)) : std::nullopt;
-        const double error = error_of(fit_generalised(there, fit.scatter), later);
+        const double error =
+            target([&](const PairPoint& pair) { return with(pair, candidate); }).standard_error();
         list.push_back({candidate, error, 1.0 - error / now});
     }
     const bool by_hour = std::all_of(candidates.begin(), candidates.end(), [](const auto& c) { return c.hours.has_value(); });

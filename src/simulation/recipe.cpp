@@ -78,10 +78,11 @@ LoopRecipe read_loops(TomlReader& reader) {
                                                                             {"skip", NonconformingPairs::skip}})
                               .value_or(loops.nonconforming);
     loops.reference_work = reader.quantity("reference_work", dimension::surface_energy);
-    reader.each_table("unmeasured", [&](TomlReader pair) {
-        loops.unmeasured.push_back({pair.required_text("surface"), pair.required_text("elastomer")});
-        pair.finish();
-    });
+    for (const auto& [key, list] : {std::pair{"unmeasured", &loops.unmeasured}, {"further", &loops.further}})
+        reader.each_table(key, [list = list](TomlReader pair) {
+            list->push_back({pair.required_text("surface"), pair.required_text("elastomer")});
+            pair.finish();
+        });
     reader.finish();
     return loops;
 }
@@ -105,26 +106,40 @@ void forget_names(Recipe& recipe) {
     }
 }
 
-/// Pairs without a loop name what there is, and leave the study a modulus of every elastomer.
-void require_declared(const LoopRecipe& loops, const Recipe& recipe, const TomlReader& reader) {
+/// The pairs of a list name what there is.
+void require_declared(const std::vector<SpecimenPair>& pairs, const char* key, const Recipe& recipe,
+                      const TomlReader& reader) {
+    for (const auto& pair : pairs) {
+        if (std::none_of(recipe.surfaces.begin(), recipe.surfaces.end(),
+                         [&](const auto& rough) { return rough.surface.name == pair.surface; }))
+            reader.fail(key, fmt::format("surface '{}' is not declared under [surfaces]", pair.surface));
+        if (std::none_of(recipe.elastomers.begin(), recipe.elastomers.end(),
+                         [&](const auto& soft) { return soft.name == pair.elastomer; }))
+            reader.fail(key, fmt::format("elastomer '{}' is not declared under [elastomers]", pair.elastomer));
+    }
+}
+
+/// Pairs without a loop leave the study a modulus of every elastomer, and get no further one.
+void require_consistent(const LoopRecipe& loops, const Recipe& recipe, const TomlReader& reader) {
+    require_declared(loops.unmeasured, "unmeasured", recipe, reader);
+    require_declared(loops.further, "further", recipe, reader);
     const auto count_of = [&](const std::string& elastomer) {
         return std::count_if(loops.unmeasured.begin(), loops.unmeasured.end(),
                              [&](const auto& pair) { return pair.elastomer == elastomer; });
     };
     for (const auto& pair : loops.unmeasured) {
-        if (std::none_of(recipe.surfaces.begin(), recipe.surfaces.end(),
-                         [&](const auto& rough) { return rough.surface.name == pair.surface; }))
-            reader.fail("unmeasured", fmt::format("surface '{}' is not declared under [surfaces]", pair.surface));
         const auto soft = std::find_if(recipe.elastomers.begin(), recipe.elastomers.end(),
                                        [&](const auto& e) { return e.name == pair.elastomer; });
-        if (soft == recipe.elastomers.end())
-            reader.fail("unmeasured", fmt::format("elastomer '{}' is not declared under [elastomers]", pair.elastomer));
         if (!soft->tell_modulus && !loops.reference_work &&
             count_of(pair.elastomer) >= static_cast<std::ptrdiff_t>(recipe.surfaces.size()))
             reader.fail("unmeasured", fmt::format("leaves no loop on '{}' to take its modulus from; add tell_modulus = "
                                                   "true to [elastomers.{}]",
                                                   pair.elastomer, pair.elastomer));
     }
+    for (const auto& pair : loops.further)
+        if (loops.is_unmeasured(pair))
+            reader.fail("further", fmt::format("{} on {} is unmeasured; expected a pair that has a loop", pair.elastomer,
+                                               pair.surface));
 }
 
 }  // namespace
@@ -162,7 +177,7 @@ Recipe read_recipe(const std::string& path, std::optional<std::uint64_t> seed) {
     });
     reader.table("loops", [&](TomlReader inner) {
         recipe.loops = read_loops(inner);
-        require_declared(*recipe.loops, recipe, inner);
+        require_consistent(*recipe.loops, recipe, inner);
     });
     if (!reader.boolean("name_inputs").value_or(true)) forget_names(recipe);
     reader.finish();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
@@ -228,18 +227,18 @@ std::vector<NamedCauses> all_causes() {
 std::vector<Comparison> readings_by_cause(const std::string& recipe, const CausesOptions& options) {
     const DataSets sets{recipe, options.folder,  options.runs,    options.first_seed,
                         false,  options.threads, options.progress};
-    std::vector<Comparison> rows;
-    for (const auto& found :
-         for_each_data_set(sets, [](int run, const simulation::Recipe& made, const std::string& folder) {
-             auto study = study::read_study((std::filesystem::path(folder) / "study.toml").string());
+    std::vector<std::vector<Comparison>> found(static_cast<std::size_t>(std::max(options.runs, 0)));
+    for (const auto& failure :
+         for_each_data_set(sets, [&](int run, const simulation::Recipe& made, const std::string& folder) {
+             auto study = study_of_data_set(folder);
              study.analysis.contours = spectra::ContourTreatment::segments;
              study.analysis.bootstrap_resamples = 0;
              study.experiments.clear();
-             return readings_of(run, made, study);
-         })) {
-        if (!found.failure.empty()) throw InvalidArgument(found.failure);
-        rows.insert(rows.end(), found.comparisons.begin(), found.comparisons.end());
-    }
+             found[static_cast<std::size_t>(run)] = readings_of(run, made, study);
+         }))
+        if (!failure.empty()) throw InvalidArgument(failure);
+    std::vector<Comparison> rows;
+    for (const auto& run : found) rows.insert(rows.end(), run.begin(), run.end());
     return rows;
 }
 

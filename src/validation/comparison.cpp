@@ -80,7 +80,7 @@ void for_each_pair(const Planted& planted, const study::Conclusions& study,
         const auto pair = std::find_if(study.pairs.begin(), study.pairs.end(), [&](const auto& p) {
             return p.surface == loop.surface && p.elastomer == loop.elastomer;
         });
-        if (!loop.surface.empty() && pair != study.pairs.end()) visit(loop, *pair);
+        if (!loop.surface.empty() && loop.number == 1 && pair != study.pairs.end()) visit(loop, *pair);
     }
 }
 

@@ -8,7 +8,7 @@
 
 #include "setae/parallel/for_each.hpp"
 #include "setae/simulation/recipe.hpp"
-#include "setae/validation/comparison.hpp"
+#include "setae/study/study.hpp"
 
 namespace setae::validation {
 
@@ -23,19 +23,20 @@ struct DataSets {
     std::function<void(int done)> progress;  ///< one call at a time
 };
 
-/// What one data set gave, or why nothing.
-struct RunResult {
-    std::vector<Comparison> comparisons;
-    std::string failure;
-};
+/// One of them: its number from 0, what it was made from, and where it lies.
+using DataSetVisit = std::function<void(int run, const simulation::Recipe& recipe, const std::string& folder)>;
 
-/// Makes each data set and hands it to `compare`, in parallel; results in the order of runs. A data set that fails
-/// keeps its reason.
+/// Makes each data set and hands it to `visit`, in parallel. What each run failed for, in their order; empty where it
+/// did not.
 /// @throws what reading the recipe throws; InvalidArgument for fewer than one run; FileError where the folder cannot be
 /// made.
-[[nodiscard]] std::vector<RunResult> for_each_data_set(
-    const DataSets& sets,
-    const std::function<std::vector<Comparison>(int run, const simulation::Recipe& recipe, const std::string& folder)>&
-        compare);
+[[nodiscard]] std::vector<std::string> for_each_data_set(const DataSets& sets, const DataSetVisit& visit);
+
+/// Makes a recipe's data set in a folder for as long as it is visited.
+void with_data_set(const simulation::Recipe& recipe, const std::string& folder, bool keep,
+                   const std::function<void()>& visit);
+
+/// The study that a data set brings with it.
+[[nodiscard]] study::Study study_of_data_set(const std::string& folder);
 
 }  // namespace setae::validation

@@ -27,6 +27,19 @@ double error_of_mean(const Members& members, double mean) {
     return std::sqrt(squares * runs / (runs - 1.0)) / count;
 }
 
+/// How many independent comparisons would scatter in their share of hits as these do, whose runs share values; as many
+/// as there are runs where all hit, or none, and nothing can be told.
+double independent_of(const Members& members, double share) {
+    std::map<int, double> sums;
+    for (const auto* m : members) sums[m->run] += (m->covered() ? 1.0 : 0.0) - share;
+    const auto runs = static_cast<double>(sums.size()), count = static_cast<double>(members.size());
+    const double alone = count * share * (1.0 - share);
+    if (!(alone > 0.0) || sums.size() < 2) return runs;
+    double squares = 0.0;
+    for (const auto& [run, sum] : sums) squares += sum * sum;
+    return count / std::max(1.0, squares * runs / (runs - 1.0) / alone);
+}
+
 SummaryRow row_of(const Members& members) {
     const auto& first = *members.front();
     SummaryRow row{first.quantity, first.method, first.unit, first.measure, static_cast<int>(members.size())};
@@ -49,7 +62,7 @@ SummaryRow row_of(const Members& members) {
     row.bias_error = error_of_mean(members, row.bias);
     row.stated = with_interval > 0 ? stated / with_interval : undefined;
     row.coverage = hits / count;
-    row.coverage_interval = share_interval(hits, row.count);
+    row.coverage_interval = share_interval(row.coverage, independent_of(members, row.coverage));
     return row;
 }
 
@@ -72,7 +85,11 @@ std::vector<SummaryRow> summary(const std::vector<Comparison>& comparisons) {
 Interval share_interval(int hits, int count, double level) {
     if (count < 1 || hits < 0 || hits > count)
         throw InvalidArgument(fmt::format("{} of {}; expected a share of at least one", hits, count));
-    const double z = normal_quantile(0.5 * (1.0 + level)), n = count, share = hits / n, width = z * z / n;
+    return share_interval(static_cast<double>(hits) / count, static_cast<double>(count), level);
+}
+
+Interval share_interval(double share, double n, double level) {
+    const double z = normal_quantile(0.5 * (1.0 + level)), width = z * z / n;
     const double centre = (share + 0.5 * width) / (1.0 + width);
     const double half = z * std::sqrt(share * (1.0 - share) / n + 0.25 * width / n) / (1.0 + width);
     return {std::max(0.0, centre - half), std::min(1.0, centre + half), level};

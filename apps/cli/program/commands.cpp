@@ -35,6 +35,7 @@ namespace plot_command { Action declare(Options&); }
 namespace lab_make_command { Action declare(Options&); }
 namespace lab_closure_command { Action declare(Options&); }
 namespace lab_causes_command { Action declare(Options&); }
+namespace lab_next_command { Action declare(Options&); }
 namespace lab_area_command { Action declare(Options&); }
 namespace lab_loops_command { Action declare(Options&); }
 namespace lab_contours_command { Action declare(Options&); }
@@ -97,6 +98,7 @@ constexpr Command table[] = {
     {"lab", "closure", "make and study a recipe many times: bias and coverage of every quantity",
      lab_closure_command::declare},
     {"lab", "causes", "what each thing a mean of spectra leaves uncorrected does, alone", lab_causes_command::declare},
+    {"lab", "next", "do what `setae study --next` advises, and hold it to its promise", lab_next_command::declare},
     {"lab", "area", "compare the true area of self-affine maps with that of Gaussian slopes (Fig. S7)",
      lab_area_command::declare},
     {"lab", "loops", "fit many noisy loops that are known: bias and coverage of every fit", lab_loops_command::declare},

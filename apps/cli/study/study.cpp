@@ -271,7 +271,7 @@ Action declare(Options& options) {
     options.flag("--next", arguments->next,
                  "list what one further measurement would leave of a number's ±, the most telling first, then stop; [costs] of "
                  "the study tells hours");
-    options.add("--target", arguments->target, "the number that --next is about: W_int, or a pair such as \"E07 on rough\"")
+    options.add("--target", arguments->target, "the number that --next is about: W_int, a pair such as \"E07 on rough\", or how far two balances differ in W_int, such as \"(7) - (10)\"")
         .value_named("NUMBER");
     options.add("--documentation", arguments->documentation,
                 "write the pages on keys, alerts and figures of studies to this folder");

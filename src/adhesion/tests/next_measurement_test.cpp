@@ -31,7 +31,7 @@ TEST(NextMeasurement, PromisesWhatTheVarianceOfAMeanSays) {
     const auto pairs = smooth_pairs(noise, lens);
     const auto fit = fit_generalised(pairs, ModelScatter{});
     const auto next = next_measurements(
-        pairs, fit, std::nullopt,
+        work_target(pairs, fit),
         {{.kind = Kind::loop, .name = "s", .elastomer = "e0", .loops = 1}, {.kind = Kind::input, .name = "lens"}});
     ASSERT_EQ(next.size(), 2U);
     EXPECT_EQ(next[0].candidate.name, "lens");
@@ -45,7 +45,7 @@ TEST(NextMeasurement, GoesByTheHourWhereAllHoursAreKnown) {
     const auto pairs = smooth_pairs(4e-4, 3e-4);
     const auto fit = fit_generalised(pairs, ModelScatter{});
     const auto next = next_measurements(
-        pairs, fit, std::nullopt,
+        work_target(pairs, fit),
         {{.kind = Kind::loop, .name = "s", .elastomer = "e0", .hours = 0.1}, {.kind = Kind::input, .name = "lens", .hours = 50.0}});
     EXPECT_EQ(next[0].candidate.kind, Kind::loop);
 }
@@ -56,9 +56,26 @@ TEST(NextMeasurement, OfAPredictionKnowsWhatOnlyThatRestsOn) {
     line.slope_inputs = one(roughness::spectrum_input("rough"), 0.1);
     const auto fit = fit_generalised(pairs, ModelScatter{});
     const double now = raw_prediction(line, fit.work_of_adhesion).standard_error();
-    const auto next = next_measurements(pairs, fit, line, {{.kind = Kind::spectrum, .name = "rough"}});
+    const auto next = next_measurements(prediction_target(pairs, fit, line), {{.kind = Kind::spectrum, .name = "rough"}});
     const double W = fit.work_of_adhesion.value;
     EXPECT_NEAR(next[0].standard_error, std::sqrt(now * now - 0.5 * std::pow(W * 0.1, 2)), 1e-9);
+}
+
+// What both fits share drops out of their difference: the lens of all pairs, and the noise of the same measured values.
+TEST(NextMeasurement, OfADifferenceKnowsOnlyWhatDiffers) {
+    const auto pairs = smooth_pairs(4e-4, 3e-4);
+    auto others = pairs;
+    for (auto& pair : others) {
+        pair.quantity = "E_loss";
+        pair.measured.standard_error = 6e-4;
+    }
+    const auto fit = fit_generalised(pairs, ModelScatter{}), loss = fit_generalised(others, ModelScatter{});
+    const auto work = work_target(pairs, fit), from_loss = work_target(others, loss);
+    EXPECT_NEAR(value_of(difference_target(work, work)).standard_error(), 0.0, 1e-15);
+    const auto difference = difference_target(work, from_loss);
+    EXPECT_NEAR(value_of(difference).standard_error(), std::sqrt((16e-8 + 36e-8) / 4.0), 1e-10);
+    const auto next = next_measurements(difference, {{.kind = Kind::input, .name = "lens"}});
+    EXPECT_NEAR(next[0].gain, 0.0, 1e-6);
 }
 
 // Doing it: the scatter of W over drawn data with one pair measured twice is what was promised.
@@ -67,7 +84,7 @@ TEST(NextMeasurement, KeepsItsPromise) {
     constexpr double noise = 4e-4, lens = 3e-4;
     const auto nominal = smooth_pairs(noise, lens);
     const auto fit = fit_generalised(nominal, ModelScatter{});
-    const auto promised = next_measurements(nominal, fit, std::nullopt,
+    const auto promised = next_measurements(work_target(nominal, fit),
                                             {{.kind = Kind::loop, .name = "s", .elastomer = "e0", .loops = 1}});
     std::mt19937 random(5);
     std::normal_distribution<double> normal;

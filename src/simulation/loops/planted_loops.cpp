@@ -58,10 +58,22 @@ RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const El
     return pair;
 }
 
-bool is_measured(const LoopRecipe& loops, const std::string& surface, const std::string& elastomer) {
-    return std::none_of(loops.unmeasured.begin(), loops.unmeasured.end(), [&](const UnmeasuredPair& pair) {
-        return pair.surface == surface && pair.elastomer == elastomer;
-    });
+std::string file_of(const SpecimenPair& pair, int number) {
+    const auto stem = fmt::format("loops/{}_{}", file_stem(pair.surface), file_stem(pair.elastomer));
+    return number == 1 ? stem + ".csv" : fmt::format("{}_{}.csv", stem, number);
+}
+
+/// Last, so that the noise of all others stays what it is without them. Pairs that do not conform have none.
+void add_further(std::vector<PlantedLoop>& loops, const std::vector<SpecimenPair>& pairs) {
+    for (const auto& pair : pairs) {
+        const auto last = std::find_if(loops.rbegin(), loops.rend(), [&](const PlantedLoop& loop) {
+            return SpecimenPair{loop.surface, loop.elastomer} == pair;
+        });
+        if (last == loops.rend()) continue;
+        auto next = *last;
+        next.file = file_of(pair, ++next.number);
+        loops.push_back(std::move(next));
+    }
 }
 
 }  // namespace
@@ -88,13 +100,12 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
         const SurfaceTruth& surface = truths[i];
         for (const auto& elastomer : recipe.elastomers) {
             const RoughPair pair = rough_pair(recipe, surface, elastomer);
-            const bool measured = is_measured(*recipe.loops, rough.surface.name, elastomer.name);
+            const SpecimenPair names{rough.surface.name, elastomer.name};
+            const bool measured = !recipe.loops->is_unmeasured(names);
             if (pair.refusal.empty())
-                add({.file = measured ? fmt::format("loops/{}_{}.csv", file_stem(rough.surface.name),
-                                                    file_stem(elastomer.name))
-                                      : "",
-                     .surface = rough.surface.name,
-                     .elastomer = elastomer.name,
+                add({.file = measured ? file_of(names, 1) : "",
+                     .surface = names.surface,
+                     .elastomer = names.elastomer,
                      .specimen = pair.specimen,
                      .measured = measured});
             else if (recipe.loops->nonconforming == NonconformingPairs::refuse)
@@ -113,6 +124,7 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
                                   .contact_modulus = contact_modulus(recipe, elastomer),
                                   .work_approach = *work,
                                   .work_retraction = *work}});
+    add_further(loops, recipe.loops->further);
     return loops;
 }
 

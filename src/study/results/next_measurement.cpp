@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/study/next_measurement.hpp"
 
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -31,9 +32,55 @@ std::optional<double> hours_of(const StudyResult& result, const std::string& key
     return found == result.study.costs.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string target_of(const PairResult& pair) { return fmt::format("{} on {}", pair.elastomer, pair.surface); }
+std::string name_of(const PairResult& pair) { return fmt::format("{} on {}", pair.elastomer, pair.surface); }
+
+/// W_int of one balance.
+struct BalanceTarget {
+    std::string name;
+    const Outcome<adhesion::WorkFit>* fit = nullptr;
+};
+
+/// @throws UndefinedDataError where it is not fitted.
+adhesion::Target target_of(const BalanceTarget& balance) {
+    if (!*balance.fit)
+        throw UndefinedDataError(fmt::format("no W_int is fitted by {}: {}", balance.name, balance.fit->reason));
+    return adhesion::work_target((*balance.fit)->pairs, (*balance.fit)->generalised);
+}
+
+/// "A - B" of two balances; nothing for another text.
+std::optional<adhesion::Target> difference_of(const StudyResult& result, const std::string& text) {
+    Outcome<adhesion::WorkFit> losses;
+    if (result.loop) losses.value = result.loop->through_origin;
+    else losses.reason = result.loop.reason;
+    const std::vector<BalanceTarget> balances{{"(7)", &result.modified},
+                                              {"(2)", &result.without_area_change},
+                                              {"(S13)", &result.persson_tosatti},
+                                              {"(10)", &losses}};
+    for (const auto& one : balances)
+        for (const auto& other : balances)
+            if (&one != &other && text == one.name + " - " + other.name)
+                return adhesion::difference_target(target_of(one), target_of(other));
+    return std::nullopt;
+}
 
 }  // namespace
+
+adhesion::Target target_of(const StudyResult& result, const std::string& text) {
+    if (!result.modified) throw UndefinedDataError("no W_int is fitted: " + result.modified.reason);
+    const auto& fit = *result.modified;
+    if (text == "W_int") return adhesion::work_target(fit.pairs, fit.generalised);
+    if (auto difference = difference_of(result, text)) return *difference;
+    std::vector<std::string> known{"W_int", "(7) - (S13)", "(7) - (2)", "(7) - (10)"};
+    for (const auto& pair : result.pairs) {
+        if (!pair.line) continue;
+        known.push_back(name_of(pair));
+        if (known.back() == text) return adhesion::prediction_target(fit.pairs, fit.generalised, *pair.line);
+    }
+    const auto nearest = nearest_match(text, known);
+    throw InvalidArgument(fmt::format("'{}' is no number to be improved; expected W_int, a difference such as '(7) - (10)' "
+                                      "or a pair such as '{}'{}",
+                                      text, known.back(), nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+}
 
 std::vector<Candidate> candidates_of(const StudyResult& result) {
     using Kind = Candidate::Kind;
@@ -50,20 +97,7 @@ std::vector<Candidate> candidates_of(const StudyResult& result) {
 }
 
 std::vector<adhesion::NextMeasurement> next_measurements(const StudyResult& result, const std::string& target) {
-    const auto candidates = candidates_of(result);
-    std::optional<adhesion::PairPoint> line;
-    std::vector<std::string> known{"W_int"};
-    for (const auto& pair : result.pairs) {
-        if (!pair.line) continue;
-        known.push_back(target_of(pair));
-        if (known.back() == target) line = pair.line;
-    }
-    if (!line && target != "W_int") {
-        const auto nearest = nearest_match(target, known);
-        throw InvalidArgument(fmt::format("'{}' is no number to be improved; expected W_int or a pair such as '{}'{}", target,
-                                          known.back(), nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
-    }
-    return adhesion::next_measurements(result.modified->pairs, result.modified->generalised, line, candidates);
+    return adhesion::next_measurements(target_of(result, target), candidates_of(result));
 }
 
 }  // namespace setae::study

@@ -67,6 +67,20 @@ TEST(Summary, TakesWhatOneRunSharesForOneThing) {
     EXPECT_NEAR(summary(rows)[0].bias_error, 0.1 * std::sqrt(2.0) / std::sqrt(2.0), 1e-12);
 }
 
+// A run whose members all hit beside one whose members all miss: as little is known of the share as of one coin.
+TEST(Summary, KnowsOfASharesIntervalHowAlikeARunsMembersAre) {
+    std::vector<Comparison> alike, mixed;
+    for (int i = 0; i < 4; ++i) {
+        alike.push_back(comparison(0, 2.0e-9, 1e-10));
+        alike.push_back(comparison(1, 3.0e-9, 1e-10));
+        for (int run = 0; run < 2; ++run) mixed.push_back(comparison(run, i < 2 ? 2.0e-9 : 3.0e-9, 1e-10));
+    }
+    const auto of_runs = summary(alike)[0].coverage_interval, of_members = summary(mixed)[0].coverage_interval;
+    EXPECT_NEAR(of_runs.lower, share_interval(0.5, 1.0).lower, 1e-12);
+    EXPECT_NEAR(of_members.lower, share_interval(4, 8).lower, 1e-12);
+    EXPECT_NEAR(of_members.upper, share_interval(4, 8).upper, 1e-12);
+}
+
 TEST(SummaryTable, PrintsPerCentAndMillijoules) {
     auto work = comparison(0, 0.0371, 1e-4);
     work.quantity = "work_of_adhesion";

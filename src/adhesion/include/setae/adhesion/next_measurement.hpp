@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,17 +31,33 @@ struct NextMeasurement {
     double gain = 0.0;            ///< share by which it is smaller than without
 };
 
-/// What each candidate would leave of the standard error of W, or of a prediction at W, by the same model: the fit made
-/// anew with the components that the candidate shrinks, scatter and expected values held. The largest gain first, or
-/// the largest gain an hour where every candidate has its hours.
+/// A pair as it would be with something else known of it.
+using Change = std::function<PairPoint(const PairPoint&)>;
+
+/// A number that rests on pairs, as it would be with all of them changed.
+using Target = std::function<TracedValue(const Change&)>;
+
+/// W of a fit: made anew, scatter held.
+[[nodiscard]] Target work_target(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit);
+
+/// A prediction at that W.
+[[nodiscard]] Target prediction_target(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit,
+                                       const PairPoint& line);
+
+/// W of one fit less that of another: whether two balances, or approach and loss, say the same.
+[[nodiscard]] Target difference_target(const Target& one, const Target& other);
+
+/// The number itself.
+[[nodiscard]] TracedValue value_of(const Target& target);
+
+/// What each candidate would leave of the standard error of a number, by the same model: all fits made anew with the
+/// components that the candidate shrinks, scatter and expected values held. The largest gain first, or the largest gain
+/// an hour where every candidate has its hours.
 ///
 ///   input: components × ½;  loop: own variance × m/(m + 1);  spectrum: components × 1/√2
 ///
-/// line: of the prediction; absent: W itself.
 /// @throws as fit_generalised().
-[[nodiscard]] std::vector<NextMeasurement> next_measurements(const std::vector<PairPoint>& pairs,
-                                                             const GeneralisedFit& fit,
-                                                             const std::optional<PairPoint>& line,
+[[nodiscard]] std::vector<NextMeasurement> next_measurements(const Target& target,
                                                              const std::vector<Candidate>& candidates);
 
 }  // namespace setae::adhesion

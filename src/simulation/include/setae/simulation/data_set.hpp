@@ -18,9 +18,10 @@ struct PlantedLoop {
     LoopSpecimen specimen;  ///< R, E*, W_app, W_ret
     LoopTruth truth;
     bool measured = true;  ///< else there is no file: the pair is for the study to predict
+    int number = 1;        ///< among the loops of its pair
 };
 
-/// What a recipe's loops are: one a surface and elastomer, then the references.
+/// What a recipe's loops are: one a surface and elastomer, then the references, then further ones of the same pairs.
 ///
 ///   W_app = W_int r − γ1 (r − 1) − E* U_el/(A E*)   [D19] (7), r and U_el of the known surface
 ///   W_ret: by pinning, or such that E_loss = f W_int r π a_max²

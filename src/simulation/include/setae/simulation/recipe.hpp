@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -84,9 +85,10 @@ struct ElastomerRecipe {
     StatedQuantity sphere_radius;   ///< R [m], > 0
 };
 
-/// A surface and an elastomer whose loop is planted, but not recorded: the study only predicts it.
-struct UnmeasuredPair {
+/// A surface and an elastomer.
+struct SpecimenPair {
     std::string surface, elastomer;
+    bool operator==(const SpecimenPair&) const = default;
 };
 
 /// Where W_ret comes from.
@@ -102,15 +104,21 @@ enum class NonconformingPairs {
     skip,    ///< left out
 };
 
-/// How loops are made: one a surface and elastomer, and references on a smooth standard before and after.
+/// How loops are made: one a surface and elastomer unless the pair is listed below, and references on a smooth standard
+/// before and after.
 struct LoopRecipe {
     LoadingProtocol protocol;
     LoopArtefacts artefacts;  ///< the key is the recipe's
     RetractionLaw law = RetractionLaw::loss;
     double loss_factor = 1.0;  ///< f
     NonconformingPairs nonconforming = NonconformingPairs::refuse;
-    std::vector<UnmeasuredPair> unmeasured;
+    std::vector<SpecimenPair> unmeasured;  ///< whose loop is planted, but not recorded: the study only predicts it
+    std::vector<SpecimenPair> further;     ///< with one more loop, once for each time that a pair is named
     std::optional<double> reference_work;  ///< W of both branches on the standard [J/m²]; none: no references
+
+    [[nodiscard]] bool is_unmeasured(const SpecimenPair& pair) const {
+        return std::find(unmeasured.begin(), unmeasured.end(), pair) != unmeasured.end();
+    }
 };
 
 /// Everything that determines a data set.

@@ -13,8 +13,13 @@ namespace setae::study {
 /// measured surface's measurements once more; with hours where the study tells what it costs.
 [[nodiscard]] std::vector<adhesion::Candidate> candidates_of(const StudyResult& result);
 
-/// What each of them would leave of the ± of W_int (target "W_int"), or of W_app by (7) of a pair ("E07 on rough").
-/// @throws UndefinedDataError where the study fits no W_int; InvalidArgument for a target that is no pair of it.
+/// The number that a text names: "W_int"; W_app by (7) of a pair, "E07 on rough"; what W_int of one balance is more than
+/// that of another, "(7) - (S13)", of (7), (2), (S13) and (10), W_int from losses.
+/// @throws UndefinedDataError where the study fits no W_int, or not that of a balance; InvalidArgument for other texts.
+[[nodiscard]] adhesion::Target target_of(const StudyResult& result, const std::string& text);
+
+/// What each of them would leave of the ± of a target.
+/// @throws as target_of().
 [[nodiscard]] std::vector<adhesion::NextMeasurement> next_measurements(const StudyResult& result,
                                                                        const std::string& target);
 

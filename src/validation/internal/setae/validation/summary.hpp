@@ -19,7 +19,7 @@ struct SummaryRow {
     double worst = 0.0;          ///< deviation of the largest size
     double stated = 0.0;         ///< mean of the standard deviations the intervals state
     double coverage = 0.0;       ///< share of 95 % intervals that hold the planted value
-    Interval coverage_interval;  ///< Wilson's, 95 %
+    Interval coverage_interval;  ///< Wilson's, 95 %, of as many independent comparisons as scatter alike between runs
 };
 
 /// One row a quantity and method, in the order of their first appearance.
@@ -28,5 +28,8 @@ struct SummaryRow {
 /// Wilson's interval for a share of `hits` in `count`. @throws InvalidArgument unless 0 <= hits <= count and count > 0.
 /// Source: Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
 [[nodiscard]] Interval share_interval(int hits, int count, double level = 0.95);
+
+/// The same for a share from 0 to 1 in a count, > 0, that need not be whole.
+[[nodiscard]] Interval share_interval(double share, double count, double level = 0.95);
 
 }  // namespace setae::validation

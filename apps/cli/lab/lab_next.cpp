@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "lab/closure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "program/terminal.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/validation/next_trials.hpp"
+
+namespace setae::cli::lab_next_command {
+namespace {
+
+constexpr const char* explanation =
+    "Each run makes the recipe's data set with a seed of its own, asks `setae study --next` what one further measurement\n"
+    "would leave of a number's ±, then does it and studies again.\n"
+    "an input    the recipe tells it with half its ±, and its true value is half as far from what is told\n"
+    "a surface   all its scans, maps and contours once more, at other places\n"
+    "a pair      another loop, with noise of its own\n"
+    "±           standard errors, roots of mean squares over runs: without the measurement, promised, with it\n"
+    "off         found - planted, root of its mean square, without and with the measurement\n"
+    "ratio       off later/off, its ± by leaving runs out;  promised: the same of the standard errors\n";
+
+struct NextArguments : RepeatedRecipe {
+    std::string target = "W_int";
+    std::vector<std::string> measured;
+};
+
+output::Json json_of(const validation::NextSummary& row) {
+    return {{"measured", row.measured},
+            {"runs", row.n},
+            {"standard_error", row.stated},
+            {"standard_error_promised", row.promised},
+            {"standard_error_found", row.stated_later},
+            {"deviation", row.off},
+            {"deviation_later", row.off_later},
+            {"ratio", row.ratio},
+            {"ratio_standard_error", row.ratio_error}};
+}
+
+ExitCode run(const NextArguments& arguments) {
+    require_recipe(arguments);
+    const auto found = validation::next_trials(arguments.recipe, {.runs = arguments.runs,
+                                                                  .first_seed = arguments.seed,
+                                                                  .target = arguments.target,
+                                                                  .measured = arguments.measured,
+                                                                  .folder = arguments.output,
+                                                                  .threads = arguments.common.workers(),
+                                                                  .progress = progress_of(arguments.runs)});
+    for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
+    if (found.trials.empty()) return ExitCode::nothing_done;
+    const auto rows = validation::summary(found.trials);
+    const auto table = validation::next_summary_table(arguments.target, rows);
+    const auto folder = std::filesystem::path(arguments.output);
+    bytes::write_whole_file((folder / "next.txt").string(), tables::as_text(table));
+    bytes::write_whole_file((folder / "trials.csv").string(),
+                            tables::as_csv(validation::next_trials_table(found.trials)));
+    if (arguments.common.json) {
+        output::Json list = output::Json::array();
+        for (const auto& row : rows) list.push_back(json_of(row));
+        print_json({{"recipe", arguments.recipe},
+                    {"runs", arguments.runs},
+                    {"first_seed", arguments.seed},
+                    {"target", arguments.target},
+                    {"unit", "J/m2"},
+                    {"rows", std::move(list)}});
+    } else {
+        print(tables::as_text_within(table, output_size().width) +
+              fmt::format("\n{} runs from seed {}; every one in {}\n", arguments.runs, arguments.seed,
+                          (folder / "trials.csv").string()));
+    }
+    return found.failed.empty() ? ExitCode::done : ExitCode::some_failed;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<NextArguments>();
+    arguments->output = "next";
+    arguments->runs = 25;
+    add_options(options, *arguments);
+    options.add("--measure", arguments->measured,
+                "what is measured: an input, a surface, or a pair such as \"E02 on A\"; default: the three that promise most")
+        .value_named("NAME");
+    options.add("--target", arguments->target, "the number that they are to improve, as of setae study --next")
+        .value_named("NUMBER");
+    options.example("setae lab next recipe.toml --runs 100", "whether --next keeps its promises");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::lab_next_command
