@@ -12,6 +12,7 @@
 
 #include "generalised_weights.hpp"
 #include "pair_least_squares.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::adhesion {
@@ -153,6 +154,7 @@ public:
         fit.freedom = {static_cast<double>(pairs_.size()) - 1.0, freedom_of(pairs_, &PairPoint::surface),
                        freedom_of(pairs_, &PairPoint::elastomer)};
         fit.restricted_log_likelihood = restricted_log_likelihood(scatter_);
+        fit.log_likelihood = log_likelihood();
         std::vector<double> measured;
         for (const auto& pair : pairs_) measured.push_back(pair.measured.value);
         fit.r_squared = 1.0 - at_.value.squaredNorm() / squares_about_mean(measured);
@@ -181,6 +183,13 @@ private:
             log_likelihood +=
                 0.5 * std::pow(at_.slope.dot(weighted), 2) / information - 0.5 * std::log(information);
         return log_likelihood;
+    }
+
+    /// −½ (rᵀV⁻¹r + ln|V| + n ln 2π).
+    [[nodiscard]] double log_likelihood() const {
+        const auto factor = factor_of(whole_covariance(scatter_));
+        return -0.5 * at_.value.dot(factor.solve(at_.value)) - factor.matrixLLT().diagonal().array().log().sum() -
+               0.5 * static_cast<double>(pairs_.size()) * std::log(2.0 * pi);
     }
 
     /// Each of the three in turn, until none moves.

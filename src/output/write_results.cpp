@@ -81,6 +81,7 @@ std::vector<std::string> write_results(const study::StudyResult& result, ResultF
     write_table("prediction_test.csv", prediction_test_table(result));
     write_table("budget.csv", budget_table(result));
     write_table("left_out.csv", left_out_table(result));
+    write_table("profiles.csv", profile_table(result));
     write_table("measurements.csv", measurement_table(result));
     write_table("decades.csv", decade_table(result));
     write_table("agreement.csv", agreement_table(result));

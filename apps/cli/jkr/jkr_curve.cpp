@@ -10,6 +10,7 @@
 #include "setae/core/layout.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/loops/shared_inputs.hpp"
 #include "setae/output/force_map_output.hpp"
 #include "setae/output/loop_answer.hpp"
 #include "setae/tables/tidy_table.hpp"
@@ -71,10 +72,11 @@ bool CurveArguments::concerns(const std::string& file) const {
 }
 
 loops::LensAndCounterBody CurveArguments::bodies(const BodyArguments& given, const Table& of_curve) const {
-    if (const auto radius = given.given_radius(); radius && radius->uncertain())
-        throw InvalidArgument(
-            fmt::format("--radius \"{}\": fits of force curves take it for exact; give it without ±", given.radius));
-    return tip == "paraboloid" ? given.bodies(of_curve) : given.without_radius(of_curve);
+    const auto bodies = tip == "paraboloid" ? given.bodies(of_curve) : given.without_radius(of_curve);
+    if (!bodies.standard_errors.empty())
+        throw InvalidArgument(fmt::format("{} has a ±: fits of force curves take it for exact; give it without",
+                                          loops::shared_input_name(bodies.standard_errors.begin()->first)));
+    return bodies.values;
 }
 
 loops::ForceCurveFitOptions CurveArguments::options() const {

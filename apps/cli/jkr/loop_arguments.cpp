@@ -10,7 +10,6 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/machine_stiffness.hpp"
-#include "setae/loops/shared_inputs.hpp"
 #include "setae/study/force_map.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping_folder.hpp"
@@ -22,6 +21,11 @@ std::optional<double> given(const std::string& text, const Dimension& dimension)
     return text.empty() ? std::nullopt : std::optional(parse_quantity(text, dimension));
 }
 
+/// A length that an option gives, with its ±.
+std::optional<Estimate> length(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional(parse_uncertain_quantity(text, positive(dimension::length)));
+}
+
 /// k of the machine: given, measured on something rigid, or stated in the loop's file.
 std::optional<Estimate> stiffness_of(const LoopAnalysisArguments& arguments, const Table& loop) {
     if (!arguments.machine_stiffness.empty())
@@ -30,20 +34,15 @@ std::optional<Estimate> stiffness_of(const LoopAnalysisArguments& arguments, con
         const auto rigid = study::open_loop({.file = arguments.rigid_contact});
         return loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(rigid.table)).stiffness;
     }
-    if (const auto stated = tables::loop_quantity(loop, "machine_stiffness")) return Estimate{*stated};
-    return std::nullopt;
+    return tables::loop_quantity(loop, "machine_stiffness");
 }
 
 AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& file) {
     AnalysedLoop loop{.file = file, .opened = request.loops.open(file)};
-    loop.bodies = request.bodies.bodies(loop.opened.table);
+    const auto bodies = request.bodies.bodies(loop.opened.table);
+    loop.bodies = bodies.values;
     loop.options = request.analysis.options(loop.opened.table);
-    loop.analysis = study::analyse_loop(loop.opened, file, loop.bodies, loop.options);
-    if (const auto radius = request.bodies.given_radius(); radius && radius->uncertain())
-        loops::add_input_error(loop.analysis, loop.bodies,
-                               {loops::loop_from_table(loop.opened.table), loop.bodies, loop.options, loop.analysis,
-                                loops::SharedInput::sphere_radius},
-                               radius->standard_error);
+    loop.analysis = study::analyse_loop(loop.opened, file, bodies, loop.options);
     return loop;
 }
 
@@ -122,39 +121,38 @@ study::OpenedLoop LoopArguments::open(const std::string& file) const {
 void BodyArguments::add_to(Options& options) {
     options
         .add("--radius", radius,
-             "radius of the sphere, such as \"7.5 um\"; \"7.5 ± 0.1 um\" counts in the ± of JKR's fits of loops")
+             "radius of the sphere, such as \"7.5 um\"; \"7.5 ± 0.1 um\" counts in the ± of JKR's fits of loops, "
+             "as that of a height does")
         .quantity(positive(dimension::length));
     options.add("--nu,--poisson-ratio", poisson_ratio, "Poisson ratio of the soft body; default 0.5")
         .within(domain::poisson_ratio);
     options.add("--counter-E", counter_modulus, "Young's modulus of the counter-body; default rigid")
         .quantity(positive(dimension::pressure));
     options.add("--counter-nu", counter_poisson_ratio, "its Poisson ratio; default 0").within(domain::poisson_ratio);
-    options.add("--lens-height", lens_height, "height of the soft lens above its mount: fits are corrected for it")
+    options.add("--lens-height", lens_height, "height of the soft lens above its mount, such as \"3 ± 0.1 mm\": fits are corrected for it")
         .quantity(positive(dimension::length));
     options.add("--layer-thickness", layer_thickness, "the same of a soft layer on a rigid base")
         .quantity(positive(dimension::length));
 }
 
-std::optional<Estimate> BodyArguments::given_radius() const {
-    return radius.empty() ? std::nullopt : std::optional(parse_uncertain_quantity(radius, positive(dimension::length)));
-}
-
-loops::LensAndCounterBody BodyArguments::bodies(const Table& loop) const {
-    const auto bodies = without_radius(loop);
-    if (!(bodies.radius > 0.0))
+study::StatedBodies BodyArguments::bodies(const Table& loop) const {
+    auto bodies = without_radius(loop);
+    if (!(bodies.values.radius > 0.0))
         throw InvalidArgument(
             "missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
     return bodies;
 }
 
-loops::LensAndCounterBody BodyArguments::without_radius(const Table& loop) const {
+study::StatedBodies BodyArguments::without_radius(const Table& loop) const {
+    using loops::SharedInput;
     auto bodies = study::bodies_stated_in(loop);
-    if (const auto own = given_radius()) bodies.radius = own->value;
-    bodies.lens_poisson_ratio = poisson_ratio.value_or(bodies.lens_poisson_ratio);
-    bodies.counter_youngs_modulus = given(counter_modulus, dimension::pressure).value_or(bodies.counter_youngs_modulus);
-    bodies.counter_poisson_ratio = counter_poisson_ratio.value_or(bodies.counter_poisson_ratio);
-    if (!lens_height.empty()) bodies.lens_height = given(lens_height, dimension::length);
-    if (!layer_thickness.empty()) bodies.layer_thickness = given(layer_thickness, dimension::length);
+    auto& values = bodies.values;
+    bodies.take(SharedInput::sphere_radius, values.radius, length(radius));
+    if (poisson_ratio) bodies.take(SharedInput::poisson_ratio, values.lens_poisson_ratio, Estimate{*poisson_ratio});
+    bodies.take(SharedInput::sphere_height, values.lens_height, length(lens_height));
+    bodies.take(SharedInput::sphere_height, values.layer_thickness, length(layer_thickness));
+    values.counter_youngs_modulus = given(counter_modulus, dimension::pressure).value_or(values.counter_youngs_modulus);
+    values.counter_poisson_ratio = counter_poisson_ratio.value_or(values.counter_poisson_ratio);
     return bodies;
 }
 

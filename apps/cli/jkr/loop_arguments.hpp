@@ -43,11 +43,9 @@ struct BodyArguments {
     void add_to(Options& options);
     /// What the options say, else what the loop's metadata say. @throws InvalidArgument where nobody says the sphere's
     /// radius.
-    [[nodiscard]] loops::LensAndCounterBody bodies(const Table& loop) const;
-    /// The radius that the options say, with its ±.
-    [[nodiscard]] std::optional<Estimate> given_radius() const;
+    [[nodiscard]] study::StatedBodies bodies(const Table& loop) const;
     /// The same for tips that have no radius.
-    [[nodiscard]] loops::LensAndCounterBody without_radius(const Table& loop) const;
+    [[nodiscard]] study::StatedBodies without_radius(const Table& loop) const;
 };
 
 /// Options of the analysis of a loop.

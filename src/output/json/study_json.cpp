@@ -92,6 +92,22 @@ Json left_out_json(const study::Conclusions& result) {
     return json;
 }
 
+/// W_int and the likelihood of the pairs against each stated input.
+Json profiles_json(const study::Conclusions& result) {
+    Json json = Json::array();
+    for (const auto& profile : result.profiles) {
+        Json entry{{"input", profile.input}, {"points", Json::array()}};
+        entry["by_pairs"] = to_json(quantity("shift", "(x - told)/u(x)", profile.by_pairs, "1"));
+        for (const auto& point : profile.points)
+            entry["points"].push_back(
+                {{"shift", point.shift},
+                 {"work_of_adhesion", to_json(quantity("work_of_adhesion", "W_int", point.work_of_adhesion, "J/m2"))},
+                 {"log_likelihood", number(point.log_likelihood)}});
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
 Json fit_json(const adhesion::WorkFit& fit, const char* source, const char* unit) {
     Json json;
     auto work = quantity("work_of_adhesion", "W_int", fit.work_of_adhesion, "J/m2");
@@ -444,6 +460,8 @@ Json cutoff_json(const study::CutoffPoint& point, const study::StudyResult& resu
         Json inner;
         add(inner, quantity("work_of_adhesion", "W_int", f.work_of_adhesion, "J/m2"));
         add(inner, quantity("r_squared", "R2", f.r_squared, "1"));
+        inner["generalised"] = to_json(quantity("work_of_adhesion", "W_int", f.generalised.estimate(), "J/m2"));
+        inner["log_likelihood"] = number(f.generalised.log_likelihood);
         return inner;
     };
     json["modified"] = fit(point.modified);
@@ -497,10 +515,11 @@ void add_work(Json& json, const study::Conclusions& result) {
         json["work_of_adhesion_draws"] = drawn_json(*result.draws.work_of_adhesion, result.draws);
 }
 
-/// What quoted numbers rest on, and how well each pair is predicted by the others.
+/// What quoted numbers rest on, how well each pair is predicted by the others, and what the pairs say of inputs.
 void add_budgets(Json& json, const study::Conclusions& result) {
     json["budgets"] = budgets_json(result);
     json["left_out"] = left_out_json(result);
+    json["profiles"] = profiles_json(result);
 }
 
 Json replicates_json(const study::ElastomerReplicates& replicates) {

@@ -285,6 +285,31 @@ DataTable left_out(const Json& study) {
     return table;
 }
 
+/// What the pairs alone say of what somebody told.
+DataTable profiles(const Json& study) {
+    DataTable table{"profiles",
+                    "Inputs against the pairs",
+                    "Each input taken for exact: <i>W</i><sub>int</sub> with two of its ± less and more than told, and what the pairs alone say of it, in its ± from what is told. Beyond 2, "
+                    "look at the input again; a ± far above 1 means that the pairs do not tell.",
+                    {{"input", ""},
+                     {"*W*_int, input 2 ± less", "J/m2"},
+                     {"*W*_int, input 2 ± more", "J/m2"},
+                     {"by the pairs, in its ±", "1"}},
+                    {}};
+    const auto& list = entry(study, "/profiles");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const auto at = fmt::format("/profiles/{}", i);
+        const auto work = [&](std::size_t point) {
+            return QuantityCell{fmt::format("{}/points/{}/work_of_adhesion", at, point)};
+        };
+        const bool told = list[i].at("by_pairs").contains("standard_error");
+        table.rows.push_back({TextCell{list[i].at("input").get<std::string>()}, work(0),
+                              work(list[i].at("points").size() - 1),
+                              told ? Cell(QuantityCell{joined(at, "by_pairs")}) : Cell(TextCell{"not told"})});
+    }
+    return table;
+}
+
 /// Rows of one set of fits; `spectra` says what they rest on.
 void add_fits(DataTable& table, const Json& study, const std::string& base, const std::string& spectra, bool reported) {
     const auto row = [&](const std::string& fit, const std::string& variant, const std::string& place,
@@ -571,7 +596,9 @@ DataTable cutoff_scan(const StudyResult& result, const Json& study) {
                      {"*W*_int (7)", "J/m2"},
                      {"*R*² (7)", "1"},
                      {"*W*_int (S13)", "J/m2"},
-                     {"*R*² (S13)", "1"}},
+                     {"*R*² (S13)", "1"},
+                     {"*W*_int (7), all errors", "J/m2"},
+                     {"ln *L* (7)", "1"}},
                     {}};
     const auto add = [&](const std::string& base, const char* spectra) {
         for (std::size_t i = 0; i < entry(study, base).size(); ++i) {
@@ -579,7 +606,8 @@ DataTable cutoff_scan(const StudyResult& result, const Json& study) {
             const auto quantity = [&place](const char* name) { return QuantityCell{joined(place, name)}; };
             table.rows.push_back({quantity("shortest_wavelength"), TextCell{spectra},
                                   quantity("modified/work_of_adhesion"), quantity("modified/r_squared"),
-                                  quantity("persson_tosatti/work_of_adhesion"), quantity("persson_tosatti/r_squared")});
+                                  quantity("persson_tosatti/work_of_adhesion"), quantity("persson_tosatti/r_squared"),
+                                  quantity("modified/generalised"), NumberCell{joined(place, "modified/log_likelihood")}});
         }
     };
     add("/cutoff_scan", result.by_average ? "likelihood" : "as given");
@@ -702,6 +730,7 @@ std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& s
         budget(result),
         inputs_of_numbers(study),
         left_out(study),
+        profiles(study),
         replicate_means(result, "J/m2", "replicates-work", "Work of adhesion over lenses, spots and repeats"),
         replicate_means(result, "J", "replicates-loss", "Energy lost over lenses, spots and repeats"),
         replicate_variances(result, "J/m2", "variances-work", "Scatter of the work of adhesion"),

@@ -102,4 +102,18 @@ tables::TidyTable left_out_table(const study::StudyResult& result) {
     return table;
 }
 
+tables::TidyTable profile_table(const study::StudyResult& result) {
+    tables::TidyTable table{"",
+                            {"input", "method", "shift [standard errors]", "W_int [J/m2]", "standard_error [J/m2]",
+                             "log likelihood", "input by the pairs [standard errors]", "its standard error"},
+                            {}};
+    for (const auto* conclusions : by_method(result))
+        for (const auto& profile : conclusions->profiles)
+            for (const auto& point : profile.points)
+                table.rows.push_back({profile.input, method_name(result, *conclusions), point.shift,
+                                      point.work_of_adhesion.value, point.work_of_adhesion.standard_error,
+                                      point.log_likelihood, profile.by_pairs.value, profile.by_pairs.standard_error});
+    return table;
+}
+
 }  // namespace setae::output

@@ -268,13 +268,16 @@ tables::TidyTable loop_energy_table(const study::StudyResult& result) {
 tables::TidyTable cutoff_table(const study::StudyResult& result) {
     tables::TidyTable table{"", {"shortest wavelength [m]", "method", "W_int (7) [J/m2]"}, {}};
     append(table.columns, uncertainty_columns("(7)", "J/m2"));
-    append(table.columns, {"R2 (7)", "W_int (S13) [J/m2]", "R2 (S13)"});
+    append(table.columns, {"R2 (7)", "W_int (S13) [J/m2]", "R2 (S13)", "W_int (7) by generalised least squares [J/m2]",
+                           "its standard error [J/m2]", "log likelihood (7)"});
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->cutoff_scan) {
             Cells row;
             add_cells(row, p.shortest_wavelength, method_name(result, *conclusions), p.modified.work_of_adhesion.value);
             append(row, uncertainty_cells(p.modified.work_of_adhesion));
-            add_cells(row, p.modified.r_squared, p.persson_tosatti.work_of_adhesion.value, p.persson_tosatti.r_squared);
+            add_cells(row, p.modified.r_squared, p.persson_tosatti.work_of_adhesion.value, p.persson_tosatti.r_squared,
+                      p.modified.generalised.work_of_adhesion.value,
+                      p.modified.generalised.work_of_adhesion.standard_error(), p.modified.generalised.log_likelihood);
             table.rows.push_back(std::move(row));
         }
     return table;

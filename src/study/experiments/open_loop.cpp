@@ -147,16 +147,21 @@ OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping) {
     return on_one_clock(source, {.table = tables::read_mapped_table(source.file, mapping)});
 }
 
-loops::LensAndCounterBody bodies_stated_in(const Table& loop) {
-    loops::LensAndCounterBody bodies;
-    bodies.radius = tables::loop_quantity(loop, "sphere_radius").value_or(bodies.radius);
-    bodies.lens_poisson_ratio = tables::loop_quantity(loop, "lens_poisson_ratio").value_or(bodies.lens_poisson_ratio);
-    bodies.counter_youngs_modulus =
-        tables::loop_quantity(loop, "counter_youngs_modulus").value_or(std::numeric_limits<double>::infinity());
-    bodies.counter_poisson_ratio =
-        tables::loop_quantity(loop, "counter_poisson_ratio").value_or(bodies.counter_poisson_ratio);
-    bodies.lens_height = tables::loop_quantity(loop, "lens_height");
-    bodies.layer_thickness = tables::loop_quantity(loop, "layer_thickness");
+StatedBodies bodies_stated_in(const Table& loop) {
+    using loops::SharedInput;
+    const auto stated = [&](const char* key) { return tables::loop_quantity(loop, key); };
+    const auto exact = [&](const char* key, double otherwise) {
+        const auto value = stated(key);
+        return value ? value->value : otherwise;
+    };
+    StatedBodies bodies;
+    auto& values = bodies.values;
+    bodies.take(SharedInput::sphere_radius, values.radius, stated("sphere_radius"));
+    bodies.take(SharedInput::poisson_ratio, values.lens_poisson_ratio, stated("lens_poisson_ratio"));
+    bodies.take(SharedInput::sphere_height, values.lens_height, stated("lens_height"));
+    bodies.take(SharedInput::sphere_height, values.layer_thickness, stated("layer_thickness"));
+    values.counter_youngs_modulus = exact("counter_youngs_modulus", std::numeric_limits<double>::infinity());
+    values.counter_poisson_ratio = exact("counter_poisson_ratio", values.counter_poisson_ratio);
     return bodies;
 }
 
@@ -175,6 +180,16 @@ loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& fi
         analysis.alerts.insert(analysis.alerts.begin(), opened.alerts.begin(), opened.alerts.end());
         return analysis;
     });
+}
+
+loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file, const StatedBodies& bodies,
+                                 const loops::AnalysisOptions& options) {
+    auto analysis = analyse_loop(opened, file, bodies.values, options);
+    const auto recorded = loops::loop_from_table(opened.table);
+    for (const auto& [input, standard_error] : bodies.standard_errors)
+        loops::add_input_error(analysis, bodies.values, {recorded, bodies.values, options, analysis, input},
+                               standard_error);
+    return analysis;
 }
 
 loops::LoopAnalysis analyse_loop(const LoopSource& source, const loops::LensAndCounterBody& bodies,

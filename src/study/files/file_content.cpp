@@ -83,7 +83,7 @@ FileContent content_of_force_curve(const std::string& file, const bytes::Source&
 FileContent content_of_loop(const std::string& file) {
     auto opened = open_loop({.file = file});
     FileContent content{.file = file, .kind = FileKind::loop, .format = ""};
-    if (!(bodies_stated_in(opened.table).radius > 0.0)) content.missing.emplace_back("sphere_radius");
+    if (!(bodies_stated_in(opened.table).values.radius > 0.0)) content.missing.emplace_back("sphere_radius");
     content.table = std::move(opened.table);
     return content;
 }

@@ -12,6 +12,7 @@
 #include "setae/contact/wavy.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/study/next_measurement.hpp"
 
 namespace setae::study {
 namespace {
@@ -55,6 +56,7 @@ private:
     [[nodiscard]] Outcome<adhesion::FreeEnergyFit> fit_free() const;
     [[nodiscard]] Outcome<adhesion::StrainedInterfaceFit> fit_interface() const;
     [[nodiscard]] std::vector<CutoffPoint> scan_cutoffs() const;
+    [[nodiscard]] std::vector<std::string> profiled_inputs() const;
     [[nodiscard]] std::vector<double> compared_cuts() const;
     [[nodiscard]] std::vector<ComparedBalance> compare_balances() const;
     void compare(std::vector<ComparedBalance>& balances, const std::vector<SpectralParameters>& surfaces,
@@ -233,6 +235,14 @@ std::vector<ComparedBalance> Concluding::compare_balances() const {
     return balances;
 }
 
+/// Of elastomers, loops and instruments: what is stated of a surface's spectrum changes its numbers too far for a straight
+/// line over two standard errors.
+std::vector<std::string> Concluding::profiled_inputs() const {
+    auto names = stated_inputs(result_, to_);
+    std::erase_if(names, [](const std::string& name) { return name.starts_with("surfaces."); });
+    return names;
+}
+
 std::vector<CutoffPoint> Concluding::scan_cutoffs() const {
     std::vector<CutoffPoint> scan;
     for (const double shortest : result_.study.analysis.cutoff_scan) {
@@ -257,6 +267,7 @@ void Concluding::fit() {
     to_.strained_interface = fit_interface();
     if (to_.modified) {
         to_.left_out = adhesion::predict_left_out(to_.modified->pairs);
+        to_.profiles = adhesion::profile_inputs(to_.modified->pairs, to_.modified->generalised, profiled_inputs());
         to_.cutoff_scan = scan_cutoffs();
         to_.balances = compare_balances();
     }

@@ -14,19 +14,6 @@ namespace {
 
 using adhesion::Candidate;
 
-/// Names of all inputs that somebody stated.
-std::set<std::string> stated_inputs(const StudyResult& result) {
-    std::set<std::string> names, spectra;
-    for (const auto& surface : result.surfaces) spectra.insert(roughness::spectrum_input(surface.name));
-    for (const auto& pair : result.modified->pairs)
-        for (const auto* inputs : {&pair.measured_inputs, &pair.slope_inputs, &pair.offset_inputs})
-            for (const auto& [name, component] : *inputs)
-                if (!spectra.contains(name) && component.variance() > 0.0) names.insert(name);
-    for (const auto& e : result.experiments) names.erase(fit_name(e.input.file));
-    for (const auto& elastomer : result.elastomers) names.erase(loops_name(elastomer.input.name));
-    return names;
-}
-
 std::optional<double> hours_of(const StudyResult& result, const std::string& key) {
     const auto found = result.study.costs.find(key);
     return found == result.study.costs.end() ? std::nullopt : std::optional(found->second);
@@ -65,6 +52,19 @@ std::optional<adhesion::Target> difference_of(const StudyResult& result, const s
 
 }  // namespace
 
+std::vector<std::string> stated_inputs(const StudyResult& result, const Conclusions& conclusions) {
+    if (!conclusions.modified) return {};
+    std::set<std::string> names, spectra;
+    for (const auto& surface : result.surfaces) spectra.insert(roughness::spectrum_input(surface.name));
+    for (const auto& pair : conclusions.modified->pairs)
+        for (const auto* inputs : {&pair.measured_inputs, &pair.slope_inputs, &pair.offset_inputs})
+            for (const auto& [name, component] : *inputs)
+                if (!spectra.contains(name) && component.variance() > 0.0) names.insert(name);
+    for (const auto& e : result.experiments) names.erase(fit_name(e.input.file));
+    for (const auto& elastomer : result.elastomers) names.erase(loops_name(elastomer.input.name));
+    return {names.begin(), names.end()};
+}
+
 adhesion::Target target_of(const StudyResult& result, const std::string& text) {
     if (!result.modified) throw UndefinedDataError("no W_int is fitted: " + result.modified.reason);
     const auto& fit = *result.modified;
@@ -86,7 +86,7 @@ std::vector<Candidate> candidates_of(const StudyResult& result) {
     using Kind = Candidate::Kind;
     if (!result.modified) throw UndefinedDataError("no W_int is fitted: " + result.modified.reason);
     std::vector<Candidate> list;
-    for (const auto& name : stated_inputs(result)) list.push_back({Kind::input, name, "", 1, hours_of(result, name)});
+    for (const auto& name : stated_inputs(result, result)) list.push_back({Kind::input, name, "", 1, hours_of(result, name)});
     for (const auto& pair : result.pairs)
         if (pair.experiments > 0)
             list.push_back({Kind::loop, pair.surface, pair.elastomer, pair.experiments, hours_of(result, "loop")});

@@ -48,11 +48,12 @@ const LoopKey* known_key(std::string_view name) {
 }
 
 /// SI value of a known quantity. @throws InvalidArgument.
-double quantity(const std::string& key, const std::string& value, const Dimension& expected) {
+Estimate quantity(const LoopKey& key, const std::string& value) {
     try {
-        return parse_quantity(value, expected);
+        return key.uncertain ? parse_uncertain_quantity(value, *key.expected)
+                             : Estimate{parse_quantity(value, *key.expected)};
     } catch (const InvalidArgument& error) {
-        throw InvalidArgument(fmt::format("{}: {}", key, error.what()));
+        throw InvalidArgument(fmt::format("{}: {}", key.name, error.what()));
     }
 }
 
@@ -65,7 +66,7 @@ void require_entry(const std::string& key, const std::string& value) {
         throw InvalidArgument(fmt::format("the value of '{}' has line breaks or outer blanks; take one line", key));
     if (!is_utf8(value)) throw InvalidArgument(fmt::format("the value of '{}' is no UTF-8", key));
     const auto* known = known_key(key);
-    if (known && known->dimension) (void)quantity(key, value, *known->dimension);
+    if (known && known->expected) (void)quantity(*known, value);
 }
 
 /// What is not known of a file while it is read line by line.
@@ -166,34 +167,36 @@ void require_columns(const Table& table) {
 }  // namespace
 
 const std::vector<LoopKey>& loop_keys() {
+    const Expected poisson_ratio{dimension::none, domain::poisson_ratio};
     static const std::vector<LoopKey> keys{
-        {"sphere_radius", "radius of curvature of the sphere or lens", dimension::length},
-        {"lens_youngs_modulus", "Young's modulus of the soft body, where known", dimension::pressure},
-        {"lens_poisson_ratio", "Poisson's ratio of the soft body", dimension::none},
-        {"lens_height", "height of the soft lens above its mount", dimension::length},
-        {"layer_thickness", "thickness of the soft body where it is a layer on a rigid base", dimension::length},
-        {"counter_youngs_modulus", "Young's modulus of the body it is pressed against", dimension::pressure},
-        {"counter_poisson_ratio", "its Poisson's ratio", dimension::none},
+        {"sphere_radius", "radius of curvature of the sphere or lens", positive(dimension::length), true},
+        {"lens_youngs_modulus", "Young's modulus of the soft body, where known", positive(dimension::pressure), true},
+        {"lens_poisson_ratio", "Poisson's ratio of the soft body", poisson_ratio, true},
+        {"lens_height", "height of the soft lens above its mount", positive(dimension::length), true},
+        {"layer_thickness", "thickness of the soft body where it is a layer on a rigid base",
+         positive(dimension::length), true},
+        {"counter_youngs_modulus", "Young's modulus of the body it is pressed against", positive(dimension::pressure)},
+        {"counter_poisson_ratio", "its Poisson's ratio", poisson_ratio},
         {"machine_stiffness", "stiffness of the force sensor and frame, where displacement is the stage's",
-         dimension::stiffness},
-        {"spring_constant", "stiffness of the spring that senses the force", dimension::stiffness},
+         positive(dimension::stiffness), true},
+        {"spring_constant", "stiffness of the spring that senses the force", positive(dimension::stiffness)},
         {"camera_clock_offset", "added to the camera's times to give the times of the force record", dimension::time},
-        {"camera_clock_offset_error", "its standard error", dimension::time},
-        {"camera_frame_interval", "time from frame to frame", dimension::time},
-        {"camera_pixel_size", "width of a pixel on the sample", dimension::length},
-        {"relative_humidity", "of the air, as a share of 1 or in %", dimension::none},
-        {"surface", "name of the hard, rough body's surface", {}},
-        {"elastomer", "name of the soft material, with its batch", {}},
-        {"stage", "the stage that moves, what its displacement is counted from", {}},
-        {"force_sensor", "what measured the force, with its calibration", {}},
-        {"camera", "what measured the contact radius", {}},
-        {"camera_clock", "whose clock the radii came from and how it was brought onto the force's", {}},
-        {"spot", "place on the surface", {}},
-        {"lens", "which lens or sphere", {}},
-        {"date", "of the measurement, ISO 8601", {}},
-        {"operator", "who measured", {}},
-        {"source", "the file the columns came from", {}},
-        {"comment", "anything else", {}}};
+        {"camera_clock_offset_error", "its standard error", non_negative(dimension::time)},
+        {"camera_frame_interval", "time from frame to frame", positive(dimension::time)},
+        {"camera_pixel_size", "width of a pixel on the sample", positive(dimension::length)},
+        {"relative_humidity", "of the air, as a share of 1 or in %", non_negative(dimension::none)},
+        {"surface", "name of the hard, rough body's surface"},
+        {"elastomer", "name of the soft material, with its batch"},
+        {"stage", "the stage that moves, what its displacement is counted from"},
+        {"force_sensor", "what measured the force, with its calibration"},
+        {"camera", "what measured the contact radius"},
+        {"camera_clock", "whose clock the radii came from and how it was brought onto the force's"},
+        {"spot", "place on the surface"},
+        {"lens", "which lens or sphere"},
+        {"date", "of the measurement, ISO 8601"},
+        {"operator", "who measured"},
+        {"source", "the file the columns came from"},
+        {"comment", "anything else"}};
     return keys;
 }
 
@@ -260,12 +263,12 @@ Table read_loop(const std::string& path) {
     return table;
 }
 
-std::optional<double> loop_quantity(const Table& loop, const std::string& key) {
+std::optional<Estimate> loop_quantity(const Table& loop, const std::string& key) {
     const auto* known = known_key(key);
-    if (!known || !known->dimension) throw InvalidArgument(fmt::format("'{}' is no quantity of a loop file", key));
+    if (!known || !known->expected) throw InvalidArgument(fmt::format("'{}' is no quantity of a loop file", key));
     const auto entry = loop.metadata.find(key);
     if (entry == loop.metadata.end()) return std::nullopt;
-    return quantity(key, entry->second, *known->dimension);
+    return quantity(*known, entry->second);
 }
 
 }  // namespace setae::tables

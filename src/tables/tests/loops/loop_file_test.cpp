@@ -39,11 +39,25 @@ TEST(LoopFile, ComesBackWithQuantitiesInSi) {
     const auto loop = read_loop(folder.path("l.csv"));
     EXPECT_EQ(loop.at("force")[1], -2.0 / 3.0);
     EXPECT_TRUE(std::isnan(loop.at("contact_radius")[0]));
-    EXPECT_DOUBLE_EQ(*loop_quantity(loop, "sphere_radius"), 1.25e-3);
-    EXPECT_EQ(loop_quantity(loop, "lens_height"), std::nullopt);
+    EXPECT_DOUBLE_EQ(loop_quantity(loop, "sphere_radius").value().value, 1.25e-3);
+    EXPECT_FALSE(loop_quantity(loop, "sphere_radius").value().uncertain());
+    EXPECT_FALSE(loop_quantity(loop, "lens_height").has_value());
     EXPECT_EQ(loop.metadata.at("surface"), "UNCD: polished");
     EXPECT_THROW((void)loop_quantity(loop, "surface"), InvalidArgument);
     EXPECT_NO_THROW((void)read_loop_table(folder.path("l.csv")));  // any reader of tables takes it
+}
+
+TEST(LoopFile, SaysWhatIsKnownWithAnError) {
+    const TemporaryFolder folder;
+    const auto with = [&](const std::string& entry) {
+        return folder.write("l.csv", "# format: setae loop\n# version: 1\n# " + entry + "\nforce [N],displacement [m]\n1,2\n");
+    };
+    const auto radius = loop_quantity(read_loop(with("sphere_radius: 1.25 ± 0.01 mm")), "sphere_radius").value();
+    EXPECT_DOUBLE_EQ(radius.value, 1.25e-3);
+    EXPECT_DOUBLE_EQ(radius.standard_error, 1e-5);
+    for (const char* refused : {"sphere_radius: 1.25 ± 2 mm", "sphere_radius: -1 mm", "lens_poisson_ratio: 0.6",
+                                "spring_constant: 1 ± 0.1 N/m"})
+        EXPECT_THROW((void)read_loop(with(refused)), FormatError) << refused;
 }
 
 TEST(LoopFile, HandWrittenFilesMayUseOtherUnits) {

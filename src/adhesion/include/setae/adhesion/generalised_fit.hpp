@@ -27,6 +27,7 @@ struct GeneralisedFit {
     ScatterFreedom freedom;                  ///< pairs, surfaces and elastomers less one
     double r_squared = 0.0;                  ///< 1 − SS_res/SS_tot at this W, every pair alike
     double restricted_log_likelihood = 0.0;  ///< of the scatter, without its constant
+    double log_likelihood = 0.0;             ///< of the measured values at this W and scatter, normal: ln density [(J/m²)^−n]
     int n = 0;
     std::optional<Interval> drawn_interval{};  ///< of W by draws, where linear propagation does not hold
 

@@ -11,7 +11,7 @@ namespace setae::loops {
 /// What all loops measured with one lens, camera or machine share: an error of it is in every one of them.
 enum class SharedInput {
     sphere_radius,               ///< R [m]
-    sphere_height,               ///< h of the soft lens [m]
+    sphere_height,               ///< h of the soft lens, or of the soft layer [m]
     poisson_ratio,               ///< ν of the soft body
     machine_stiffness,           ///< k of the machine [N/m]
     force_calibration,           ///< true force over what the record says, f

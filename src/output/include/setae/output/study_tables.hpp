@@ -30,6 +30,8 @@ namespace setae::output {
 [[nodiscard]] tables::TidyTable budget_table(const study::StudyResult& result);
 /// One row a pair and what was left out: its prediction by the other surfaces, or elastomers, beside what was measured.
 [[nodiscard]] tables::TidyTable left_out_table(const study::StudyResult& result);
+/// One row a stated input and shift of it: W_int and the likelihood of the pairs with the input taken for exact there.
+[[nodiscard]] tables::TidyTable profile_table(const study::StudyResult& result);
 /// One row an alert, of everything in the study.
 [[nodiscard]] tables::TidyTable alert_table(const study::StudyResult& result);
 /// One row a surface and wavevector: cumulative rms parameters and stored energy.

@@ -9,6 +9,10 @@
 
 namespace setae::study {
 
+/// Names of all inputs of the pairs of (7) that somebody stated with a ±, in alphabetical order: all but what spectra and
+/// fits of loops bring. Nothing where (7) is not fitted.
+[[nodiscard]] std::vector<std::string> stated_inputs(const StudyResult& result, const Conclusions& conclusions);
+
 /// Everything that could be measured next for a study: every input at half its ±, one more loop on every pair, every
 /// measured surface's measurements once more; with hours where the study tells what it costs.
 [[nodiscard]] std::vector<adhesion::Candidate> candidates_of(const StudyResult& result);

@@ -8,6 +8,7 @@
 #include "setae/adhesion/balance_comparison.hpp"
 #include "setae/adhesion/balance_draws.hpp"
 #include "setae/adhesion/contact_scales.hpp"
+#include "setae/adhesion/input_profile.hpp"
 #include "setae/adhesion/left_out.hpp"
 #include "setae/adhesion/pair_fit.hpp"
 #include "setae/adhesion/predicted_loop.hpp"
@@ -172,6 +173,7 @@ struct Conclusions {
     TracedValue traced_work_of_adhesion;  ///< the same with every input it rests on; of value 0 where there is none
     adhesion::BalanceDraws draws;         ///< of W_int; those of predictions stand with their pairs
     std::vector<adhesion::LeftOutPrediction> left_out;  ///< of (7), where it was fitted
+    std::vector<adhesion::InputProfile> profiles;       ///< of (7), over what is stated of elastomers, loops and instruments
     Outcome<adhesion::WorkFit> modified;
     Outcome<adhesion::WorkFit> persson_tosatti;
     Outcome<adhesion::WorkFit> without_area_change;

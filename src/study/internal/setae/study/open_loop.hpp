@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +34,23 @@ struct OpenedLoop {
 /// @throws FormatError for a force curve whose constants nobody said.
 void require_constants(const Table& curve, const std::string& file);
 
+/// Bodies, and the standard errors of what is stated of them with a ±.
+struct StatedBodies {
+    loops::LensAndCounterBody values;
+    std::map<loops::SharedInput, double> standard_errors;
+
+    /// Takes a number, which is one of `values`, and its ±; what is not stated changes nothing.
+    template <class Number>
+    void take(loops::SharedInput input, Number& number, const std::optional<Estimate>& stated) {
+        if (!stated) return;
+        number = stated->value;
+        standard_errors.erase(input);
+        if (stated->uncertain()) standard_errors[input] = stated->standard_error;
+    }
+};
+
 /// The bodies as far as the loop's metadata say them; radius 0 where they do not.
-[[nodiscard]] loops::LensAndCounterBody bodies_stated_in(const Table& loop);
+[[nodiscard]] StatedBodies bodies_stated_in(const Table& loop);
 
 /// Multiplies the channels of an open loop.
 void apply(const loops::Calibration& factors, OpenedLoop& loop);
@@ -48,5 +64,9 @@ void apply(const loops::Calibration& factors, OpenedLoop& loop);
 [[nodiscard]] loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file,
                                                const loops::LensAndCounterBody& bodies,
                                                const loops::AnalysisOptions& options = {});
+
+/// The same with the ± of what is stated of the bodies in those of the numbers.
+[[nodiscard]] loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file,
+                                               const StatedBodies& bodies, const loops::AnalysisOptions& options);
 
 }  // namespace setae::study

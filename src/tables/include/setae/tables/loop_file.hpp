@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "setae/bytes/source.hpp"
+#include "setae/core/estimate.hpp"
 #include "setae/core/table.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::tables {
 
-/// A key of a loop file: what it means, and its dimension where it is a quantity.
+/// A key of a loop file: what it means, and what it expects where it is a quantity.
 struct LoopKey {
     std::string_view name;
     std::string_view meaning;
-    std::optional<Dimension> dimension;  ///< nothing: text
+    std::optional<Expected> expected{};  ///< nothing: text
+    bool uncertain = false;              ///< may have a ±: "1.25 ± 0.01 mm"
 };
 
 /// The keys setae knows; others are kept as text. docs/reference/loop-format.md lists them.
@@ -27,7 +29,7 @@ struct LoopKey {
 ///
 ///   # format: setae loop
 ///   # version: 1
-///   # sphere_radius: 1.25 mm
+///   # sphere_radius: 1.25 ± 0.01 mm
 ///   time [s],force [N],displacement [m],contact_radius [m]
 ///
 /// Numbers have all their digits, NaN is an empty cell. Of `metadata` every key but "format", "version", "file",
@@ -55,8 +57,8 @@ void write_loop(const std::string& path, const Table& table, const std::map<std:
 /// quantity, a key given twice, a row of another length, a cell that is no number, columns that make no loop.
 [[nodiscard]] Table read_loop(const std::string& path);
 
-/// A quantity of the metadata in SI; nothing where it is not stated.
+/// A quantity of the metadata in SI, with its ± where the file states one; nothing where it is not stated.
 /// @throws InvalidArgument where `key` is no quantity setae knows or its value is malformed.
-[[nodiscard]] std::optional<double> loop_quantity(const Table& loop, const std::string& key);
+[[nodiscard]] std::optional<Estimate> loop_quantity(const Table& loop, const std::string& key);
 
 }  // namespace setae::tables
