@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/fourier/map_filter.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
+#include "setae/core/summation.hpp"
+
+namespace setae::fourier {
+namespace {
+
+/// Columns transformed together, one cache line of the half spectrum a row and two; their room stays in the cache.
+constexpr Index columns_per_block = 8;
+/// Rows handed to a thread at once.
+constexpr Index rows_per_task = 16;
+/// Below so many modes a second thread costs more than it brings.
+constexpr Index modes_for_threads = 128 * 64;
+
+Index blocks_of(Index n, Index block) { return (n + block - 1) / block; }
+
+/// On cache lines, and never a power of two apart, or lines fight for the same places of the cache.
+Index stride_for(Index modes) { return (modes + 3) / 4 * 4 + 4; }
+
+Index checked_side(Index points, Index period, const char* side) {
+    if (points < 1 || period < points)
+        throw InvalidArgument(
+            fmt::format("a filter of {} points along {} with a period of {}; expected at least 1 "
+                        "point and a period no shorter",
+                        points, side, period));
+    return points;
+}
+
+/// z(k) T(k) for a whole column: T is even in k.
+void multiply(Complex* column, Index period, const double* factors) {
+    const Index half = period / 2;
+    for (Index k = 0; k <= half; ++k) column[k] *= factors[k];
+    for (Index k = half + 1; k < period; ++k) column[k] *= factors[period - k];
+}
+
+double weighted_power(const Complex* column, Index period, const double* factors) {
+    double sum = 0.0;
+    for (Index k = 0; k < period; ++k) sum += factors[std::min(k, period - k)] * std::norm(column[k]);
+    return sum;
+}
+
+}  // namespace
+
+MapFilter::MapFilter(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads)
+    : nx_(checked_side(nx, period_x, "x")),
+      ny_(checked_side(ny, period_y, "y")),
+      stride_(stride_for(period_y / 2 + 1)),
+      column_stride_(stride_for(period_x)),
+      along_y_(period_y),
+      back_along_y_(period_y),
+      along_x_(period_x, ComplexTransform::Sign::minus),
+      back_along_x_(period_x, ComplexTransform::Sign::plus),
+      threads_{nx * (period_y / 2 + 1) < modes_for_threads ? 1 : threads.resolved()},
+      half_(extent(nx * stride_)),
+      rooms_(extent(threads_.count)) {
+    for (Room& room : rooms_) {
+        room.line.assign(extent(period_y), 0.0);
+        room.lines.resize(extent(columns_per_block * column_stride_));
+    }
+}
+
+void MapFilter::with_rooms(Index tasks, const std::function<void(Index, Room&)>& body) {
+    std::atomic<Index> next{0};
+    parallel::for_each_index(rooms_.size(), threads_, [&](std::size_t worker) {
+        for (Index task = next.fetch_add(1); task < tasks; task = next.fetch_add(1)) body(task, rooms_[worker]);
+    });
+}
+
+Multiplier MapFilter::multiplier(const std::function<double(Index, Index)>& factor) const {
+    Multiplier result{.modes_x = period_x() / 2 + 1, .modes_y = period_y() / 2 + 1, .values = {}};
+    result.values.resize(extent(result.modes_x * result.modes_y));
+    const double points = static_cast<double>(period_x()) * static_cast<double>(period_y());
+    parallel::for_each_index(extent(result.modes_y), threads_, [&](std::size_t m) {
+        double* line = result.values.data() + static_cast<Index>(m) * result.modes_x;
+        for (Index k = 0; k < result.modes_x; ++k) line[k] = factor(k, static_cast<Index>(m)) / points;
+    });
+    return result;
+}
+
+void MapFilter::forward_rows(const LoadRow& load) {
+    with_rooms(blocks_of(nx_, rows_per_task), [&](Index task, Room& room) {
+        std::fill(room.line.begin() + ny_, room.line.end(), 0.0);
+        const Index first = task * rows_per_task;
+        for (Index i = first; i < std::min(nx_, first + rows_per_task); ++i) {
+            load(i, room.line.data());
+            along_y_.forward(room.line.data(), half_.data() + i * stride_);
+        }
+    });
+}
+
+void MapFilter::gather(Index first, Index lines, Complex* to) const {
+    for (Index i = 0; i < nx_; ++i) {
+        const Complex* row = half_.data() + i * stride_ + first;
+        for (Index m = 0; m < lines; ++m) to[m * column_stride_ + i] = row[m];
+    }
+    for (Index m = 0; m < lines; ++m)
+        std::fill(to + m * column_stride_ + nx_, to + m * column_stride_ + period_x(), Complex{});
+}
+
+void MapFilter::scatter(Index first, Index lines, const Complex* from) {
+    for (Index i = 0; i < nx_; ++i) {
+        Complex* row = half_.data() + i * stride_ + first;
+        for (Index m = 0; m < lines; ++m) row[m] = from[m * column_stride_ + i];
+    }
+}
+
+void MapFilter::apply(const Multiplier& multiplier, const LoadRow& load, const StoreRow& store) {
+    forward_rows(load);
+    with_rooms(blocks_of(multiplier.modes_y, columns_per_block), [&](Index block, Room& room) {
+        const Index first = block * columns_per_block, lines = std::min(columns_per_block, multiplier.modes_y - first);
+        gather(first, lines, room.lines.data());
+        for (Index m = 0; m < lines; ++m) {
+            Complex* column = room.lines.data() + m * column_stride_;
+            along_x_.apply(column);
+            multiply(column, period_x(), multiplier.line(first + m));
+            back_along_x_.apply(column);
+        }
+        scatter(first, lines, room.lines.data());
+    });
+    with_rooms(blocks_of(nx_, rows_per_task), [&](Index task, Room& room) {
+        const Index first = task * rows_per_task;
+        for (Index i = first; i < std::min(nx_, first + rows_per_task); ++i) {
+            back_along_y_.apply(half_.data() + i * stride_, room.line.data());
+            store(i, room.line.data());
+        }
+    });
+}
+
+double MapFilter::quadratic_form(const Multiplier& multiplier, const LoadRow& load) {
+    forward_rows(load);
+    Array1D sums(multiplier.modes_y);
+    with_rooms(blocks_of(multiplier.modes_y, columns_per_block), [&](Index block, Room& room) {
+        const Index first = block * columns_per_block, lines = std::min(columns_per_block, multiplier.modes_y - first);
+        gather(first, lines, room.lines.data());
+        for (Index m = 0; m < lines; ++m) {
+            Complex* column = room.lines.data() + m * column_stride_;
+            along_x_.apply(column);
+            const Index line = first + m;
+            const bool twice = line > 0 && 2 * line != period_y();  // the other half of the spectrum
+            sums[line] = (twice ? 2.0 : 1.0) * weighted_power(column, period_x(), multiplier.line(line));
+        }
+    });
+    return pairwise_sum(sums);
+}
+
+}  // namespace setae::fourier

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/fourier/map_filter.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::fourier::map_filter_test {
+namespace {
+
+/// Kernel at a distance, even, on a grid of these periods.
+double kernel(Index dx, Index dy) {
+    return std::exp(-0.3 * std::abs(static_cast<double>(dx)) - 0.2 * std::abs(static_cast<double>(dy)));
+}
+
+Index folded(Index d, Index period) { return d > period / 2 ? d - period : d; }
+
+/// The kernel's transform, by plain sums.
+double transform(Index k, Index m, Index px, Index py) {
+    double sum = 0.0;
+    for (Index i = 0; i < px; ++i)
+        for (Index j = 0; j < py; ++j)
+            sum += kernel(folded(i, px), folded(j, py)) *
+                   std::cos(2.0 * pi * static_cast<double>(k * i) / static_cast<double>(px)) *
+                   std::cos(2.0 * pi * static_cast<double>(m * j) / static_cast<double>(py));
+    return sum;
+}
+
+struct Case {
+    Index nx, ny, px, py;
+};
+
+class Filtered : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Filtered, MapIsTheConvolution) {
+    const auto [nx, ny, px, py] = GetParam();
+    MapFilter filter(nx, ny, px, py);
+    const Multiplier T = filter.multiplier([&](Index k, Index m) { return transform(k, m, px, py); });
+    const Array2D x = Array2D::Random(nx, ny);
+    Array2D y(nx, ny);
+    const LoadRow load = [&](Index i, double* line) { Eigen::Map<Eigen::ArrayXd>(line, ny) = x.row(i).transpose(); };
+    filter.apply(T, load, [&](Index i, const double* line) {
+        y.row(i) = Eigen::Map<const Eigen::ArrayXd>(line, ny).transpose();
+    });
+    double largest = 0.0, form = 0.0;
+    for (Index i = 0; i < nx; ++i)
+        for (Index j = 0; j < ny; ++j) {
+            double sum = 0.0;
+            for (Index a = 0; a < nx; ++a)
+                for (Index b = 0; b < ny; ++b)
+                    sum += x(a, b) * kernel(folded((i - a + px) % px, px), folded((j - b + py) % py, py));
+            largest = std::max(largest, std::abs(sum - y(i, j)));
+            form += x(i, j) * sum;
+        }
+    EXPECT_LT(largest, 1e-13 * static_cast<double>(nx + ny));
+    EXPECT_NEAR(filter.quadratic_form(T, load), form, 1e-12 * std::abs(form));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEvenAndOddSides, Filtered,
+                         ::testing::Values(Case{8, 8, 8, 8}, Case{7, 5, 7, 5}, Case{6, 9, 12, 18}, Case{5, 8, 10, 8},
+                                           Case{1, 12, 1, 12}, Case{9, 1, 18, 1}, Case{1, 1, 1, 1},
+                                           Case{20, 30, 39, 30}));
+
+TEST(MapFilter, RefusesPeriodsShorterThanTheMap) {
+    EXPECT_THROW(MapFilter(8, 8, 7, 8), InvalidArgument);
+    EXPECT_THROW(MapFilter(0, 8, 8, 8), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace setae::fourier::map_filter_test

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "setae/core/arrays.hpp"
+#include "setae/fourier/map_filter.hpp"
+#include "setae/half_space/body.hpp"
+#include "setae/half_space/grid.hpp"
+#include "setae/parallel/for_each.hpp"
+
+namespace setae::half_space {
+
+/// What lies beyond the edges of the map.
+enum class Edges {
+    periodic,          ///< the map again, and again
+    free,              ///< a surface without pressure
+    periodic_along_x,  ///< the map again along x, no pressure along y
+    periodic_along_y,  ///< the map again along y, no pressure along x
+};
+
+/// What the mean pressure does to the mean displacement.
+enum class MeanDisplacement {
+    finite,     ///< ⟨u⟩ = ⟨p⟩/k(0), or the free surface's own
+    undefined,  ///< an infinite body under pressure everywhere: only differences of u are known, ⟨u⟩ is set to 0
+    blocked,    ///< an incompressible layer: k(0) is infinite and ⟨u⟩ = 0
+};
+
+/// Normal response of an elastic body to pressure on its surface, both constant over pixels and read at their centres.
+///
+///   u_q = p_q/k(q),  p_q = k(q) u_q      k(q): stiffness(), q = 2π (k/size_x, m/size_y) folded to the nearest zero
+///
+/// p [Pa] presses where > 0, u [m] > 0 is the way the surface gives. Maps have the grid's shape; input and output may
+/// be the same map. One transform there and one back, real, in three passes over scratch that stays: nothing is
+/// allocated per call. An object serves one call at a time. Same bytes for any number of threads.
+class ElasticOperator {
+public:
+    /// @throws InvalidArgument for a grid or body outside its domain.
+    ElasticOperator(const Grid& grid, const Body& body, Edges edges = Edges::periodic, parallel::Threads threads = {});
+
+    [[nodiscard]] const Grid& grid() const { return grid_; }
+    [[nodiscard]] const Body& body() const { return body_; }
+    [[nodiscard]] Edges edges() const { return edges_; }
+    [[nodiscard]] MeanDisplacement mean_displacement() const;
+
+    /// k(q_min) [Pa/m]: of the longest wave the map holds.
+    [[nodiscard]] double least_stiffness() const { return least_stiffness_; }
+    /// k_max [Pa/m]: of the shortest wave, in the corner of the spectrum.
+    [[nodiscard]] double greatest_stiffness() const { return greatest_stiffness_; }
+
+    void displacements(const ArrayView2D& pressures, Eigen::Ref<Array2D> displacements);
+    /// The mean of the displacements counts only where mean_displacement() is finite.
+    void pressures(const ArrayView2D& displacements, Eigen::Ref<Array2D> pressures);
+
+    /// Stored energy [J] from the modes, one transform: A/2 Σ_q |p_q|²/k(q), and A/2 Σ_q k(q) |u_q|².
+    [[nodiscard]] double energy_of_pressures(const ArrayView2D& pressures);
+    [[nodiscard]] double energy_of_displacements(const ArrayView2D& displacements);
+
+    // For solvers, whose own arithmetic rides along with the transforms.
+
+    /// factor(k(q)) of every mode, for apply(); factor(k(0)) gets 0 where the mean displacement is undefined, infinity
+    /// where it is blocked.
+    [[nodiscard]] fourier::Multiplier multiplier(const std::function<double(double stiffness)>& factor) const;
+    /// 1/k and k, 0 for the mean where it is undefined or blocked. Made when first asked for.
+    [[nodiscard]] const fourier::Multiplier& compliance();
+    [[nodiscard]] const fourier::Multiplier& stiffness();
+    /// A map, row by row, times a multiplier of this operator.
+    void apply(const fourier::Multiplier& multiplier, const fourier::LoadRow& load, const fourier::StoreRow& store) {
+        filter_.apply(multiplier, load, store);
+    }
+
+private:
+    [[nodiscard]] double wavevector(Index k, Index m) const;
+
+    Grid grid_;
+    Body body_;
+    Edges edges_;
+    fourier::MapFilter filter_;
+    double least_stiffness_, greatest_stiffness_;
+    std::optional<fourier::Multiplier> compliance_, stiffness_;
+};
+
+/// Stored energy [J] in real space, ½ Σ p u times the area of a pixel. @throws InvalidArgument for maps of other
+/// shapes than the grid's.
+[[nodiscard]] double stored_energy(const ArrayView2D& pressures, const ArrayView2D& displacements, const Grid& grid);
+
+}  // namespace setae::half_space

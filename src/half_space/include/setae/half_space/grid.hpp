@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::half_space {
+
+/// Points and widths of a map of pressures, displacements or heights, shape (nx, ny): x_i = i size_x/nx. One of nx and
+/// ny may be 1: then nothing depends on that coordinate, a line contact, and the width along it is its length.
+struct Grid {
+    Index nx = 0, ny = 0;               ///< >= 1
+    double size_x = 0.0, size_y = 0.0;  ///< [m], > 0
+
+    [[nodiscard]] Index points() const { return nx * ny; }
+    [[nodiscard]] double pixel_x() const { return size_x / static_cast<double>(nx); }
+    [[nodiscard]] double pixel_y() const { return size_y / static_cast<double>(ny); }
+    [[nodiscard]] double pixel_area() const { return pixel_x() * pixel_y(); }
+    [[nodiscard]] double area() const { return size_x * size_y; }
+
+    friend bool operator==(const Grid&, const Grid&) = default;
+};
+
+/// Refuses a grid outside its domain. @throws InvalidArgument.
+void require(const Grid& grid);
+
+/// Refuses a map of another shape than the grid's; `what` names it. @throws InvalidArgument.
+void require_shape(const ArrayView2D& map, const Grid& grid, const char* what);
+
+}  // namespace setae::half_space
