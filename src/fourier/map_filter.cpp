@@ -41,6 +41,22 @@ void multiply(Complex* column, Index period, const double* factors) {
     for (Index k = half + 1; k < period; ++k) column[k] *= factors[period - k];
 }
 
+void transform_along_y(Multiplier& values, parallel::Threads threads) {
+    const EvenTransform transform(values.modes_y);
+    parallel::for_each_index(extent(blocks_of(values.modes_x, columns_per_block)), threads, [&](std::size_t block) {
+        const Index first = static_cast<Index>(block) * columns_per_block,
+                    last = std::min(values.modes_x, first + columns_per_block);
+        Buffer<double> columns(extent((last - first) * values.modes_y));
+        for (Index m = 0; m < values.modes_y; ++m)
+            for (Index k = first; k < last; ++k)
+                columns[extent((k - first) * values.modes_y + m)] = values.values[extent(m * values.modes_x + k)];
+        for (Index k = first; k < last; ++k) transform.apply(columns.data() + (k - first) * values.modes_y);
+        for (Index m = 0; m < values.modes_y; ++m)
+            for (Index k = first; k < last; ++k)
+                values.values[extent(m * values.modes_x + k)] = columns[extent((k - first) * values.modes_y + m)];
+    });
+}
+
 double weighted_power(const Complex* column, Index period, const double* factors) {
     double sum = 0.0;
     for (Index k = 0; k < period; ++k) sum += factors[std::min(k, period - k)] * std::norm(column[k]);
@@ -82,6 +98,27 @@ Multiplier MapFilter::multiplier(const std::function<double(Index, Index)>& fact
         double* line = result.values.data() + static_cast<Index>(m) * result.modes_x;
         for (Index k = 0; k < result.modes_x; ++k) line[k] = factor(k, static_cast<Index>(m)) / points;
     });
+    return result;
+}
+
+Multiplier MapFilter::kernel_multiplier(const std::function<double(Index, Index)>& kernel, KernelAxes along) const {
+    const auto require_even = [](Index period, const char* axis) {
+        if (period % 2 != 0)
+            throw InvalidArgument(
+                fmt::format("a kernel along {} needs an even period, the filter has {} points", axis, period));
+    };
+    Multiplier result = multiplier(kernel);
+    if (along != KernelAxes::y) {
+        require_even(period_x(), "x");
+        const EvenTransform transform(result.modes_x);
+        parallel::for_each_index(extent(result.modes_y), threads_, [&](std::size_t m) {
+            transform.apply(result.values.data() + static_cast<Index>(m) * result.modes_x);
+        });
+    }
+    if (along != KernelAxes::x) {
+        require_even(period_y(), "y");
+        transform_along_y(result, threads_);
+    }
     return result;
 }
 

@@ -88,6 +88,14 @@ fftw_plan plan_complex(Index n, ComplexTransform::Sign sign) {
         n);
 }
 
+fftw_plan plan_even(Index n) {
+    const Room<double> values(n);
+    const std::lock_guard lock(planner_mutex());
+    return checked(fftw_plan_r2r_1d(static_cast<int>(n), values.data(), values.data(), FFTW_REDFT00,
+                                    FFTW_ESTIMATE | FFTW_UNALIGNED),
+                   n);
+}
+
 }  // namespace
 
 struct RealTransform::Plan : PlanHandle {
@@ -131,5 +139,20 @@ ComplexTransform& ComplexTransform::operator=(ComplexTransform&&) noexcept = def
 void ComplexTransform::apply(Complex* values) const {
     fftw_execute_dft(plan_->handle, as_fftw(values), as_fftw(values));
 }
+
+struct EvenTransform::Plan : PlanHandle {
+    using PlanHandle::PlanHandle;
+};
+
+EvenTransform::EvenTransform(Index points) : points_(points) {
+    require_points(points);
+    if (points < 2) throw InvalidArgument("the even transform of one point; expected at least 2");
+    plan_ = std::make_unique<Plan>(plan_even(points));
+}
+EvenTransform::~EvenTransform() = default;
+EvenTransform::EvenTransform(EvenTransform&&) noexcept = default;
+EvenTransform& EvenTransform::operator=(EvenTransform&&) noexcept = default;
+
+void EvenTransform::apply(double* values) const { fftw_execute_r2r(plan_->handle, values, values); }
 
 }  // namespace setae::fourier

@@ -4,15 +4,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "pixel_kernels.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
+#include "setae/fourier/fast_length.hpp"
 
 namespace setae::half_space {
 namespace {
 
-const Grid& checked(const Grid& grid) {
+bool repeats_along_x(Edges edges) { return edges == Edges::periodic || edges == Edges::periodic_along_x; }
+bool repeats_along_y(Edges edges) { return edges == Edges::periodic || edges == Edges::periodic_along_y; }
+
+/// Along an axis that does not repeat, room for as many points without pressure, even and fast to transform.
+Index period(Index points, bool repeats) { return repeats ? points : 2 * fourier::fast_length(points); }
+
+const Grid& checked(const Grid& grid, const Body& body, Edges edges) {
     require(grid);
+    require(body);
+    if (edges == Edges::periodic) return grid;
+    if (body.layer) throw InvalidArgument("a layer with free edges; expected periodic edges, or a half-space");
+    if ((grid.nx == 1 && !repeats_along_x(edges)) || (grid.ny == 1 && !repeats_along_y(edges)))
+        throw InvalidArgument(
+            fmt::format("{} x {} points with free edges across the line; expected edges periodic "
+                        "along its length",
+                        grid.nx, grid.ny));
     return grid;
 }
 
@@ -31,26 +49,26 @@ fourier::StoreRow rows_to(Eigen::Ref<Array2D>& map) {
 }  // namespace
 
 ElasticOperator::ElasticOperator(const Grid& grid, const Body& body, Edges edges, parallel::Threads threads)
-    : grid_(checked(grid)), body_(body), edges_(edges), filter_(grid.nx, grid.ny, grid.nx, grid.ny, threads) {
-    require(body);
-    if (edges != Edges::periodic) throw InvalidArgument("edges of the map are not periodic; expected periodic edges");
-    const Index longest_x = std::min<Index>(1, grid.nx / 2), longest_y = std::min<Index>(1, grid.ny / 2);
-    double least = 0.0;  // of a grid of one point, which holds no wave
-    if (longest_x > 0) least = half_space::stiffness(wavevector(longest_x, 0), body_);
-    if (longest_y > 0) {
-        const double along_y = half_space::stiffness(wavevector(0, longest_y), body_);
-        least = longest_x > 0 ? std::min(least, along_y) : along_y;
-    }
-    least_stiffness_ = least;
-    greatest_stiffness_ =
-        longest_x + longest_y > 0 ? half_space::stiffness(wavevector(grid.nx / 2, grid.ny / 2), body_) : 0.0;
+    : grid_(checked(grid, body, edges)),
+      body_(body),
+      edges_(edges),
+      filter_(grid.nx, grid.ny, period(grid.nx, repeats_along_x(edges)), period(grid.ny, repeats_along_y(edges)),
+              threads) {
+    const double x = grid.nx > 1 ? 2.0 * pi / grid.size_x : 0.0, y = grid.ny > 1 ? 2.0 * pi / grid.size_y : 0.0;
+    const double longest = x > 0.0 && y > 0.0 ? std::min(x, y) : std::max(x, y);
+    const double shortest = std::hypot(x * static_cast<double>(grid.nx / 2), y * static_cast<double>(grid.ny / 2));
+    least_stiffness_ = longest > 0.0 ? half_space::stiffness(longest, body_) : 0.0;
+    greatest_stiffness_ = shortest > 0.0 ? half_space::stiffness(shortest, body_) : 0.0;
 }
 
 double ElasticOperator::wavevector(Index k, Index m) const {
-    return 2.0 * pi * std::hypot(static_cast<double>(k) / grid_.size_x, static_cast<double>(m) / grid_.size_y);
+    const double length_x = static_cast<double>(filter_.period_x()) * grid_.pixel_x(),
+                 length_y = static_cast<double>(filter_.period_y()) * grid_.pixel_y();
+    return 2.0 * pi * std::hypot(static_cast<double>(k) / length_x, static_cast<double>(m) / length_y);
 }
 
 MeanDisplacement ElasticOperator::mean_displacement() const {
+    if (edges_ == Edges::free) return MeanDisplacement::finite;
     const double mean = half_space::stiffness(0.0, body_);
     if (mean == 0.0) return MeanDisplacement::undefined;
     return std::isinf(mean) ? MeanDisplacement::blocked : MeanDisplacement::finite;
@@ -60,12 +78,40 @@ fourier::Multiplier ElasticOperator::multiplier(const std::function<double(doubl
     return filter_.multiplier([&](Index k, Index m) { return factor(half_space::stiffness(wavevector(k, m), body_)); });
 }
 
+fourier::Multiplier ElasticOperator::made_compliance() const {
+    using Axes = fourier::MapFilter::KernelAxes;
+    const double dx = grid_.pixel_x(), dy = grid_.pixel_y(), modulus = body_.contact_modulus;
+    const auto place = [](Index i, double step) { return static_cast<double>(i) * step; };
+    switch (edges_) {
+        case Edges::free:
+            return filter_.kernel_multiplier([&](Index i, Index j) {
+                return rectangle_displacement(place(i, dx), place(j, dy), {0.5 * dx, 0.5 * dy}) / modulus;
+            });
+        case Edges::periodic_along_x:
+            return filter_.kernel_multiplier(
+                [&](Index k, Index j) {
+                    return strip_displacement(wavevector(k, 0), place(j, dy), 0.5 * dy, grid_.size_x) / modulus;
+                },
+                Axes::y);
+        case Edges::periodic_along_y:
+            return filter_.kernel_multiplier(
+                [&](Index i, Index m) {
+                    return strip_displacement(wavevector(0, m), place(i, dx), 0.5 * dx, grid_.size_y) / modulus;
+                },
+                Axes::x);
+        case Edges::periodic: break;
+    }
+    return multiplier([](double k) { return k > 0.0 ? 1.0 / k : 0.0; });
+}
+
 const fourier::Multiplier& ElasticOperator::compliance() {
-    if (!compliance_) compliance_ = multiplier([](double k) { return k > 0.0 ? 1.0 / k : 0.0; });
+    if (!compliance_) compliance_ = made_compliance();
     return *compliance_;
 }
 
 const fourier::Multiplier& ElasticOperator::stiffness() {
+    if (edges_ != Edges::periodic)
+        throw InvalidArgument("pressures of displacements with free edges; expected periodic edges");
     if (!stiffness_) stiffness_ = multiplier([](double k) { return std::isinf(k) ? 0.0 : k; });
     return *stiffness_;
 }

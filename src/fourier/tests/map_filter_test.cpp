@@ -64,6 +64,16 @@ INSTANTIATE_TEST_SUITE_P(OfEvenAndOddSides, Filtered,
                                            Case{1, 12, 1, 12}, Case{9, 1, 18, 1}, Case{1, 1, 1, 1},
                                            Case{20, 30, 39, 30}));
 
+TEST(MapFilter, TakesAKernelInPlaceOfItsTransform) {
+    const Index px = 12, py = 10;
+    const MapFilter filter(5, 4, px, py);
+    const Multiplier by_sums = filter.multiplier([&](Index k, Index m) { return transform(k, m, px, py); });
+    const Multiplier by_kernel = filter.kernel_multiplier(kernel);
+    ASSERT_EQ(by_sums.values.size(), by_kernel.values.size());
+    for (std::size_t i = 0; i < by_sums.values.size(); ++i) EXPECT_NEAR(by_sums.values[i], by_kernel.values[i], 1e-15);
+    EXPECT_THROW((void)MapFilter(5, 4, 11, 10).kernel_multiplier(kernel), InvalidArgument);
+}
+
 TEST(MapFilter, RefusesPeriodsShorterThanTheMap) {
     EXPECT_THROW(MapFilter(8, 8, 7, 8), InvalidArgument);
     EXPECT_THROW(MapFilter(0, 8, 8, 8), InvalidArgument);

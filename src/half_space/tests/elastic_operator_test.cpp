@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
+#include "pixel_kernels.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/random_numbers.hpp"
@@ -60,6 +61,61 @@ TEST(ElasticOperator, StoresTheSameEnergyInRealAndInFourierSpace) {
         }
 }
 
+TEST(ElasticOperator, WithFreeEdgesSumsOverPixels) {
+    for (const Grid& grid : {Grid{12, 9, 3e-6, 1e-6}, Grid{7, 16, 1e-6, 1e-6}}) {
+        ElasticOperator response(grid, rubber, Edges::free);
+        const Array2D p = noise(grid, 2);
+        Array2D u(grid.nx, grid.ny);
+        response.displacements(p, u);
+        double error = 0.0;
+        for (Index i = 0; i < grid.nx; ++i)
+            for (Index j = 0; j < grid.ny; ++j) {
+                double sum = 0.0;
+                for (Index k = 0; k < grid.nx; ++k)
+                    for (Index m = 0; m < grid.ny; ++m)
+                        sum += p(k, m) * rectangle_displacement(static_cast<double>(i - k) * grid.pixel_x(),
+                                                                static_cast<double>(j - m) * grid.pixel_y(),
+                                                                {0.5 * grid.pixel_x(), 0.5 * grid.pixel_y()});
+                error = std::max(error, std::abs(u(i, j) - sum / 2e6));
+            }
+        EXPECT_LT(error, 1e-14 * u.abs().maxCoeff());
+        EXPECT_NEAR(response.energy_of_pressures(p) / stored_energy(p, u, grid), 1.0, 1e-12);
+        EXPECT_EQ(response.mean_displacement(), MeanDisplacement::finite);
+    }
+}
+
+TEST(ElasticOperator, PeriodicAlongOneAxisSumsOverStrips) {
+    const Grid grid{9, 16, 2e-6, 3e-6}, turned{16, 9, 3e-6, 2e-6};
+    ElasticOperator along_x(grid, rubber, Edges::periodic_along_x), along_y(turned, rubber, Edges::periodic_along_y);
+    const Array2D p = noise(grid, 4);
+    Array2D u(grid.nx, grid.ny), v(turned.nx, turned.ny);
+    along_x.displacements(p, u);
+    along_y.displacements(p.transpose(), v);
+    EXPECT_LT((u - v.transpose()).abs().maxCoeff(), 1e-14 * u.abs().maxCoeff());
+    EXPECT_NEAR(along_x.energy_of_pressures(p) / stored_energy(p, u, grid), 1.0, 1e-12);
+    // one wave along x on one row
+    Array2D row = Array2D::Zero(grid.nx, grid.ny);
+    row.col(5) = wave(grid, 2, 0).col(0);
+    along_x.displacements(row, u);
+    const double q = 2.0 * 2.0 * pi / grid.size_x;
+    for (Index j = 0; j < grid.ny; ++j) {
+        const double amplitude =
+            strip_displacement(q, static_cast<double>(j - 5) * grid.pixel_y(), 0.5 * grid.pixel_y(), grid.size_x) / 2e6;
+        EXPECT_LT((u.col(j) - amplitude * row.col(5)).abs().maxCoeff(), 1e-20);
+    }
+    EXPECT_EQ(along_x.mean_displacement(), MeanDisplacement::undefined);
+}
+
+TEST(ElasticOperator, OfALineContactFollowsTheLogarithm) {
+    // a line force q on a plane: u = −(2q/πE*) ln r + constant; a pixel of it, over its own width
+    const Grid line{1, 64, 1.0, 64e-6};
+    ElasticOperator response(line, rubber, Edges::periodic_along_x);
+    Array2D p = Array2D::Zero(1, 64), u(1, 64);
+    p(0, 0) = 1e6;
+    response.displacements(p, u);
+    EXPECT_NEAR((u(0, 20) - u(0, 60)) / (2.0 * 1.0 / (pi * 2e6) * std::log(3.0)), 1.0, 2e-4);  // (1/24)(1/20)²/ln 3
+}
+
 TEST(ElasticOperator, SaysWhatBecomesOfTheMean) {
     const Grid grid{8, 8, 1e-6, 1e-6};
     const Array2D uniform = Array2D::Constant(8, 8, 5.0);
@@ -108,6 +164,11 @@ TEST(ElasticOperator, RefusesWhatItCannotAnswer) {
     Array2D wrong(8, 7), right(8, 8);
     EXPECT_THROW(response.displacements(wrong, right), InvalidArgument);
     EXPECT_THROW((void)stiffness(-1.0, rubber), InvalidArgument);
+    const Body layer{.contact_modulus = 2e6, .layer = Layer{.thickness = 1e-7}};
+    EXPECT_THROW(ElasticOperator({8, 8, 1e-6, 1e-6}, layer, Edges::free), InvalidArgument);
+    EXPECT_THROW(ElasticOperator({1, 8, 1e-6, 1e-6}, rubber, Edges::free), InvalidArgument);
+    ElasticOperator free({8, 8, 1e-6, 1e-6}, rubber, Edges::free);
+    EXPECT_THROW(free.pressures(right, right), InvalidArgument);
 }
 
 TEST(Stiffness, OfALayerHasItsPublishedFactors) {

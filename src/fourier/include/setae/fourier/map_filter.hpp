@@ -45,6 +45,17 @@ public:
     /// T(k, m) = factor(k, m), k = 0 … period_x/2, m = 0 … period_y/2. `factor` is called from any thread.
     [[nodiscard]] Multiplier multiplier(const std::function<double(Index k, Index m)>& factor) const;
 
+    /// T of a filter given as an even kernel of the distance, counted in points.
+    ///
+    ///   y_ij = Σ K(i − i', j − j') x_i'j'
+    ///
+    /// Along one axis alone, the other argument is a mode as in T.
+    /// `kernel` is called for i = 0 … period_x/2, j = 0 … period_y/2, from any thread.
+    /// @throws InvalidArgument for an odd period along an axis of the kernel.
+    enum class KernelAxes { x, y, both };
+    [[nodiscard]] Multiplier kernel_multiplier(const std::function<double(Index i, Index j)>& kernel,
+                                               KernelAxes along = KernelAxes::both) const;
+
     /// `load` and `store` may read and write the same map.
     void apply(const Multiplier& multiplier, const LoadRow& load, const StoreRow& store);
 

@@ -84,4 +84,26 @@ private:
     std::unique_ptr<Plan> plan_;
 };
 
+/// The spectrum of an even periodic sequence from half of it, in place.
+///
+///   z_k = x_0 + (−1)^k x_N + 2 sum_{j=1}^{N−1} x_j cos(πjk/N),  k = 0 … N,  of x_j = x_{2N−j}
+class EvenTransform {
+public:
+    /// points = N + 1. @throws InvalidArgument for points < 2.
+    explicit EvenTransform(Index points);
+    ~EvenTransform();
+    EvenTransform(EvenTransform&&) noexcept;
+    EvenTransform& operator=(EvenTransform&&) noexcept;
+
+    [[nodiscard]] Index points() const { return points_; }
+
+    /// Any number of threads may call it at once.
+    void apply(double* values) const;
+
+private:
+    struct Plan;
+    Index points_;
+    std::unique_ptr<Plan> plan_;
+};
+
 }  // namespace setae::fourier

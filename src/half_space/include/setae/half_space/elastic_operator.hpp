@@ -23,20 +23,25 @@ enum class Edges {
 /// What the mean pressure does to the mean displacement.
 enum class MeanDisplacement {
     finite,     ///< ⟨u⟩ = ⟨p⟩/k(0), or the free surface's own
-    undefined,  ///< an infinite body under pressure everywhere: only differences of u are known, ⟨u⟩ is set to 0
+    undefined,  ///< an infinite body loaded without end: only differences of u are known; ⟨u⟩ = 0 if periodic
     blocked,    ///< an incompressible layer: k(0) is infinite and ⟨u⟩ = 0
 };
 
-/// Normal response of an elastic body to pressure on its surface, both constant over pixels and read at their centres.
+/// Normal response of an elastic body to pressure on its surface.
 ///
 ///   u_q = p_q/k(q),  p_q = k(q) u_q      k(q): stiffness(), q = 2π (k/size_x, m/size_y) folded to the nearest zero
 ///
-/// p [Pa] presses where > 0, u [m] > 0 is the way the surface gives. Maps have the grid's shape; input and output may
-/// be the same map. One transform there and one back, real, in three passes over scratch that stays: nothing is
-/// allocated per call. An object serves one call at a time. Same bytes for any number of threads.
+/// along axes where the map repeats itself: pressures are its waves. Along free axes they are constant over pixels,
+/// displacements are read at pixels' centres, and the map is padded with as many points without pressure, which makes
+/// the sum over pixels exact; layers need periodic edges. Of a body loaded all along one axis the zero of u is
+/// arbitrary (strip_displacement in pixel_kernels.hpp says which it is). p [Pa] presses where > 0, u [m] > 0 is the way
+/// the surface gives. Maps have the grid's shape; input and output may be the same map. One transform there and one
+/// back, real, in three passes over scratch that stays: nothing is allocated per call. An object serves one call at a
+/// time. Same bytes for any number of threads.
 class ElasticOperator {
 public:
-    /// @throws InvalidArgument for a grid or body outside its domain.
+    /// @throws InvalidArgument for a grid or body outside its domain, a layer without periodic edges, and one line of
+    /// points with free edges (a line contact repeats itself along its length).
     ElasticOperator(const Grid& grid, const Body& body, Edges edges = Edges::periodic, parallel::Threads threads = {});
 
     [[nodiscard]] const Grid& grid() const { return grid_; }
@@ -50,7 +55,8 @@ public:
     [[nodiscard]] double greatest_stiffness() const { return greatest_stiffness_; }
 
     void displacements(const ArrayView2D& pressures, Eigen::Ref<Array2D> displacements);
-    /// The mean of the displacements counts only where mean_displacement() is finite.
+    /// The mean of the displacements counts only where mean_displacement() is finite. @throws InvalidArgument unless
+    /// edges are periodic: displacements beyond free ones are not known.
     void pressures(const ArrayView2D& displacements, Eigen::Ref<Array2D> pressures);
 
     /// Stored energy [J] from the modes, one transform: A/2 Σ_q |p_q|²/k(q), and A/2 Σ_q k(q) |u_q|².
@@ -60,7 +66,7 @@ public:
     // For solvers, whose own arithmetic rides along with the transforms.
 
     /// factor(k(q)) of every mode, for apply(); factor(k(0)) gets 0 where the mean displacement is undefined, infinity
-    /// where it is blocked.
+    /// where it is blocked. Free edges: of the modes of the padded map.
     [[nodiscard]] fourier::Multiplier multiplier(const std::function<double(double stiffness)>& factor) const;
     /// 1/k and k, 0 for the mean where it is undefined or blocked. Made when first asked for.
     [[nodiscard]] const fourier::Multiplier& compliance();
@@ -72,6 +78,7 @@ public:
 
 private:
     [[nodiscard]] double wavevector(Index k, Index m) const;
+    [[nodiscard]] fourier::Multiplier made_compliance() const;
 
     Grid grid_;
     Body body_;
