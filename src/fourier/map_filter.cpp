@@ -13,7 +13,8 @@
 namespace setae::fourier {
 namespace {
 
-/// Columns transformed together, one cache line of the half spectrum a row and two; their room stays in the cache.
+/// Columns of the half spectrum that lie together, row by row: two cache lines a row. A block of them is read through
+/// when its columns are transformed, and rows are written to as many places as there are blocks.
 constexpr Index columns_per_block = 8;
 /// Rows handed to a thread at once.
 constexpr Index rows_per_task = 16;
@@ -22,7 +23,8 @@ constexpr Index modes_for_threads = 128 * 64;
 
 Index blocks_of(Index n, Index block) { return (n + block - 1) / block; }
 
-/// On cache lines, and never a power of two apart, or lines fight for the same places of the cache.
+/// From column to column of a block: on cache lines, and never a power of two apart, or columns fight for the same
+/// places of the cache. Blocks keep the same distance.
 Index stride_for(Index modes) { return (modes + 3) / 4 * 4 + 4; }
 
 Index checked_side(Index points, Index period, const char* side) {
@@ -68,18 +70,20 @@ double weighted_power(const Complex* column, Index period, const double* factors
 MapFilter::MapFilter(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads)
     : nx_(checked_side(nx, period_x, "x")),
       ny_(checked_side(ny, period_y, "y")),
-      stride_(stride_for(period_y / 2 + 1)),
+      modes_y_(period_y / 2 + 1),
+      block_stride_(nx * columns_per_block + 4),
       column_stride_(stride_for(period_x)),
       along_y_(period_y),
       back_along_y_(period_y),
       along_x_(period_x, ComplexTransform::Sign::minus),
       back_along_x_(period_x, ComplexTransform::Sign::plus),
       threads_{nx * (period_y / 2 + 1) < modes_for_threads ? 1 : threads.resolved()},
-      half_(extent(nx * stride_)),
+      half_(extent(blocks_of(modes_y_, columns_per_block) * block_stride_)),
       rooms_(extent(threads_.count)) {
     for (Room& room : rooms_) {
         room.line.assign(extent(period_y), 0.0);
-        room.lines.resize(extent(columns_per_block * column_stride_));
+        room.modes.assign(extent(blocks_of(modes_y_, columns_per_block) * columns_per_block), Complex{});
+        room.columns.resize(extent(columns_per_block * column_stride_));
     }
 }
 
@@ -122,50 +126,56 @@ Multiplier MapFilter::kernel_multiplier(const std::function<double(Index, Index)
     return result;
 }
 
+Complex* MapFilter::block(Index index) { return half_.data() + index * block_stride_; }
+
 void MapFilter::forward_rows(const LoadRow& load) {
     with_rooms(blocks_of(nx_, rows_per_task), [&](Index task, Room& room) {
         std::fill(room.line.begin() + ny_, room.line.end(), 0.0);
-        const Index first = task * rows_per_task;
+        const Index first = task * rows_per_task, blocks = blocks_of(modes_y_, columns_per_block);
         for (Index i = first; i < std::min(nx_, first + rows_per_task); ++i) {
             load(i, room.line.data());
-            along_y_.forward(room.line.data(), half_.data() + i * stride_);
+            along_y_.forward(room.line.data(), room.modes.data());
+            for (Index b = 0; b < blocks; ++b)
+                std::copy_n(room.modes.data() + b * columns_per_block, columns_per_block,
+                            block(b) + i * columns_per_block);
         }
     });
 }
 
-void MapFilter::gather(Index first, Index lines, Complex* to) const {
-    for (Index i = 0; i < nx_; ++i) {
-        const Complex* row = half_.data() + i * stride_ + first;
-        for (Index m = 0; m < lines; ++m) to[m * column_stride_ + i] = row[m];
-    }
-    for (Index m = 0; m < lines; ++m)
-        std::fill(to + m * column_stride_ + nx_, to + m * column_stride_ + period_x(), Complex{});
+void MapFilter::gather(Index index, Complex* columns) {
+    const Complex* from = block(index);
+    for (Index i = 0; i < nx_; ++i)
+        for (Index m = 0; m < columns_per_block; ++m) columns[m * column_stride_ + i] = from[i * columns_per_block + m];
+    for (Index m = 0; m < columns_per_block; ++m)
+        std::fill(columns + m * column_stride_ + nx_, columns + m * column_stride_ + period_x(), Complex{});
 }
 
-void MapFilter::scatter(Index first, Index lines, const Complex* from) {
-    for (Index i = 0; i < nx_; ++i) {
-        Complex* row = half_.data() + i * stride_ + first;
-        for (Index m = 0; m < lines; ++m) row[m] = from[m * column_stride_ + i];
-    }
+void MapFilter::scatter(Index index, const Complex* columns) {
+    Complex* to = block(index);
+    for (Index i = 0; i < nx_; ++i)
+        for (Index m = 0; m < columns_per_block; ++m) to[i * columns_per_block + m] = columns[m * column_stride_ + i];
 }
 
 void MapFilter::apply(const Multiplier& multiplier, const LoadRow& load, const StoreRow& store) {
     forward_rows(load);
-    with_rooms(blocks_of(multiplier.modes_y, columns_per_block), [&](Index block, Room& room) {
-        const Index first = block * columns_per_block, lines = std::min(columns_per_block, multiplier.modes_y - first);
-        gather(first, lines, room.lines.data());
+    with_rooms(blocks_of(modes_y_, columns_per_block), [&](Index block, Room& room) {
+        const Index first = block * columns_per_block, lines = std::min(columns_per_block, modes_y_ - first);
+        gather(block, room.columns.data());
         for (Index m = 0; m < lines; ++m) {
-            Complex* column = room.lines.data() + m * column_stride_;
+            Complex* column = room.columns.data() + m * column_stride_;
             along_x_.apply(column);
             multiply(column, period_x(), multiplier.line(first + m));
             back_along_x_.apply(column);
         }
-        scatter(first, lines, room.lines.data());
+        scatter(block, room.columns.data());
     });
     with_rooms(blocks_of(nx_, rows_per_task), [&](Index task, Room& room) {
-        const Index first = task * rows_per_task;
+        const Index first = task * rows_per_task, blocks = blocks_of(modes_y_, columns_per_block);
         for (Index i = first; i < std::min(nx_, first + rows_per_task); ++i) {
-            back_along_y_.apply(half_.data() + i * stride_, room.line.data());
+            for (Index b = 0; b < blocks; ++b)
+                std::copy_n(block(b) + i * columns_per_block, columns_per_block,
+                            room.modes.data() + b * columns_per_block);
+            back_along_y_.apply(room.modes.data(), room.line.data());
             store(i, room.line.data());
         }
     });
@@ -174,11 +184,11 @@ void MapFilter::apply(const Multiplier& multiplier, const LoadRow& load, const S
 double MapFilter::quadratic_form(const Multiplier& multiplier, const LoadRow& load) {
     forward_rows(load);
     Array1D sums(multiplier.modes_y);
-    with_rooms(blocks_of(multiplier.modes_y, columns_per_block), [&](Index block, Room& room) {
-        const Index first = block * columns_per_block, lines = std::min(columns_per_block, multiplier.modes_y - first);
-        gather(first, lines, room.lines.data());
+    with_rooms(blocks_of(modes_y_, columns_per_block), [&](Index block, Room& room) {
+        const Index first = block * columns_per_block, lines = std::min(columns_per_block, modes_y_ - first);
+        gather(block, room.columns.data());
         for (Index m = 0; m < lines; ++m) {
-            Complex* column = room.lines.data() + m * column_stride_;
+            Complex* column = room.columns.data() + m * column_stride_;
             along_x_.apply(column);
             const Index line = first + m;
             const bool twice = line > 0 && 2 * line != period_y();  // the other half of the spectrum

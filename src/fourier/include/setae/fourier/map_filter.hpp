@@ -65,14 +65,16 @@ public:
 private:
     struct Room {
         Buffer<double> line;
-        Buffer<Complex> lines;
+        Buffer<Complex> modes;
+        Buffer<Complex> columns;
     };
+    Complex* block(Index index);
     void forward_rows(const LoadRow& load);
-    void gather(Index first, Index lines, Complex* to) const;
-    void scatter(Index first, Index lines, const Complex* from);
+    void gather(Index index, Complex* columns);
+    void scatter(Index index, const Complex* columns);
     void with_rooms(Index tasks, const std::function<void(Index task, Room& room)>& body);
 
-    Index nx_, ny_, stride_, column_stride_;
+    Index nx_, ny_, modes_y_, block_stride_, column_stride_;
     RealTransform along_y_;
     InverseRealTransform back_along_y_;
     ComplexTransform along_x_, back_along_x_;

@@ -75,6 +75,10 @@ public:
     void apply(const fourier::Multiplier& multiplier, const fourier::LoadRow& load, const fourier::StoreRow& store) {
         filter_.apply(multiplier, load, store);
     }
+    /// Σ x y of a map x and of y, what the multiplier makes of it.
+    [[nodiscard]] double quadratic_form(const fourier::Multiplier& multiplier, const fourier::LoadRow& load) {
+        return filter_.quadratic_form(multiplier, load);
+    }
 
 private:
     [[nodiscard]] double wavevector(Index k, Index m) const;

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/half_space/hard_wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "active_set.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/summation.hpp"
+
+namespace setae::half_space {
+namespace {
+
+constexpr Index coarsest_side = 64;
+/// Of what a coarser grid hands on; its own error is larger.
+constexpr double coarse_tolerance = 1e-4;
+
+double mean_of(const Array2D& map) {
+    Array1D rows(map.rows());
+    for (Index i = 0; i < map.rows(); ++i) rows[i] = pairwise_sum(map.row(i).transpose());
+    return pairwise_sum(rows) / static_cast<double>(map.size());
+}
+
+void require_heights(const Array2D& heights) {
+    for (Index i = 0; i < heights.rows(); ++i)
+        for (Index j = 0; j < heights.cols(); ++j)
+            if (!std::isfinite(heights(i, j)))
+                throw InvalidArgument(
+                    fmt::format("the height at pixel ({}, {}) is {}; expected finite heights, fill "
+                                "undefined ones first",
+                                i, j, heights(i, j)));
+}
+
+void require_positive(double value, const char* what, const char* unit) {
+    if (!(value > 0.0) || !std::isfinite(value))
+        throw InvalidArgument(fmt::format("{} must be > 0 and finite, got {} {}", what, value, unit));
+}
+
+void require_start(const Array2D& start, const Grid& grid) {
+    require_shape(start, grid, "pressures to start from");
+    if (!start.allFinite() || !(start.maxCoeff() > 0.0))
+        throw InvalidArgument("pressures to start from are not finite or nowhere > 0; expected those of another load");
+}
+
+/// What the grids aim at, and whether the mean of the displacements is left out: as in MeanGap, which fixes it.
+struct Aim {
+    Target target;
+    bool without_mean = false;
+};
+
+Aim aim_of(const HardWall& problem, MeanDisplacement mean_displacement) {
+    const double highest = problem.heights.maxCoeff(), mean = mean_of(problem.heights);
+    Aim aim;
+    if (problem.hardness) {
+        require_positive(*problem.hardness, "hardness", "Pa");
+        aim.target.hardness = *problem.hardness;
+    }
+    if (const auto* pressure = std::get_if<MeanPressure>(&problem.control)) {
+        require_positive(pressure->value, "mean pressure", "Pa");
+        if (pressure->value >= aim.target.hardness)
+            throw InvalidArgument(
+                fmt::format("a hardness of {} Pa does not carry a mean pressure of {} Pa; expected a "
+                            "lower pressure",
+                            aim.target.hardness, pressure->value));
+        aim.target.mean_pressure = pressure->value;
+    } else if (const auto* gap = std::get_if<MeanGap>(&problem.control)) {
+        require_positive(gap->value, "mean gap", "m");
+        if (problem.edges != Edges::periodic)
+            throw InvalidArgument("a mean gap with free edges; expected a pressure or a displacement");
+        aim.target.level = gap->value + mean;
+        aim.without_mean = true;
+    } else {
+        const double displacement = std::get<Displacement>(problem.control).value;
+        if (!std::isfinite(displacement))
+            throw InvalidArgument(fmt::format("displacement must be finite, got {} m", displacement));
+        if (problem.edges == Edges::periodic && mean_displacement != MeanDisplacement::finite &&
+            displacement >= highest - mean && highest > mean)
+            throw InvalidArgument(
+                fmt::format("a displacement of {} m: full contact is reached below {} m, where the "
+                            "pressure grows without limit; prescribe the pressure",
+                            displacement, highest - mean));
+        aim.target.level = highest - displacement;
+    }
+    return aim;
+}
+
+struct Level {
+    Grid grid;
+    Array2D heights;
+};
+
+bool halves(Index side) { return side % 2 == 0 && side > coarsest_side; }
+
+/// The grid of half as many points along every side that may be halved, heights averaged; none where neither may.
+std::optional<Level> coarser(const Grid& grid, const Array2D& heights) {
+    const Index step_x = halves(grid.nx) ? 2 : 1, step_y = halves(grid.ny) ? 2 : 1;
+    if (step_x * step_y == 1) return std::nullopt;
+    Level level{.grid = {grid.nx / step_x, grid.ny / step_y, grid.size_x, grid.size_y}, .heights = {}};
+    level.heights = Array2D::Zero(level.grid.nx, level.grid.ny);
+    for (Index i = 0; i < grid.nx; ++i)
+        for (Index j = 0; j < grid.ny; ++j) level.heights(i / step_x, j / step_y) += heights(i, j);
+    level.heights /= static_cast<double>(step_x * step_y);
+    return level;
+}
+
+/// Every pixel takes the pressure of the larger one it lies in.
+void inject(const Array2D& coarse, Array2D& fine) {
+    const Index step_x = fine.rows() / coarse.rows(), step_y = fine.cols() / coarse.cols();
+    for (Index i = 0; i < fine.rows(); ++i)
+        for (Index j = 0; j < fine.cols(); ++j) fine(i, j) = coarse(i / step_x, j / step_y);
+}
+
+/// One grid with its operators and its solver.
+class Stage {
+public:
+    Stage(const HardWall& problem, const Grid& grid, const Array2D& heights, const Aim& aim, parallel::Threads threads)
+        : response_(grid, problem.body, problem.edges, threads) {
+        if (problem.edges != Edges::periodic)
+            preconditioner_ = std::make_unique<ElasticOperator>(grid, problem.body, Edges::periodic, threads);
+        if (aim.without_mean)
+            without_mean_ = response_.multiplier([zero = stiffness(0.0, problem.body)](double k) {
+                return k > 0.0 && std::isfinite(k) && k != zero ? 1.0 / k : 0.0;
+            });
+        solver_ = std::make_unique<ActiveSetSolver>(
+            response_, aim.without_mean ? *without_mean_ : response_.compliance(),
+            preconditioner_ ? *preconditioner_ : response_, heights, aim.target, threads);
+    }
+    [[nodiscard]] ActiveSetSolver& solver() { return *solver_; }
+    [[nodiscard]] const ElasticOperator& response() const { return response_; }
+
+private:
+    ElasticOperator response_;
+    std::unique_ptr<ElasticOperator> preconditioner_;
+    std::optional<fourier::Multiplier> without_mean_;
+    std::unique_ptr<ActiveSetSolver> solver_;
+};
+
+/// Pressures of the coarser grids, coarsest first, on the finest of them.
+std::optional<Array2D> first_guess(const HardWall& problem, const Aim& aim, const SolveOptions& options) {
+    std::vector<Level> levels;
+    auto next = coarser(problem.grid, problem.heights);
+    while (next) {
+        levels.push_back(std::move(*next));
+        next = coarser(levels.back().grid, levels.back().heights);
+    }
+    std::optional<Array2D> guess;
+    for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+        Stage stage(problem, level->grid, level->heights, aim, options.threads);
+        auto& pressures = stage.solver().pressures();
+        if (guess) inject(*guess, pressures);
+        else pressures.setConstant(aim.target.mean_pressure.value_or(0.0));
+        stage.solver().solve(std::max(coarse_tolerance, options.tolerance), options.most_iterations, options.progress);
+        guess = std::move(pressures);
+    }
+    return guess;
+}
+
+/// Pressure on the rim of a map with free edges says that contact goes on beyond it.
+void require_free_rim(const Array2D& pressures, Edges edges) {
+    const bool along_x = edges == Edges::free || edges == Edges::periodic_along_y,
+               along_y = edges == Edges::free || edges == Edges::periodic_along_x;
+    const double x = std::max(pressures.row(0).maxCoeff(), pressures.bottomRows(1).maxCoeff()),
+                 y = std::max(pressures.col(0).maxCoeff(), pressures.rightCols(1).maxCoeff());
+    const double largest = std::max(along_x ? x : 0.0, along_y ? y : 0.0);
+    if (largest > 0.0)
+        throw InvalidArgument(
+            fmt::format("the rim of the map touches with {} Pa although its edges are free; expected "
+                        "a map larger than the contact, a lower load or periodic edges",
+                        largest));
+}
+
+}  // namespace
+
+HardWallContact solve(const HardWall& problem, const SolveOptions& options) {
+    require(problem.grid);
+    require(problem.body);
+    require_shape(problem.heights, problem.grid, "heights");
+    require_heights(problem.heights);
+    require_positive(options.tolerance, "tolerance", "");
+    HardWallContact contact;
+    contact.mean_displacement =
+        ElasticOperator({1, 1, problem.grid.size_x, problem.grid.size_y}, problem.body).mean_displacement();
+    const Aim aim = aim_of(problem, contact.mean_displacement);
+    const bool started = options.start.size() > 0;
+    if (started) require_start(options.start, problem.grid);
+    const auto guess = options.nested_grids && !started ? first_guess(problem, aim, options) : std::nullopt;
+    Stage stage(problem, problem.grid, problem.heights, aim, options.threads);
+    ActiveSetSolver& solver = stage.solver();
+    if (started) solver.pressures() = options.start;
+    else if (guess) inject(*guess, solver.pressures());
+    else solver.pressures().setConstant(aim.target.mean_pressure.value_or(0.0));
+    contact.status = solver.solve(options.tolerance, options.most_iterations, [&](SolveProgress progress) {
+        progress.last_grid = true;
+        if (options.progress) options.progress(progress);
+    });
+    contact.mean_displacement = stage.response().mean_displacement();
+    contact.certificate = solver.certificate();
+    contact.iterations = solver.iterations();
+    contact.transform_pairs = solver.transform_pairs();
+    contact.gaps = solver.gaps();
+    contact.pressures = std::move(solver.pressures());
+    require_free_rim(contact.pressures, problem.edges);
+    const double pixel = problem.grid.pixel_area();
+    if (problem.hardness) {
+        const auto flowing = (contact.pressures >= *problem.hardness).eval();
+        contact.flowing_area = static_cast<double>(flowing.count()) * pixel;
+        contact.deepest_dent = flowing.select(-contact.gaps, 0.0).maxCoeff();
+    }
+    contact.gaps = contact.gaps.max(0.0);
+    contact.mean_gap = mean_of(contact.gaps);
+    contact.mean_pressure = mean_of(contact.pressures);
+    contact.displacement = problem.heights.maxCoeff() - solver.level();
+    contact.stored_energy = 0.5 * solver.elastic_work() * pixel;
+    if (aim.without_mean && contact.mean_displacement == MeanDisplacement::finite) {
+        const double mean = contact.mean_pressure / stiffness(0.0, problem.body);
+        contact.displacement += mean;
+        contact.stored_energy += 0.5 * contact.mean_pressure * mean * problem.grid.area();
+    }
+    contact.area = contact_area(contact.pressures, problem.grid, problem.edges);
+    return contact;
+}
+
+}  // namespace setae::half_space
