@@ -123,6 +123,7 @@ std::vector<AlertKind> of_surfaces() {
          "the noise is known to 20 %: a tenth of what is left"},
         {"CONTOUR_STEPS", about, "straight segments between points lower a contour's spectrum, which is undone"},
         {"TIP_NOT_CONVERGED", about, "the estimate of a tip from its own scan still sharpened in its last round"},
+        {"CONTACT_NOT_CONVERGED", about, "pressures of a contact were not found as closely as asked for"},
         {"TIP_CUTOFF", about, "waves shorter than the tip shows are cut from the spectrum"},
         {"LOW_Q_GAP", about, "the spectrum still rises at its longest wavelength"},
         {"COVERAGE_GAP", about, "no measurement sees a band of wavelengths between those of others"},

@@ -20,6 +20,7 @@ Action acf_command(Options&);
 Action vbw_command(Options&);
 namespace params_command { Action declare(Options&); }
 namespace adhesion_command { Action declare(Options&); }
+namespace contact_solve_command { Action declare(Options&); }
 namespace jkr_import_command { Action declare(Options&); }
 namespace jkr_radius_command { Action declare(Options&); }
 namespace jkr_camera_command { Action declare(Options&); }
@@ -48,6 +49,7 @@ namespace man_command { Action declare(Options&); }
 namespace {
 
 constexpr CommandGroup groups[] = {
+    {"contact", "two rough bodies pressed together"},
     {"container", "containers of contact.engineering: what is in them, and making them"},
     {"jkr", "contact experiments with a soft or hard sphere"},
     {"lab", "measurements simulated on surfaces of which everything is known"},
@@ -76,6 +78,8 @@ constexpr Command table[] = {
     {"", "params", "roughness parameters of files, from heights and from their combined spectrum",
      params_command::declare},
     {"", "adhesion", "apparent work of adhesion of a soft solid on a measured surface", adhesion_command::declare},
+    {"contact", "solve", "a rough surface pressed on an elastic body: area, gap, stiffness, pressure point by point",
+     contact_solve_command::declare},
     {"jkr", "import", "turn tables, workbooks and force curves into loop files, columns guessed and shown",
      jkr_import_command::declare},
     {"jkr", "radius", "contact radius in every frame of a recording", jkr_radius_command::declare},

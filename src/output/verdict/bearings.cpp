@@ -18,7 +18,7 @@ bool holds(const std::vector<Alert>& alerts, const Alert& alert) {
 
 const std::vector<Bearing>& bearings() {
     static const std::vector<Bearing> list{
-        {{"NOT_CONVERGED", "TIP_NOT_CONVERGED"},
+        {{"NOT_CONVERGED", "TIP_NOT_CONVERGED", "CONTACT_NOT_CONVERGED"},
          "An iteration for {} ended before its changes were small: its result may move."},
         {{"UNREADABLE_MEMBER", "UNREADABLE_ARRAY"}, "What of {} cannot be read is in no number."},
         {{"CHECKSUM"}, "A checksum of {} is wrong: what was read may be damaged."},

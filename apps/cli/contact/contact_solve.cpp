@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "convert/heights_output.hpp"
+#include "convert/pipeline_option.hpp"
+#include "files/file_options.hpp"
+#include "files/measurement_files.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "program/terminal.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/layout.hpp"
+#include "setae/core/units.hpp"
+#include "setae/half_space/contact_quantities.hpp"
+#include "setae/half_space/hard_wall.hpp"
+#include "setae/output/quantity_table.hpp"
+#include "setae/study/pipeline_file.hpp"
+
+namespace setae::cli::contact_solve_command {
+namespace {
+
+constexpr const char* explanation =
+    "a rigid rough surface, its heights towards the body, pressed on an elastic half-space without adhesion and friction:\n"
+    "  p >= 0, g >= 0, p g = 0;  g = u - h + c;  u_q = p_q/k(q),  k = E* q/2, E* = E/(1 - nu^2)           Johnson 1985, ch. 13\n"
+    "  two elastic bodies: 1/E* = sum of (1 - nu^2)/E, and heights of the one plus those of the other\n"
+    "--layer         k of a layer on a rigid base, --bonded or --frictionless                             Carbone, Mangialardi 2008\n"
+    "--free          no pressure beyond the map's edges; without it the map repeats itself\n"
+    "--displacement  from first touch, of the far field (--free), a layer's base, or the mean plane\n"
+    "--hardness      the body flows where the pressure reaches it\n"
+    "area_fraction   pixels under pressure; corrected: less (pi - 1 + ln 2)/24 of a pixel for each of their outer edges   Yastrebov et al. 2017\n"
+    "duality_gap     bound of the energy above the least, over twice the stored energy; converged: <= --tolerance\n"
+    "docs/theory/half-space.md\n";
+
+struct Arguments {
+    Common common;
+    FileOptions file;
+    PipelineOption processing;
+    std::string path, contact_modulus, pressure, displacement, mean_gap, layer, hardness, output;
+    std::optional<double> poisson_ratio;
+    bool free = false, bonded = false, frictionless = false;
+    double tolerance = 1e-8;
+};
+
+half_space::Control control_of(const Arguments& arguments) {
+    const int given = (arguments.pressure.empty() ? 0 : 1) + (arguments.displacement.empty() ? 0 : 1) +
+                      (arguments.mean_gap.empty() ? 0 : 1);
+    if (given != 1)
+        throw InvalidArgument(
+            fmt::format("{} of --pressure, --displacement and --mean-gap were given; expected one", given));
+    if (!arguments.pressure.empty())
+        return half_space::MeanPressure{parse_quantity(arguments.pressure, dimension::pressure)};
+    if (!arguments.mean_gap.empty()) return half_space::MeanGap{parse_quantity(arguments.mean_gap, dimension::length)};
+    return half_space::Displacement{parse_quantity(arguments.displacement, dimension::length)};
+}
+
+half_space::Body body_of(const Arguments& arguments) {
+    if (arguments.contact_modulus.empty()) throw InvalidArgument("no modulus; expected --contact-modulus \"1 GPa\"");
+    half_space::Body body{.contact_modulus = parse_quantity(arguments.contact_modulus, dimension::pressure),
+                          .layer = {}};
+    const bool stands = arguments.bonded || arguments.frictionless;
+    if (arguments.layer.empty()) {
+        if (stands || arguments.poisson_ratio)
+            throw InvalidArgument("--bonded, --frictionless and --poisson are of a layer; expected --layer \"1 um\"");
+        return body;
+    }
+    if (!stands || !arguments.poisson_ratio)
+        throw InvalidArgument(
+            "a layer without its base or Poisson ratio; expected --bonded or --frictionless, and "
+            "--poisson");
+    body.layer =
+        half_space::Layer{.thickness = parse_quantity(arguments.layer, dimension::length),
+                          .poisson_ratio = *arguments.poisson_ratio,
+                          .base = arguments.bonded ? half_space::Base::bonded : half_space::Base::frictionless};
+    return body;
+}
+
+/// Grid, heights and edges of a map or, as a contact 1 m long, of a line.
+void take_surface(half_space::HardWall& problem, const topography::Measurement& measurement,
+                  const Arguments& arguments) {
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
+        problem.grid = {map->heights.rows(), map->heights.cols(), map->size[0], map->size[1]};
+        problem.heights = map->heights;
+        problem.edges = arguments.free ? half_space::Edges::free : half_space::Edges::periodic;
+    } else if (const auto* line = std::get_if<topography::LineScan>(&measurement)) {
+        problem.grid = {1, line->heights.size(), 1.0, line->size};
+        problem.heights = line->heights.transpose();
+        problem.edges = arguments.free ? half_space::Edges::periodic_along_x : half_space::Edges::periodic;
+    } else {
+        throw InvalidArgument(
+            fmt::format("{}: a profile's points are not equally far apart; expected a map or a line", arguments.path));
+    }
+    if (problem.heights.isNaN().any())
+        throw InvalidArgument(fmt::format("{}: {} of {} heights are undefined; fill them with --step fill_undefined",
+                                          arguments.path, problem.heights.isNaN().count(), problem.heights.size()));
+}
+
+std::function<void(const half_space::SolveProgress&)> progress_line() {
+    if (isatty(STDERR_FILENO) == 0) return {};
+    return [](const half_space::SolveProgress& progress) {
+        fmt::print(stderr, "\r{} x {} points, iteration {}, gap {:.1e} ", progress.nx, progress.ny, progress.iterations,
+                   progress.duality_gap);
+    };
+}
+
+/// OUT.npy: what OUT_pressure.npy and OUT_gap.npy are called.
+std::string map_path(const std::string& output, const char* what) {
+    const std::filesystem::path path(output);
+    return (path.parent_path() / (path.stem().string() + "_" + what + path.extension().string())).string();
+}
+
+void require_map_ending(const std::string& output) {
+    if (output.empty() || output.ends_with(".npy") || output.ends_with(".csv")) return;
+    throw InvalidArgument(fmt::format("{}: maps of pressure are no heights; expected an ending .npy or .csv", output));
+}
+
+void write_maps(const std::string& output, const half_space::HardWall& problem,
+                const half_space::HardWallContact& contact) {
+    const std::array size{problem.grid.size_x, problem.grid.size_y};
+    const bool periodic = problem.edges == half_space::Edges::periodic;
+    write_heights(map_path(output, "pressure"), topography::HeightMap{contact.pressures, size, periodic, {}});
+    write_heights(map_path(output, "gap"), topography::HeightMap{contact.gaps, size, periodic, {}});
+}
+
+output::Json json_of(const half_space::HardWall& problem, const half_space::HardWallContact& contact,
+                     const std::vector<Quantity>& quantities) {
+    output::Json json, units;
+    for (const auto& q : quantities) {
+        json[q.quantity] = output::number(q.estimate.value);
+        units[q.quantity] = q.unit;
+    }
+    const auto& certificate = contact.certificate;
+    units["penetration"] = "m";
+    json["status"] = half_space::name_of(contact.status);
+    json["duality_gap"] = certificate.duality_gap;
+    json["penetration"] = certificate.penetration;
+    json["level_error"] = certificate.level_error;
+    json["load_error"] = certificate.load_error;
+    json["iterations"] = contact.iterations;
+    json["transform_pairs"] = contact.transform_pairs;
+    json["mean_displacement"] = half_space::name_of(contact.mean_displacement);
+    json["points"] = {problem.grid.nx, problem.grid.ny};
+    json["size"] = {problem.grid.size_x, problem.grid.size_y};
+    json["contact_modulus"] = problem.body.contact_modulus;
+    units["size"] = "m";
+    units["contact_modulus"] = "Pa";
+    json["units"] = units;
+    return json;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.path.empty()) throw InvalidArgument("no file; expected a map");
+    require_map_ending(arguments.output);
+    half_space::HardWall problem{
+        .grid = {}, .body = body_of(arguments), .heights = {}, .control = control_of(arguments), .hardness = {}};
+    if (!arguments.hardness.empty()) problem.hardness = parse_quantity(arguments.hardness, dimension::pressure);
+    const auto processed =
+        processing::apply(arguments.processing.pipeline(), measurements_of(arguments.path, arguments.file).front(),
+                          study::measurement_loader(arguments.file.read_options()));
+    take_surface(problem, processed.measurement, arguments);
+    const auto threads = arguments.common.workers();
+    const auto progress = progress_line();
+    const auto contact =
+        half_space::solve(problem, {.tolerance = arguments.tolerance, .threads = threads, .progress = progress});
+    if (progress) fmt::print(stderr, "\n");
+    const double stiffness = half_space::incremental_stiffness(problem, contact, threads);
+    if (!arguments.output.empty()) write_maps(arguments.output, problem, contact);
+    std::vector<Alert> alerts;
+    if (contact.status == half_space::SolveStatus::not_converged)
+        alerts.push_back({"CONTACT_NOT_CONVERGED", arguments.path,
+                          fmt::format("pressures may be off: the duality gap is {:.1e}, wanted was {:.1e}",
+                                      contact.certificate.duality_gap, arguments.tolerance),
+                          "raise --tolerance, or resolve the surface's shortest waves with more points"});
+    const auto quantities = half_space::contact_quantities(problem, contact, stiffness);
+    if (arguments.common.json) {
+        auto json = json_of(problem, contact, quantities);
+        json["file"] = arguments.path;
+        json["processing"] = output::to_json(processed.records);
+        json["alerts"] = output::to_json(alerts);
+        print_json(json);
+        return ExitCode::done;
+    }
+    const auto width = output_size().width;
+    print(wrapped(half_space::contact_sentence(problem, contact, stiffness), width) + "\n\n" +
+          output::quantity_table("", quantities, width) +
+          fmt::format("{} after {} iterations: duality gap {:.1e}, penetration {}\n",
+                      half_space::name_of(contact.status), contact.iterations, contact.certificate.duality_gap,
+                      format_value(contact.certificate.penetration, "m")));
+    show(alerts);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("file", arguments->path, "a map or a line, or a file or container that holds one").of_inputs();
+    arguments->file.add_to(options);
+    arguments->processing.add_to(options);
+    options.add("--contact-modulus", arguments->contact_modulus, "E* of the body, such as \"1 GPa\"")
+        .quantity(positive(dimension::pressure));
+    options.add("--pressure", arguments->pressure, "mean pressure over the map, such as \"10 MPa\"")
+        .quantity(positive(dimension::pressure));
+    options.add("--displacement", arguments->displacement, "approach from first touch, such as \"5 nm\"")
+        .quantity(dimension::length);
+    options.add("--mean-gap", arguments->mean_gap, "mean gap over the map").quantity(positive(dimension::length));
+    options.flag("--free", arguments->free, "nothing touches beyond the map; without it the map repeats itself");
+    options.add("--layer", arguments->layer, "thickness of an elastic layer on a rigid base, such as \"1 um\"")
+        .quantity(positive(dimension::length));
+    options.flag("--bonded", arguments->bonded, "the layer sticks to its base");
+    options.flag("--frictionless", arguments->frictionless, "the layer slides on its base");
+    options.add("--poisson", arguments->poisson_ratio, "Poisson ratio of the layer, up to 0.5");
+    options.add("--hardness", arguments->hardness, "pressure at which the body flows")
+        .quantity(positive(dimension::pressure));
+    options.add("--tolerance", arguments->tolerance, "of the duality gap").positive().default_shown();
+    options.add("-o,--output", arguments->output,
+                "write OUT_pressure.npy [Pa] and OUT_gap.npy [m] as OUT.npy or OUT.csv says");
+    options.example(
+        "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"1 GPa\" --pressure \"10 MPa\"",
+        "area, gap and stiffness under a mean pressure");
+    options.example(
+        "setae contact solve map.ibw --step level_plane --contact-modulus \"2 MPa\" --layer \"20 um\" --bonded --poisson 0.5 --pressure \"10 kPa\" --json",
+        "a levelled map on a thin layer of rubber, for a script");
+    options.example(
+        "setae contact solve tip.npy --size \"100 nm x 100 nm\" --unit nm --free --contact-modulus \"50 GPa\" --displacement \"1 nm\" -o contact.npy",
+        "one asperity, with maps of pressure and gap");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::contact_solve_command

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+#include "setae/half_space/hard_wall.hpp"
+
+namespace setae::half_space {
+
+/// The numbers of a contact with names, symbols and units, in the order in which they are told.
+/// incremental_stiffness: see there [Pa/m].
+[[nodiscard]] std::vector<Quantity> contact_quantities(const HardWall& problem, const HardWallContact& contact,
+                                                       double incremental_stiffness);
+
+/// The contact in a sentence or two for a reader: area, pressure, gap, stiffness.
+[[nodiscard]] std::string contact_sentence(const HardWall& problem, const HardWallContact& contact,
+                                           double incremental_stiffness);
+
+/// "converged", "not_converged".
+[[nodiscard]] const char* name_of(SolveStatus status);
+/// "finite", "undefined", "blocked".
+[[nodiscard]] const char* name_of(MeanDisplacement mean);
+
+}  // namespace setae::half_space
