@@ -56,7 +56,8 @@ ElasticOperator::ElasticOperator(const Grid& grid, const Body& body, Edges edges
               threads) {
     const double x = grid.nx > 1 ? 2.0 * pi / grid.size_x : 0.0, y = grid.ny > 1 ? 2.0 * pi / grid.size_y : 0.0;
     const double longest = x > 0.0 && y > 0.0 ? std::min(x, y) : std::max(x, y);
-    const double shortest = std::hypot(x * static_cast<double>(grid.nx / 2), y * static_cast<double>(grid.ny / 2));
+    const Index half_x = grid.nx / 2, half_y = grid.ny / 2;
+    const double shortest = std::hypot(x * static_cast<double>(half_x), y * static_cast<double>(half_y));
     least_stiffness_ = longest > 0.0 ? half_space::stiffness(longest, body_) : 0.0;
     greatest_stiffness_ = shortest > 0.0 ? half_space::stiffness(shortest, body_) : 0.0;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr Index coarsest_side = 64;
 /// Of what a coarser grid hands on; its own error is larger.
-constexpr double coarse_tolerance = 1e-4;
+constexpr double coarse_tolerance = 1e-3;
 
 double mean_of(const Array2D& map) {
     Array1D rows(map.rows());

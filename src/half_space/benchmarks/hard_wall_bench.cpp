@@ -54,10 +54,7 @@ void displacements(benchmark::State& state) {
     response.displacements(map, map);
     for (auto _ : state) response.displacements(map, map);
 }
-BENCHMARK(displacements)
-    ->ArgsProduct({{512, 1024, 2048, 4096}, {1, 2}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK(displacements)->ArgsProduct({{512, 1024, 2048, 4096}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void hard_wall(benchmark::State& state) {
     const auto problem = rough(state.range(0));
@@ -67,9 +64,6 @@ void hard_wall(benchmark::State& state) {
     state.counters["pairs"] = static_cast<double>(contact.transform_pairs);
     state.counters["duality_gap"] = contact.certificate.duality_gap;
 }
-BENCHMARK(hard_wall)
-    ->ArgsProduct({{512, 1024, 2048, 4096}, {1, 2}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK(hard_wall)->ArgsProduct({{512, 1024, 2048, 4096}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
