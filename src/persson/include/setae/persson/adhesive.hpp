@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/persson/scales.hpp"
+
+namespace setae::persson {
+
+struct AdhesiveOptions {
+    /// α of σ_a² = 2α k(q) γ_eff, > 0: 1/2 is a penny-shaped crack as wide as the wave is long, G = 2σ² a/(πE*) with
+    /// a = π/q. A factor of order one that the theory leaves open.
+    double crack_factor = 0.5;
+    int most_rounds = 400;
+    double tolerance = 1e-6;  ///< change of γ_eff in a round, over w
+};
+
+/// Contact under adhesion of no range, looked at with the waves up to each q.
+///
+///   σ_a(q) = √(2α k(q) γ_eff(q))                 tension that parts what sticks with γ_eff at the scale q
+///   A(q)   by stress_diffusion() with that σ_a    area fraction
+///   A(q) γ_eff(q) = w A(q_1) − ∫_q^{q_1} A dU     what shorter waves leave of w: they stick less and store energy
+///
+/// U: Scales::stored_energy; q_1: end of the band. For full contact γ_eff(q) = w − U(q_1) + U(q): Persson and Tosatti's
+/// balance, scale by scale. w counts the projected area: slopes are small. Where the balance would be negative γ_eff is
+/// 0, and for w = 0 the contact is that of contact_at_scales(). The three are iterated from full contact, so that of
+/// several solutions that with most contact is found: that of parting, not of approach.
+struct AdhesiveContactAtScales {
+    Array1D area_fraction;
+    Array1D effective_work;     ///< γ_eff [J/m²]
+    Array1D detachment_stress;  ///< σ_a [Pa]
+    int rounds = 0;
+    bool converged = false;
+};
+
+/// pressure: p_0 [Pa], of either sign.  work_of_adhesion: w [J/m²], >= 0.
+/// @throws InvalidArgument outside the domain.
+/// Source: Persson, Eur. Phys. J. E 8 (2002) 385; Persson, Surf. Sci. Rep. 61 (2006) 201, section 8.
+[[nodiscard]] AdhesiveContactAtScales adhesive_contact_at_scales(double pressure, double work_of_adhesion,
+                                                                 const Scales& scales,
+                                                                 const AdhesiveOptions& options = {});
+
+}  // namespace setae::persson

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/persson/contact.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
+#include "self_affine_curve.hpp"
+#include "setae/adhesion/stored_energy.hpp"
+#include "setae/contact/layer.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/persson/stress_diffusion.hpp"
+#include "setae/roughness/spectral_moments.hpp"
+#include "setae/synthesis/random_surface.hpp"
+
+namespace setae::persson::contact_test {
+namespace {
+
+constexpr double modulus = 1e9;
+
+Scales rough() { return scales_of(self_affine_curve(), {.contact_modulus = modulus}); }
+
+double last(const Array1D& values) { return values[values.size() - 1]; }
+
+double integral(const auto& function, double from, double to) {
+    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(function, from, to, 12, 1e-12);
+}
+
+TEST(PerssonScales, EndAtSlopeAndStoredEnergyOfTheSpectrum) {
+    const auto curve = self_affine_curve();
+    const auto scales = rough();
+    const double slope = roughness::spectral_parameters(curve).rms_slope;
+    EXPECT_NEAR(last(scales.pressure_variance) / (0.25 * modulus * modulus * slope * slope), 1.0, 1e-12);
+    EXPECT_NEAR(last(scales.stored_energy) / adhesion::stored_energy(modulus, curve), 1.0, 1e-12);
+    EXPECT_EQ(scales.pressure_variance[0], 0.0);
+    EXPECT_NEAR(last(scales.stiffness) / (0.5 * modulus * last(scales.wavevector)), 1.0, 1e-15);
+}
+
+TEST(PerssonScales, OfAProfileSpectrumHaveTheEnergyOfItsSurface) {
+    auto curve = self_affine_curve();
+    curve.kind = spectra::Density::C1D;
+    curve.density = spectra::profile_power_spectrum(model(), curve.wavevector * (1.0 - 1e-9));
+    const auto scales = scales_of(curve, {.contact_modulus = modulus});
+    EXPECT_NEAR(last(scales.stored_energy) / adhesion::stored_energy(modulus, curve), 1.0, 1e-3);
+}
+
+// (E*/4) Σ |q| |h_q|² of a map that has the spectrum mode by mode
+TEST(PerssonScales, HaveTheEnergyOfAMapOfTheirSpectrum) {
+    const synthesis::SurfaceGrid grid{512, 512, 8e-6, 8e-6};
+    const auto map = synthesis::random_surface(spectra::density(model()), grid,
+                                               {.key = {7}, .amplitudes = synthesis::Amplitudes::exact});
+    auto curve = self_affine_curve();
+    curve.band.lower = 2.0 * pi / 8e-6;
+    const auto scales = scales_of(curve, {.contact_modulus = modulus});
+    // the plateau's sum over modes and its integral differ by the square about q = 0
+    EXPECT_NEAR(adhesion::stored_energy(modulus, map) / last(scales.stored_energy), 1.0, 0.01);
+}
+
+TEST(PerssonScales, OfALayerAreThoseOfItsStiffness) {
+    const auto curve = self_affine_curve();
+    const double thickness = 0.3e-6;
+    const auto layer = scales_of(curve, {.contact_modulus = modulus, .layer = half_space::Layer{thickness, 0.4}});
+    const auto thick = scales_of(curve, {.contact_modulus = modulus, .layer = half_space::Layer{1.0, 0.4}});
+    EXPECT_NEAR(last(thick.pressure_variance) / last(rough().pressure_variance), 1.0, 1e-12);
+    const auto density = spectra::density(model());
+    double variance = 0.0, energy = 0.0;
+    for (const auto& [from, to] : {std::pair{curve.band.lower, model().rolloff_wavevector},
+                                   std::pair{model().rolloff_wavevector, curve.band.upper}}) {
+        const auto k = [&](double q) {
+            return 0.5 * modulus * q * contact::layer::stiffness_ratio(q * thickness, 0.4);
+        };
+        variance += integral([&](double q) { return k(q) * k(q) * density(q) * q / (2.0 * pi); }, from, to);
+        energy += integral([&](double q) { return k(q) * density(q) * q / (4.0 * pi); }, from, to);
+    }
+    EXPECT_NEAR(last(layer.pressure_variance) / variance, 1.0, 2e-4);
+    EXPECT_NEAR(last(layer.stored_energy) / energy, 1.0, 2e-4);
+}
+
+TEST(PressureDensity, HoldsTheAreaInContactAndTheLoad) {
+    const double variance = 4.0;
+    for (const double load : {0.1, 1.0, 5.0}) {
+        const auto density = [&](double p) { return pressure_density(p, load, variance); };
+        EXPECT_NEAR(integral(density, 0.0, 40.0), area_fraction(load, variance), 1e-12);
+        EXPECT_NEAR(integral([&](double p) { return p * density(p); }, 0.0, 40.0), load, 1e-11);
+    }
+    EXPECT_EQ(pressure_density(-1.0, 1.0, variance), 0.0);
+    EXPECT_THROW((void)pressure_density(1.0, 0.0, variance), InvalidArgument);
+}
+
+TEST(AreaFraction, RisesFromItsSlopeAtNoLoadToOne) {
+    const double slope = 0.2, variance = 0.25 * modulus * modulus * slope * slope;
+    const double load = 1e-5 * modulus * slope;
+    EXPECT_NEAR(area_fraction(load, variance) * slope * modulus / load, std::sqrt(8.0 / pi), 1e-9);
+    EXPECT_NEAR(area_fraction(0.3 * modulus * slope, variance), std::erf(std::sqrt(2.0) * 0.3), 1e-15);
+    EXPECT_NEAR(area_fraction(3.0 * modulus * slope, variance), 1.0, 1e-8);
+    EXPECT_EQ(area_fraction(1.0, 0.0), 1.0);
+}
+
+TEST(PerssonContact, AtHighLoadIsFull) {
+    const auto scales = rough();
+    const auto contact = contact_at_scales(10.0 * std::sqrt(last(scales.pressure_variance)), scales);
+    EXPECT_NEAR(last(contact.area_fraction), 1.0, 1e-12);
+    EXPECT_NEAR(last(contact.stored_energy) / last(scales.stored_energy), 1.0, 1e-12);
+    EXPECT_LT(last(contact.mean_gap), 1e-22);
+}
+
+// p = −dU/dū, in units of the load and by differences
+TEST(PerssonContact, StoresWhatTheLoadDoes) {
+    const auto scales = rough();
+    for (const double factor : {0.2, 0.45, 1.0})
+        for (const double load : {1e5, 1e7, 1e8}) {
+            const double step = 1e-4 * load;
+            const auto less = contact_at_scales(load - step, scales, factor),
+                       more = contact_at_scales(load + step, scales, factor),
+                       at = contact_at_scales(load, scales, factor);
+            const double approach = last(less.mean_gap) - last(more.mean_gap);
+            EXPECT_NEAR((last(more.stored_energy) - last(less.stored_energy)) / (load * approach), 1.0, 1e-6);
+            EXPECT_NEAR(last(at.contact_stiffness) * approach / (2.0 * step), 1.0, 1e-6);
+        }
+}
+
+// u_0 = γ √(2/π) ∫ dh'/q
+TEST(PerssonContact, IsAsStiffAsItsLoadWhereItIsLight) {
+    const auto scales = rough();
+    double length = 0.0;
+    const Array1D slope = 2.0 / modulus * scales.pressure_variance.sqrt();
+    for (Index i = 1; i < slope.size(); ++i)
+        length += (slope[i] - slope[i - 1]) * 0.5 * (1.0 / scales.wavevector[i] + 1.0 / scales.wavevector[i - 1]);
+    for (const double factor : {0.45, 1.0}) {
+        const auto contact = contact_at_scales(1.0, scales, factor);
+        EXPECT_NEAR(1.0 / (last(contact.contact_stiffness) * factor * std::sqrt(2.0 / pi) * length), 1.0, 2e-4);
+        const auto tenth = contact_at_scales(0.1, scales, factor);
+        const double difference = last(tenth.mean_gap) - last(contact.mean_gap);
+        EXPECT_NEAR(difference * last(contact.contact_stiffness) / std::log(10.0), 1.0, 1e-5);
+    }
+}
+
+TEST(PerssonContact, IsTheSameInOtherUnits) {
+    auto curve = self_affine_curve();
+    const auto here = contact_at_scales(2e7, rough());
+    curve.wavevector *= 1e-3, curve.density *= 1e12;
+    curve.band = {curve.band.lower * 1e-3, curve.band.upper * 1e-3};
+    const auto there = contact_at_scales(2e7, scales_of(curve, {.contact_modulus = modulus}));
+    EXPECT_NEAR(last(there.area_fraction) / last(here.area_fraction), 1.0, 1e-12);
+    EXPECT_NEAR(last(there.mean_gap) / (1e3 * last(here.mean_gap)), 1.0, 1e-12);
+    EXPECT_NEAR(last(there.stored_energy) / (1e3 * last(here.stored_energy)), 1.0, 1e-12);
+}
+
+TEST(PerssonContact, RefusesWhatHasNoSense) {
+    EXPECT_THROW((void)contact_at_scales(0.0, rough()), InvalidArgument);
+    EXPECT_THROW((void)contact_at_scales(1e6, rough(), 0.0), InvalidArgument);
+    EXPECT_THROW((void)scales_of(self_affine_curve(), {.contact_modulus = -1.0}), InvalidArgument);
+    EXPECT_THROW((void)scales_of(self_affine_curve(), {.contact_modulus = 1.0, .layer = half_space::Layer{0.0}}),
+                 InvalidArgument);
+}
+
+}  // namespace
+}  // namespace setae::persson::contact_test
