@@ -11,28 +11,57 @@ namespace setae::persson {
 namespace {
 
 constexpr double nodes_per_decade = 100.0;
+/// Nodes beside the lower end, each so much farther from it: V begins at 0, and what a load feels of the longest waves
+/// depends on p²/V.
+constexpr int first_nodes = 80;
+constexpr double growth = 1.189207115002721;
+
+/// Power laws through the usable nodes of a curve, the outer ones continued.
+class PowerLaws {
+public:
+    explicit PowerLaws(const spectra::Spectrum& curve) {
+        for (Index i = 0; i < curve.wavevector.size(); ++i)
+            if (curve.density[i] > 0.0) q_.push_back(curve.wavevector[i]), density_.push_back(curve.density[i]);
+    }
+
+    [[nodiscard]] const std::vector<double>& nodes() const { return q_; }
+    [[nodiscard]] double at(double q) const {
+        const auto above = std::upper_bound(q_.begin() + 1, q_.end() - 1, q) - q_.begin();
+        const auto i = static_cast<std::size_t>(above);
+        const double part = std::log(q / q_[i - 1]) / std::log(q_[i] / q_[i - 1]);
+        return density_[i - 1] * std::pow(density_[i] / density_[i - 1], part);
+    }
+
+private:
+    std::vector<double> q_, density_;
+};
+
+/// Wavevectors of the curve, and more between.
+std::vector<double> refined(const std::vector<double>& nodes, double lower) {
+    std::vector<double> q;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        const double ratio = nodes[i + 1] / nodes[i];
+        const double pieces = std::ceil(std::log10(ratio) * nodes_per_decade - 1e-9);
+        for (double piece = 0.0; piece < pieces; ++piece) q.push_back(nodes[i] * std::pow(ratio, piece / pieces));
+    }
+    q.push_back(nodes.back());
+    // where their steps are as long as those of the others
+    double distance = lower * (std::pow(10.0, 1.0 / nodes_per_decade) - 1.0) / (growth - 1.0);
+    for (int k = 0; k < first_nodes; ++k, distance /= growth)
+        if (lower + distance < q.back()) q.push_back(lower + distance);
+    std::sort(q.begin(), q.end());
+    q.erase(std::unique(q.begin(), q.end()), q.end());
+    return q;
+}
 
 /// The same curve with more nodes on its power laws.
 spectra::Spectrum refined(const spectra::Spectrum& curve) {
-    if (curve.nodes == spectra::Nodes::modes) return curve;
-    std::vector<double> q, density;
-    double left = 0.0, at_left = 0.0;
-    for (Index i = 0; i < curve.wavevector.size(); ++i) {
-        const double right = curve.wavevector[i], at_right = curve.density[i];
-        if (!(at_right > 0.0)) continue;
-        if (left > 0.0) {
-            const double pieces = std::ceil(std::log10(right / left) * nodes_per_decade - 1e-9);
-            for (double piece = 1.0; piece < pieces; ++piece) {
-                q.push_back(left * std::pow(right / left, piece / pieces));
-                density.push_back(at_left * std::pow(at_right / at_left, piece / pieces));
-            }
-        }
-        q.push_back(right), density.push_back(at_right);
-        left = right, at_left = at_right;
-    }
+    const PowerLaws laws(curve);
+    if (curve.nodes == spectra::Nodes::modes || laws.nodes().size() < 2) return curve;
+    const auto q = refined(laws.nodes(), curve.band.lower);
     spectra::Spectrum result{.band = curve.band, .kind = curve.kind, .waves_end = curve.waves_end};
     result.wavevector = Eigen::Map<const Array1D>(q.data(), static_cast<Index>(q.size()));
-    result.density = Eigen::Map<const Array1D>(density.data(), static_cast<Index>(density.size()));
+    result.density = result.wavevector.unaryExpr([&laws](double at) { return laws.at(at); });
     return result;
 }
 

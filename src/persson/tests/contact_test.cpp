@@ -137,6 +137,23 @@ TEST(PerssonContact, IsAsStiffAsItsLoadWhereItIsLight) {
     }
 }
 
+// a spectrum that begins at once, q^-4 from q_0 on: what its first waves do is found at every load, as with nodes a
+// thousand times as dense
+TEST(PerssonContact, DoesNotDependOnTheNodesOfTheSpectrum) {
+    const auto curve_of = [](Index nodes) {
+        const Array1D q = Array1D::LinSpaced(nodes, std::log(1e6), std::log(1e9)).exp();
+        return spectra::Spectrum{
+            .wavevector = q, .density = 0.08 * q.pow(-4.0), .band = {1e6, 1e9}, .kind = spectra::Density::C_iso};
+    };
+    const auto coarse = scales_of(curve_of(13), {.contact_modulus = modulus}),
+               fine = scales_of(curve_of(12001), {.contact_modulus = modulus});
+    for (const double load : {1e6, 3e6, 1e7, 3e7, 1e8}) {
+        const auto with_few = contact_at_scales(load, coarse), with_many = contact_at_scales(load, fine);
+        EXPECT_NEAR(last(with_few.mean_gap) / last(with_many.mean_gap), 1.0, 1e-4) << load;
+        EXPECT_NEAR(last(with_few.contact_stiffness) / last(with_many.contact_stiffness), 1.0, 5e-4) << load;
+    }
+}
+
 TEST(PerssonContact, IsTheSameInOtherUnits) {
     auto curve = self_affine_curve();
     const auto here = contact_at_scales(2e7, rough());

@@ -9,6 +9,7 @@
 #include "setae/file_figures/contour_figure.hpp"
 #include "setae/file_figures/level_figure.hpp"
 #include "setae/file_figures/parameter_figure.hpp"
+#include "setae/file_figures/persson_figure.hpp"
 #include "setae/file_figures/scale_figure.hpp"
 #include "setae/file_figures/spectrum_figure.hpp"
 
@@ -206,6 +207,31 @@ TEST(WriteFigure, SaysWhyThereIsNone) {
         EXPECT_NE(std::string(error.what()).find("it has no data"), std::string::npos);
     }
     EXPECT_THROW(write_figure({}, "a.eps"), InvalidArgument);
+}
+
+TEST(PerssonFigure, IsDrawnAgainstWhatItsTableRunsOver) {
+    Table load;
+    load.columns = {{"pressure", "Pa", Array1D{{1e5, 1e6, 1e7}}},
+                    {"area_fraction", "1", Array1D{{0.01, 0.1, 0.7}}},
+                    {"mean_gap", "m", Array1D{{3e-8, 2e-8, 1e-9}}}};
+    const auto plain = persson_figure(load, "folder/spectrum.csv", {});
+    EXPECT_EQ(plain.title, "Contact of spectrum.csv against load");
+    ASSERT_EQ(plain.figure.panels.size(), 2U);
+    EXPECT_EQ(plain.figure.panels[0].x.unit, "MPa");
+    EXPECT_EQ(plain.figure.panels[0].series.size(), 1U);
+    EXPECT_DOUBLE_EQ(plain.figure.panels[1].series[0].y[0], 30.0);
+    // under tension there is no contact without adhesion, and the axis of pressures is linear
+    load.columns[0].values = Array1D{{-1e5, 1e5, 1e6}};
+    load.columns[2].values[0] = undefined;
+    load.columns.push_back({"adhesive_area_fraction", "1", Array1D{{0.5, 0.6, 0.9}}});
+    const auto adhesive = persson_figure(load, "spectrum.csv", {});
+    EXPECT_FALSE(adhesive.figure.panels[0].x.logarithmic);
+    EXPECT_EQ(series_of(adhesive.figure.panels[0], "with adhesion").y[2], 0.9);
+    Table scales;
+    scales.columns = {{"wavevector", "1/m", Array1D{{1e6, 1e8}}},
+                      {"area_fraction", "1", Array1D{{1.0, 0.1}}},
+                      {"mean_gap", "m", Array1D{{0.0, 1e-8}}}};
+    EXPECT_EQ(persson_figure(scales, "s.csv", {}).title, "Contact of s.csv against the waves counted");
 }
 
 }  // namespace

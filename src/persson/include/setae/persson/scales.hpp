@@ -20,7 +20,7 @@ struct Scales {
     Array1D stored_energy;      ///< U [J/m²]; 0 at the first q
 };
 
-/// The scales of a spectrum, C_iso or C1D, at least a hundred a decade between power laws.
+/// The scales of a spectrum, C_iso or C1D, at least a hundred a decade between power laws and finer where V begins.
 ///
 /// @throws InvalidArgument for a body outside its domain, or a band without an end; UndefinedDataError as
 /// roughness::cumulative_parameters.

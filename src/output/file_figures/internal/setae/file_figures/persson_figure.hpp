@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/table.hpp"
+#include "setae/file_figures/look.hpp"
+
+namespace setae::file_figures {
+
+/// Area in contact and mean gap, as Persson's theory has them: against pressure for a table of persson::load_table(),
+/// against the waves counted for one of persson::scale_table(); with adhesion its area beside that without.
+///
+/// file: of the surface, for the title.
+[[nodiscard]] StudyFigure persson_figure(const Table& table, const std::string& file, const Look& look);
+
+}  // namespace setae::file_figures
