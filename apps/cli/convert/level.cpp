@@ -15,6 +15,7 @@
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/processed_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/level_figure.hpp"
 #include "setae/study/pipeline_file.hpp"
@@ -51,27 +52,21 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
 
 /// Processes and writes one file; what was done, and that it was printed for a reader.
 output::Json level_file(const Arguments& arguments, const processing::Pipeline& pipeline, const Job& job) {
-    const auto options = arguments.file.read_options();
-    const auto channels = formats::open(job.input, options);
-    const auto& channel = channels[formats::chosen_channels(job.input, channels, arguments.file.channel).front()];
-    const auto before = channel.read();
-    const auto result =
-        processing::apply(pipeline, before, study::measurement_loader(options), arguments.common.workers());
+    const auto processed = answers::processed_file(job.input, arguments.file.read_options(), arguments.file.channel,
+                                                   pipeline, arguments.common.workers());
+    const auto& [file, channel, before, result] = processed;
     if (file_figures::is_figure_path(job.output))
         file_figures::write_figure(file_figures::level_figure(before, result, arguments.figure.look()), job.output);
     else if (!job.output.empty()) write_heights(job.output, result.measurement);
-    show(channel.info.alerts);
+    show(channel.alerts);
     std::string lines =
-        fmt::format("{} ({}){}\n", job.input, channel.info.name, job.output.empty() ? "" : " -> " + job.output);
+        fmt::format("{} ({}){}\n", job.input, channel.name, job.output.empty() ? "" : " -> " + job.output);
     for (const auto& record : result.records) {
         lines += as_line(record);
         show(record.alerts);
     }
     if (!arguments.common.json) print(lines);
-    return {{"input", job.input},
-            {"output", job.output.empty() ? output::Json(nullptr) : output::Json(job.output)},
-            {"channel", channel.info.name},
-            {"steps", output::to_json(result.records)}};
+    return answers::to_json(processed, job.output);
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -99,7 +94,7 @@ ExitCode run(const Arguments& arguments) {
         if (!jobs[current].output.empty()) require_own_output(jobs, current);
         files.push_back(level_file(arguments, pipeline, jobs[current]));
     });
-    if (arguments.common.json) print_json({{"pipeline", study::step_lines(pipeline)}, {"files", files}});
+    if (arguments.common.json) print_json(answers::processing_json(pipeline, files));
     return code;
 }
 

@@ -11,7 +11,6 @@
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
 #include "setae/processing/step_text.hpp"
-#include "setae/study/pipeline_file.hpp"
 
 namespace setae::cli {
 namespace {
@@ -29,21 +28,15 @@ std::string with_blanks(std::string name) {
 
 }  // namespace
 
-void PipelineOption::add_to(Options& options) {
-    options.add("--pipeline", file, "processing steps, a file p.yml or p.toml");
+void add_processing_options(Options& options, answers::ProcessingRequest& processing) {
+    options.add("--pipeline", processing.file, "processing steps, a file p.yml or p.toml");
     options
         .add(
-            "--step", steps,
+            "--step", processing.steps,
             "a step behind them, such as \"despike threshold=5\"; may stand several times; `setae level --explain` lists them")
         .one_at_a_time()
         .offering(step_names())
         .read_by([](const std::string& text) { (void)processing::step_from_text(text); });
-}
-
-processing::Pipeline PipelineOption::pipeline() const {
-    auto pipeline = file.empty() ? processing::Pipeline{} : study::read_pipeline(file);
-    for (const auto& step : steps) pipeline.entries.push_back({processing::step_from_text(step)});
-    return pipeline;
 }
 
 std::string as_line(const processing::StepRecord& record) {

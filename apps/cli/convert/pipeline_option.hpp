@@ -2,23 +2,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "program/options.hpp"
-#include "setae/output/json.hpp"
-#include "setae/processing/pipeline.hpp"
+#include "setae/answers/surface_request.hpp"
+#include "setae/processing/steps.hpp"
 
 namespace setae::cli {
 
 /// Processing before analysis: --pipeline p.yml, then --step "despike threshold=5" as often as need be.
-struct PipelineOption {
-    std::string file;
-    std::vector<std::string> steps;
+void add_processing_options(Options& options, answers::ProcessingRequest& processing);
 
-    void add_to(Options& options);
-    [[nodiscard]] bool given() const { return !file.empty() || !steps.empty(); }
-    /// The steps of the file, then those of the command line. @throws as read_pipeline() and step_from_text() do.
-    [[nodiscard]] processing::Pipeline pipeline() const;
+struct PipelineOption : answers::ProcessingRequest {
+    void add_to(Options& options) { add_processing_options(options, *this); }
 };
 
 /// What a step did, on one line for a reader: its name and its numbers.

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <string>
 
 #include "program/options.hpp"
-#include "setae/formats/channel.hpp"
+#include "setae/answers/surface_request.hpp"
 
 namespace setae::cli {
 
@@ -14,15 +12,10 @@ namespace setae::cli {
 void add_layout_option(Options& options, std::string& as);
 
 /// Options for files that leave something open: --size "1 mm x 1 mm", --unit um, --as columns, --channel K.
-struct FileOptions {
-    std::string size;
-    std::string unit;
-    std::string as;
-    std::optional<std::size_t> channel;
+void add_file_options(Options& options, answers::FileRequest& file);
 
-    void add_to(Options& options);
-    /// @throws InvalidArgument for a malformed size.
-    [[nodiscard]] formats::ReadOptions read_options() const;
+struct FileOptions : answers::FileRequest {
+    void add_to(Options& options) { add_file_options(options, *this); }
 };
 
 }  // namespace setae::cli

@@ -10,8 +10,6 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/bytes/source.hpp"
-#include "setae/core/errors.hpp"
 
 namespace setae::cli::info_command {
 namespace {
@@ -26,9 +24,6 @@ constexpr const char* explanation =
     "units       of a spectrum's table: of its first column and of the density; (assumed) where the header states none\n"
     "folders     are looked through, hidden files and linked folders left out; what cannot be read comes last\n";
 
-/// Larger files are not read without being asked to.
-constexpr std::uint64_t largest_read = 64'000'000;
-
 struct Arguments {
     Common common;
     FileOptions file;
@@ -36,90 +31,37 @@ struct Arguments {
     bool heights = false, no_heights = false, all = false;
 };
 
-/// What the options say of files that leave something open.
-study::FileQuestions questions_of(const FileOptions& options) {
-    if (options.as != "spectrum") return {.heights = options.read_options()};
-    study::FileQuestions questions{.heights = {}, .is_spectrum = true};
-    if (!options.unit.empty()) questions.spectrum = tables::SpectrumUnits::from_text(options.unit);
-    return questions;
-}
-
-ListedFile listed(const std::string& file, const Arguments& arguments) {
-    ListedFile listed{.content = study::file_content(file, questions_of(arguments.file)),
-                      .channels = {},
-                      .bytes = bytes::file_source(file).size};
-    const bool large = listed.bytes > largest_read;
-    const bool wanted = !arguments.no_heights && (arguments.heights || !large);
-    listed.too_large = large && !arguments.heights && !arguments.no_heights;
-    const auto& channels = listed.content.channels;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        if (arguments.file.channel && *arguments.file.channel != i) continue;
-        const auto& info = channels[i].info;
-        listed.channels.push_back({i, info, wanted && can_be_read(info) ? summarise(channels[i]) : HeightSummary{}});
-    }
-    return listed;
-}
-
-/// What was found, and what is wrong with it.
-struct Inventory {
-    std::vector<ListedFile> files;
-    std::vector<study::UnreadablePath> failed;  ///< files that nothing can be said of
+/// Alerts of what was read, then reasons of what was not; whether a channel is bad. A member of a container that cannot
+/// be opened is a channel of no format; an alert says why.
+bool show_remarks(const answers::Contents& contents, bool json) {
     bool any_bad_channel = false;
-};
-
-Inventory inventory_of(const Arguments& arguments) {
-    const auto found = study::found_files(arguments.files);
-    Inventory inventory{.files = {}, .failed = found.unreadable};
-    for (const auto& file : found.files) {
-        try {
-            inventory.files.push_back(listed(file, arguments));
-        } catch (const std::exception& error) {
-            inventory.failed.push_back({file, reason_of(error, file)});
-        }
-    }
-    return inventory;
-}
-
-/// Alerts of what was read, then reasons of what was not. A member of a container that cannot be opened is a channel of
-/// no format; an alert says why.
-void show_remarks(Inventory& inventory, bool json) {
-    for (const auto& file : inventory.files) {
+    for (const auto& file : contents.files) {
         if (file.content.picture && !json) show(file.content.picture->alerts);
         for (const auto& channel : file.channels)
             if (!json || channel.info.format.empty()) show(channel.info.alerts);
     }
-    for (const auto& file : inventory.files) {
+    for (const auto& file : contents.files) {
         for (const auto& channel : file.channels) {
             if (!channel.heights.error.empty()) complain(channel.heights.error);
-            inventory.any_bad_channel |= channel.info.format.empty() || !channel.heights.error.empty();
+            any_bad_channel |= channel.info.format.empty() || !channel.heights.error.empty();
         }
     }
-    for (const auto& failed : inventory.failed) complain(failed.reason);
-}
-
-output::Json json_of(const Inventory& inventory) {
-    output::Json json{
-        {"channels", output::Json::array()}, {"files", output::Json::array()}, {"failed", output::Json::array()}};
-    for (const auto& file : inventory.files) {
-        json["files"].push_back(file_json(file));
-        for (const auto& channel : file.channels) json["channels"].push_back(channel_json(file.content.file, channel));
-    }
-    for (const auto& failed : inventory.failed)
-        json["failed"].push_back({{"file", failed.path}, {"error", failed.reason}});
-    return json;
+    for (const auto& failed : contents.failed) complain(failed.reason);
+    return any_bad_channel;
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.files.empty()) throw InvalidArgument("no file; expected at least one file or folder");
-    if (arguments.heights && arguments.no_heights)
-        throw InvalidArgument("--heights and --no-heights contradict each other; expected one of them");
-    auto inventory = inventory_of(arguments);
-    if (!inventory.files.empty() && arguments.common.json) print_json(json_of(inventory));
+    const auto contents = answers::contents({.paths = arguments.files,
+                                             .questions = arguments.file.questions(),
+                                             .channel = arguments.file.channel,
+                                             .heights = arguments.heights,
+                                             .no_heights = arguments.no_heights});
+    if (!contents.files.empty() && arguments.common.json) print_json(answers::to_json(contents));
     if (!arguments.common.json)
-        print(file_tables(inventory.files, arguments.all ? Detail::all : Detail::usual, output_size().width));
-    show_remarks(inventory, arguments.common.json);
-    if (inventory.files.empty()) return ExitCode::nothing_done;
-    return inventory.failed.empty() && !inventory.any_bad_channel ? ExitCode::done : ExitCode::some_failed;
+        print(file_tables(contents.files, arguments.all ? Detail::all : Detail::usual, output_size().width));
+    const bool any_bad_channel = show_remarks(contents, arguments.common.json);
+    if (contents.files.empty()) return ExitCode::nothing_done;
+    return contents.failed.empty() && !any_bad_channel ? ExitCode::done : ExitCode::some_failed;
 }
 
 }  // namespace

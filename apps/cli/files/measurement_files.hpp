@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "files/file_options.hpp"
-#include "program/options.hpp"
+#include "setae/answers/surface_request.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::cli {
@@ -13,6 +12,7 @@ namespace setae::cli {
 /// The measurements of a file as they are, nothing removed: of a container every one, of other files the channel asked
 /// for or else the first that holds heights.
 /// @throws what reading throws; InvalidArgument where no channel holds heights.
-[[nodiscard]] std::vector<topography::Measurement> measurements_of(const std::string& path, const FileOptions& options);
+[[nodiscard]] std::vector<topography::Measurement> measurements_of(const std::string& path,
+                                                                   const answers::FileRequest& options);
 
 }  // namespace setae::cli

@@ -142,9 +142,7 @@ ExitCode run(const Arguments& arguments) {
     const auto code = for_each_loop(arguments.request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
         output::add_energies(energies, output::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
         if (arguments.common.json) {
-            auto json = output::energies_json(loop.analysis);
-            json["file"] = loop.file;
-            list.push_back(std::move(json));
+            list.push_back(answers::energy_json(loop));
         } else {
             print_ledger(loop);
             show(loop.analysis.alerts);

@@ -198,10 +198,6 @@ ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& 
     });
 }
 
-study::LoopModels models_of(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
-    return study::loop_models(loop.analysis, loop.bodies, loop.options, models);
-}
-
 /// Adds a loop to those of a shared fit, where it has the branch.
 void share(const AnalysedLoop& loop, const study::LoopModelOptions& models, std::vector<loops::GlobalBranch>& shared) {
     try {
@@ -226,13 +222,10 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
                          arguments.common.json);
         if (models.shared()) share(loop, models, shared);
         if (arguments.common.json) {
-            auto json = output::to_json(loop.analysis);
-            json["file"] = loop.file;
-            if (models.any()) json["models"] = output::to_json(models_of(loop, models));
-            list.push_back(std::move(json));
+            list.push_back(answers::fit_json(loop, models));
         } else {
             print_loop(loop.file, loop.analysis);
-            if (models.any()) print_models(models_of(loop, models));
+            if (models.any()) print_models(answers::models_of(loop, models));
             show(loop.analysis.alerts);
         }
     });

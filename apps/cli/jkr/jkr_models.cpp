@@ -47,21 +47,6 @@ void ModelArguments::add_to(Options& options) {
         .one_of({"modulus", "work"});
 }
 
-study::LoopModelOptions ModelArguments::options() const {
-    const auto shares = [&](const char* what) { return std::find(shared.begin(), shared.end(), what) != shared.end(); };
-    study::LoopModelOptions options{.models = models,
-                                    .profile = profile,
-                                    .crack_speed = crack_speed,
-                                    .exponent = exponent,
-                                    .share_contact_modulus = shares("modulus"),
-                                    .share_work_of_adhesion = shares("work")};
-    options.branch = branch == "loading" ? loops::LoopBranch::loading : loops::LoopBranch::unloading;
-    options.errors = study::fit_errors_named(errors);
-    if (!contact_point.empty()) options.contact_point = parse_quantity(contact_point, dimension::length);
-    if (!cohesive_stress.empty()) options.cohesive_stress = parse_quantity(cohesive_stress, dimension::pressure);
-    return options;
-}
-
 void print_models(const study::LoopModels& models) {
     std::string text, reasons;
     tables::TidyTable table{"", {"model", "E* [MPa]", "W [mJ/m²]", "λ", "χ²_red", "n", "ΔAICc"}, {}};

@@ -2,53 +2,16 @@
 #include "jkr/loop_arguments.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <string_view>
 
 #include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/loops/machine_stiffness.hpp"
-#include "setae/study/force_map.hpp"
-#include "setae/tables/loop_file.hpp"
-#include "setae/tables/mapping_folder.hpp"
 
 namespace setae::cli {
-namespace {
-
-std::optional<double> given(const std::string& text, const Dimension& dimension) {
-    return text.empty() ? std::nullopt : std::optional(parse_quantity(text, dimension));
-}
-
-/// A length that an option gives, with its ±.
-std::optional<Estimate> length(const std::string& text) {
-    return text.empty() ? std::nullopt : std::optional(parse_uncertain_quantity(text, positive(dimension::length)));
-}
-
-/// k of the machine: given, measured on something rigid, or stated in the loop's file.
-std::optional<Estimate> stiffness_of(const LoopAnalysisArguments& arguments, const Table& loop) {
-    if (!arguments.machine_stiffness.empty())
-        return parse_uncertain_quantity(arguments.machine_stiffness, dimension::stiffness);
-    if (!arguments.rigid_contact.empty()) {
-        const auto rigid = study::open_loop({.file = arguments.rigid_contact});
-        return loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(rigid.table)).stiffness;
-    }
-    return tables::loop_quantity(loop, "machine_stiffness");
-}
-
-AnalysedLoop analysed(const LoopAnalysisRequest& request, const std::string& file) {
-    AnalysedLoop loop{.file = file, .opened = request.loops.open(file)};
-    const auto bodies = request.bodies.bodies(loop.opened.table);
-    loop.bodies = bodies.values;
-    loop.options = request.analysis.options(loop.opened.table);
-    loop.analysis = study::analyse_loop(loop.opened, file, bodies, loop.options);
-    return loop;
-}
-
-}  // namespace
 
 void LoopArguments::add_to(Options& options) {
+    mapping_folder = cli::mapping_folder();
     options
         .add("files", files,
              "loops: tables with units in the header, setae's loop files, workbooks, force curves, or folders of them")
@@ -75,49 +38,6 @@ void LoopArguments::add_to(Options& options) {
                 "one force curve of a file of many, as the file counts them; without it `jkr fit` fits them all");
 }
 
-std::vector<std::string> LoopArguments::expanded() const {
-    std::vector<std::string> all;
-    for (const auto& path : files) {
-        if (!std::filesystem::is_directory(path)) {
-            all.push_back(path);
-            continue;
-        }
-        std::vector<std::string> within;
-        for (const auto& entry : std::filesystem::directory_iterator(path))
-            if (entry.is_regular_file() && !entry.path().filename().string().starts_with("."))
-                within.push_back(entry.path().string());
-        std::sort(within.begin(), within.end());
-        all.insert(all.end(), within.begin(), within.end());
-    }
-    if (all.empty()) throw InvalidArgument("no file; expected at least one loop");
-    return all;
-}
-
-study::LoopSource LoopArguments::source(const std::string& file) const {
-    study::LoopSource source{.file = file};
-    source.mapping = mapping();
-    if (!camera.empty()) {
-        source.camera = study::CameraInput{.file = camera,
-                                           .clock_offset = given(clock_offset, dimension::time),
-                                           .pixel_size = given(pixel, dimension::length),
-                                           .frame_rate = frame_rate,
-                                           .fringes = fringes};
-        if (!camera_map.empty()) source.camera->mapping = tables::mapping_path(camera_map, mapping_folder());
-    }
-    source.force_curve.spring_constant = given(spring_constant, dimension::stiffness);
-    if (!sensitivity.empty()) source.force_curve.sensitivity = tables::parse_sensitivity(sensitivity);
-    return source;
-}
-
-std::optional<std::string> LoopArguments::mapping() const {
-    return map.empty() ? std::nullopt : std::optional(tables::mapping_path(map, mapping_folder()));
-}
-
-study::OpenedLoop LoopArguments::open(const std::string& file) const {
-    const auto wanted = source(file);
-    return curve_number ? study::open_force_curve(file, *curve_number, wanted.force_curve) : study::open_loop(wanted);
-}
-
 void BodyArguments::add_to(Options& options) {
     options
         .add("--radius", radius,
@@ -133,27 +53,6 @@ void BodyArguments::add_to(Options& options) {
         .quantity(positive(dimension::length));
     options.add("--layer-thickness", layer_thickness, "the same of a soft layer on a rigid base")
         .quantity(positive(dimension::length));
-}
-
-study::StatedBodies BodyArguments::bodies(const Table& loop) const {
-    auto bodies = without_radius(loop);
-    if (!(bodies.values.radius > 0.0))
-        throw InvalidArgument(
-            "missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
-    return bodies;
-}
-
-study::StatedBodies BodyArguments::without_radius(const Table& loop) const {
-    using loops::SharedInput;
-    auto bodies = study::bodies_stated_in(loop);
-    auto& values = bodies.values;
-    bodies.take(SharedInput::sphere_radius, values.radius, length(radius));
-    if (poisson_ratio) bodies.take(SharedInput::poisson_ratio, values.lens_poisson_ratio, Estimate{*poisson_ratio});
-    bodies.take(SharedInput::sphere_height, values.lens_height, length(lens_height));
-    bodies.take(SharedInput::sphere_height, values.layer_thickness, length(layer_thickness));
-    values.counter_youngs_modulus = given(counter_modulus, dimension::pressure).value_or(values.counter_youngs_modulus);
-    values.counter_poisson_ratio = counter_poisson_ratio.value_or(values.counter_poisson_ratio);
-    return bodies;
 }
 
 void LoopAnalysisArguments::add_to(Options& options) {
@@ -186,27 +85,6 @@ void LoopAnalysisArguments::add_to(Options& options) {
     options.flag("--retraction-modulus-free", modulus_free, "fit E* in (S2) too");
 }
 
-loops::AnalysisOptions LoopAnalysisArguments::options(const Table& loop) const {
-    loops::AnalysisOptions options;
-    options.samples_dropped = samples_dropped;
-    options.effective_variance = !unweighted;
-    options.force_drift = !no_drift;
-    options.leave_pinned_out = !whole_retraction;
-    options.retraction_modulus_free = modulus_free;
-    options.extrapolate_force_drift = extrapolate_drift;
-    options.contact_point = loops::parse_contact_point(contact_point);
-    options.true_area_ratio = area_ratio;
-    options.segments.baseline_share = baseline_share;
-    for (const auto& edit : segments) loops::add_segment_edit(options.segments.edits, edit);
-    if (!displacement_drift.empty())
-        options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::length / dimension::time);
-    if (const auto stiffness = stiffness_of(*this, loop)) {
-        options.machine_stiffness = stiffness->value;
-        if (stiffness->standard_error > 0.0) options.machine_stiffness_standard_error = stiffness->standard_error;
-    }
-    return options;
-}
-
 void LoopAnalysisRequest::add_to(Options& options) {
     loops.add_to(options);
     bodies.add_to(options);
@@ -227,7 +105,8 @@ ExitCode for_each_loop(const LoopAnalysisRequest& request, parallel::Threads thr
         std::vector<Result> results(std::min(at_once, files.size() - first));
         parallel::for_each_index(results.size(), threads, [&](std::size_t i) {
             try {
-                results[i].loop = analysed(request, files[first + i]);
+                results[i].loop =
+                    answers::analysed_loop(files[first + i], request.loops, request.bodies, request.analysis);
             } catch (const std::exception& error) {
                 results[i].error = reason_of(error, files[first + i]);
             }

@@ -18,6 +18,7 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
+#include "setae/answers/parameters.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/parameter_figure.hpp"
@@ -45,26 +46,6 @@ struct Arguments {
     std::string output, documentation;
     FigureOption figure;
 };
-
-/// Spectral parameters by the conversion asked for, and by the other one.
-std::vector<Quantity> spectral_quantities(const study::SurfaceResult& surface, roughness::Conversion conversion) {
-    const auto named = [](std::vector<Quantity> quantities, const char* suffix) {
-        for (auto& q : quantities) q.quantity += suffix;
-        return quantities;
-    };
-    const auto& spectrum = surface.used();
-    auto list = named(output::surface_quantities(surface, spectrum, conversion), "_from_spectrum");
-    if (!spectrum.other_conversion) return list;
-    auto other = spectrum;
-    other.parameters = *spectrum.other_conversion;
-    other.spread = {};
-    const bool exact = conversion == roughness::Conversion::exact;
-    const auto others = named(
-        output::surface_quantities(surface, other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
-        exact ? "_from_spectrum_eq11" : "_from_spectrum_exact");
-    list.insert(list.end(), others.begin(), others.end());
-    return list;
-}
 
 struct Origin {
     const char *suffix, *title;
@@ -141,39 +122,22 @@ ExitCode run(const Arguments& arguments) {
         throw InvalidArgument(
             fmt::format("{}: cannot tell the format from the name; expected an ending {}; --json writes the numbers",
                         arguments.output, file_figures::figure_endings));
-    const auto options = arguments.surface.analysis();
-    const auto input = arguments.surface.surface();
-    const auto [surface, map] = study::analyse_surface(input, options, {.previews = false}, arguments.common.workers());
+    const auto parameters = answers::parameters(
+        {.surface = arguments.surface.surface(), .analysis = arguments.surface.analysis()}, arguments.common.workers());
+    const auto& surface = parameters.surface;
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
-    output::Json json = output::Json::array();
-    const auto width = output_size().width;
-    const auto emit = [&](const std::string& file, const std::string& name, const std::vector<Quantity>& list,
-                          std::optional<std::size_t> channel) {
-        if (!arguments.common.json) {
-            const auto title = file + (name.empty() || name == file ? "" : " (" + name + ")");
-            print(tables_of(title, list, width));
-            return;
+    if (!arguments.common.json)
+        for (const auto& group : parameters.groups) {
+            const bool named = !group.name.empty() && group.name != group.file;
+            print(
+                tables_of(group.file + (named ? " (" + group.name + ")" : ""), group.quantities, output_size().width));
         }
-        for (const auto& q : list) {
-            auto entry = output::to_json(q);
-            entry["file"] = file;
-            entry["measurement"] = name;
-            if (channel) entry["channel"] = *channel;
-            json.push_back(std::move(entry));
-        }
-    };
-    for (const auto& m : surface.measurements)
-        if (!m.failed()) emit(m.file, m.name, output::measurement_quantities(m), m.channel);
-    const bool is_alone = surface.measurements.size() == 1 || input.power_spectrum;
-    const auto channel = surface.measurements.size() == 1 ? surface.measurements.front().channel : std::nullopt;
-    emit(is_alone ? arguments.surface.files.front() : "combined", "", spectral_quantities(surface, options.conversion),
-         channel);
     if (!arguments.output.empty())
         write_figure(file_figures::parameter_figure(surface, arguments.figure.look()), arguments.output,
                      arguments.common.json);
-    if (arguments.common.json) print_json(json);
-    show(alerts_of(surface));
+    if (arguments.common.json) print_json(answers::to_json(parameters));
+    show(answers::alerts_of(surface));
     return code;
 }
 

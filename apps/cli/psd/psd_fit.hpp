@@ -1,37 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "program/options.hpp"
-#include "setae/core/quantity.hpp"
-#include "setae/core/table.hpp"
-#include "setae/output/json.hpp"
-#include "setae/spectra/self_affine_fit.hpp"
-#include "setae/study/surface_analysis.hpp"
+#include "setae/answers/self_affine.hpp"
 
 namespace setae::cli {
 
 /// --fit and what belongs to it.
-struct FitOptions {
-    bool wanted = false;
-    std::string range;
-    bool no_rolloff = false, short_cutoff = false;
-
+struct FitOptions : answers::SelfAffineRequest {
     void add_to(Options& options);
 };
-
-/// A self-affine surface fitted to the spectra of all measurements, each where neither window nor sampling bends it.
-/// @throws InvalidArgument for a malformed range; what the fit throws.
-[[nodiscard]] spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const FitOptions& options);
-
-/// Its parameters that were fitted.
-[[nodiscard]] std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit);
-
-/// Columns C1D_model, C1D_model_standard_error and extrapolated (1 outside the range of the fit) beside the wavevectors
-/// of a table, and the parameters in its header.
-void add_model(Table& table, const spectra::SelfAffineFit& fit);
-
-[[nodiscard]] output::Json fit_json(const spectra::SelfAffineFit& fit);
 
 }  // namespace setae::cli

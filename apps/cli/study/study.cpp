@@ -14,6 +14,7 @@
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/run_time.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -28,7 +29,6 @@
 #include "setae/study_figures/write_figures.hpp"
 #include "study/interruption.hpp"
 #include "study/run_arguments.hpp"
-#include "study/run_time.hpp"
 #include "study/study_pages.hpp"
 
 namespace setae::cli::study_command {
@@ -184,7 +184,7 @@ std::string command_of(const Arguments& arguments) {
 }
 
 ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, ProgressDisplay& display) {
-    const auto time = time_of_run();
+    const auto time = answers::time_of_run();
     const auto study = study_of(arguments);
     output::ResultFolder results(study);
     const auto result = study::run_study(study, run_options(arguments.common.workers(), store, display));

@@ -8,13 +8,23 @@
 #include <thread>
 #include <vector>
 
+#include "setae/core/errors.hpp"
+#include "setae/parallel/cancellation.hpp"
+
 namespace setae::parallel {
 
 namespace {
 
 std::atomic<int> most_threads{0};
+thread_local const std::atomic<bool>* cancellation = nullptr;
 
 }  // namespace
+
+CancellationScope::CancellationScope(const std::atomic<bool>& cancelled) : outer_(cancellation) {
+    cancellation = &cancelled;
+}
+
+CancellationScope::~CancellationScope() { cancellation = outer_; }
 
 void limit_threads(Threads threads) { most_threads = std::max(0, threads.count); }
 
@@ -27,9 +37,12 @@ int Threads::resolved() const {
 void for_each_index(std::size_t n, Threads threads, const std::function<void(std::size_t)>& body) {
     std::vector<std::exception_ptr> failures(n);
     std::atomic<std::size_t> next{0};
+    const auto* cancelled = cancellation;
     const auto work = [&] {
+        cancellation = cancelled;
         for (auto i = next.fetch_add(1); i < n; i = next.fetch_add(1)) {
             try {
+                if (cancelled && *cancelled) throw Cancelled("the caller asked to stop");
                 body(i);
             } catch (...) {
                 failures[i] = std::current_exception();

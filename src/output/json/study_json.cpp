@@ -8,8 +8,8 @@
 
 #include "json_support.hpp"
 #include "json_writer.hpp"
-#include "setae/output/budget.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/output/budget.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/predicted_quantities.hpp"
 #include "setae/output/replicate_report.hpp"
@@ -40,8 +40,8 @@ Json generalised_json(const adhesion::GeneralisedFit& fit, const char* unit_of_s
     work.n = fit.n;
     add(json, work);
     add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
-    for (const auto& [level, scatter] : {std::pair{"pair", fit.scatter.pair}, {"surface", fit.scatter.surface},
-                                         {"elastomer", fit.scatter.elastomer}})
+    for (const auto& [level, scatter] :
+         {std::pair{"pair", fit.scatter.pair}, {"surface", fit.scatter.surface}, {"elastomer", fit.scatter.elastomer}})
         json["scatter"][level] = to_json(quantity("scatter", "tau", scatter, unit_of_scatter));
     return json;
 }
@@ -83,9 +83,9 @@ Json left_out_json(const study::Conclusions& result) {
                    {"elastomer", p.elastomer}};
         entry["predicted"] = to_json(quantity("work_of_adhesion", "W_app", p.predicted, "J/m2"));
         entry["measured"] = to_json(quantity("work_of_adhesion_approach", "W_app", p.measured, "J/m2"));
-        entry["residual"] = to_json(
-            quantity("residual", "measured - predicted",
-                     {.value = p.residual, .standard_error = p.standard_error, .method = "delta"}, "J/m2"));
+        entry["residual"] =
+            to_json(quantity("residual", "measured - predicted",
+                             {.value = p.residual, .standard_error = p.standard_error, .method = "delta"}, "J/m2"));
         entry["held"] = p.held;
         json.push_back(std::move(entry));
     }
@@ -253,30 +253,6 @@ Json continuation_json(const roughness::BeyondData& beyond) {
     return json;
 }
 
-Json surface_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options) {
-    Json json;
-    if (surface.failed()) {
-        json["error"] = surface.error;
-    } else {
-        json = spectrum_json(surface, surface.used(), options);
-        json["spectrum_method"] = study::method_name(surface, surface.method);
-        if (surface.likelihood)
-            for (const auto& [method, spectrum] : study::spectra_of(surface))
-                json["spectra"][method] = spectrum_json(surface, *spectrum, options);
-        if (surface.fitted) json["likelihood"] = to_json(*surface.fitted);
-        if (!surface.likelihood_error.empty()) json["likelihood_error"] = surface.likelihood_error;
-        json["reconstructed"] = surface.reconstructed;
-        json["n_measurements"] = surface.measurements.size();
-    }
-    Json measurements = Json::array();
-    for (const auto& m : surface.measurements) measurements.push_back(measurement_json(m));
-    json["measurements"] = measurements;
-    if (surface.beyond_data) json["beyond_data"] = continuation_json(*surface.beyond_data);
-    if (surface.longer_waves) json["longer_waves"] = continuation_json(*surface.longer_waves);
-    json["alerts"] = to_json(surface.alerts);
-    return json;
-}
-
 Json elastomer_json(const study::ElastomerResult& elastomer) {
     Json json;
     auto modulus = quantity("youngs_modulus", "E", elastomer.youngs_modulus, "Pa");
@@ -379,8 +355,10 @@ Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draw
                                                      {"unit", "J/m2"}};
         json["predicted_energy_loss"] =
             pair.predicted_loss ? to_json(predicted_loss(*pair.predicted_loss)) : Json(nullptr);
-        json["persson_tosatti"] = predicted_json(*pair.persson_tosatti, {.value = pair.persson_tosatti->work.floored}, "[D19] (S13)");
-        json["without_area_change"] = predicted_json(*pair.without_area_change, {.value = pair.without_area_change->work.floored}, "[D19] (2)");
+        json["persson_tosatti"] =
+            predicted_json(*pair.persson_tosatti, {.value = pair.persson_tosatti->work.floored}, "[D19] (S13)");
+        json["without_area_change"] =
+            predicted_json(*pair.without_area_change, {.value = pair.without_area_change->work.floored}, "[D19] (2)");
         if (pair.general)
             json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2",
                                             "of end states, or [D19] (5), (6) where form = printed"));
@@ -633,7 +611,7 @@ Json json_without_experiments(const study::StudyResult& result) {
     const auto stems = spectrum_stems(result);
     for (std::size_t i = 0; i < stems.size(); ++i) {
         const auto& surface = result.surfaces[i];
-        auto& entry = json["surfaces"][surface.name] = surface_json(surface, study.analysis);
+        auto& entry = json["surfaces"][surface.name] = to_json(surface, study.analysis);
         if (!surface.failed()) entry["spectrum_file"] = "psd_" + stems[i] + ".csv";
     }
     json["elastomers"] = Json::object();
@@ -688,6 +666,30 @@ void write_experiments(const std::vector<study::ExperimentResult>& experiments, 
 }
 
 }  // namespace
+
+Json to_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options) {
+    Json json;
+    if (surface.failed()) {
+        json["error"] = surface.error;
+    } else {
+        json = spectrum_json(surface, surface.used(), options);
+        json["spectrum_method"] = study::method_name(surface, surface.method);
+        if (surface.likelihood)
+            for (const auto& [method, spectrum] : study::spectra_of(surface))
+                json["spectra"][method] = spectrum_json(surface, *spectrum, options);
+        if (surface.fitted) json["likelihood"] = to_json(*surface.fitted);
+        if (!surface.likelihood_error.empty()) json["likelihood_error"] = surface.likelihood_error;
+        json["reconstructed"] = surface.reconstructed;
+        json["n_measurements"] = surface.measurements.size();
+    }
+    Json measurements = Json::array();
+    for (const auto& m : surface.measurements) measurements.push_back(measurement_json(m));
+    json["measurements"] = measurements;
+    if (surface.beyond_data) json["beyond_data"] = continuation_json(*surface.beyond_data);
+    if (surface.longer_waves) json["longer_waves"] = continuation_json(*surface.longer_waves);
+    json["alerts"] = to_json(surface.alerts);
+    return json;
+}
 
 Json to_json(const study::StudyResult& result) {
     auto json = json_without_experiments(result);

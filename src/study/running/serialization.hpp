@@ -216,7 +216,8 @@ SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fri
 SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
 SETAE_KEEP(LoopNumbers, contact_modulus, youngs_modulus, approach, pull_off, retraction, loss, contact_area)
 SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, tip_half_angle, tip_file, foil_thickness,
-           height_calibration, lateral_calibration, numerical_aperture, light_wavelength, resolution, trend, direction, references, unit, size, pipeline, steps)
+           height_calibration, lateral_calibration, numerical_aperture, light_wavelength, resolution, trend, direction,
+           references, unit, size, pipeline, steps, in_memory)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, spectrum_units, moments)
 SETAE_KEEP(SurfaceAnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile,

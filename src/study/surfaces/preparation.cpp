@@ -285,6 +285,10 @@ Alert choice_alert(const std::string& file, const std::vector<formats::Channel>&
 
 std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input) {
     const formats::ReadOptions options{input.size, input.unit};
+    if (input.in_memory.read) {
+        const formats::Channel channel{.info = {}, .read = input.in_memory.read};
+        return {{[channel, input, options] { return prepare(channel, input, options, {}); }, {}}};
+    }
     const auto source = bytes::unpacked(bytes::file_source(input.file));
     const auto& format = formats::detect_format(source);
     auto channels = formats::open(source, format, options);

@@ -31,7 +31,8 @@ struct Task {
     MeasurementSource source;
 };
 
-std::vector<Task> tasks_of(const SurfaceInput& input, const SurfaceAnalysisOptions& options, const Run& run) {
+std::vector<Task> tasks_of(const SurfaceInput& input, const SurfaceAnalysisOptions& options, const Run& run,
+                           const Wanted& wanted) {
     std::vector<Task> tasks;
     for (const auto& measurement : input.measurements) {
         try {
@@ -40,6 +41,7 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const SurfaceAnalysisOptio
                 tasks.push_back(
                     {measurement.file, measurement_key(run, measurement, ordinal++, options), std::move(source)});
         } catch (const std::exception& error) {
+            if (wanted.every_measurement) throw;
             tasks.push_back(
                 {measurement.file,
                  {},
@@ -55,7 +57,7 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const SurfaceAnalysisOptio
 std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, const SurfaceInput& input,
                                                       const SurfaceAnalysisOptions& options, Run& run,
                                                       parallel::Threads threads, const Wanted& wanted) {
-    const auto tasks = tasks_of(input, options, run);
+    const auto tasks = tasks_of(input, options, run, wanted);
     run.expect(tasks.size() - std::min(tasks.size(), input.measurements.size()), measurement_work);
     const bool joint = wants_likelihood(options, std::ssize(tasks)), keep = joint || (wanted.map && tasks.size() == 1);
     std::vector<PreparedMeasurement> kept(keep ? tasks.size() : 0);
@@ -78,6 +80,7 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
             if (!found) run.keep(task.key, result);
             if (keep) kept[i] = std::move(prepared);
         } catch (const std::exception& error) {
+            if (wanted.every_measurement) throw;
             result.error = reason_of(error, task.file);
         }
         result.file = task.file;
@@ -261,7 +264,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             estimate_by_average(surface, options, threads);
             add_failure_alert(surface, options);
             look_for_copies(surface, input, run);
-            if (wanted.map) heights = only_map(std::move(prepared));
+            if (wanted.map && prepared.size() == 1) heights = only_map(std::move(prepared));
             else add_likelihood(surface, std::move(prepared), options, threads);
             use_measured_slopes(surface);
             look_beyond_data(surface, options);
@@ -275,6 +278,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
     } catch (const Cancelled&) {
         throw;
     } catch (const std::exception& error) {
+        if (wanted.every_measurement) throw;
         surface.error = reason_of(error);
     }
     run.step_done("surface", input.name, false, work);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/parallel/for_each.hpp"
 
+#include "setae/core/errors.hpp"
+#include "setae/parallel/cancellation.hpp"
+
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <stdexcept>
 #include <vector>
 
@@ -29,6 +33,27 @@ TEST(ForEachIndex, RethrowsTheFailureOfTheLowestIndexAfterRunningAll) {
         EXPECT_STREQ(error.what(), "20");
     }
     EXPECT_EQ(visits, std::vector<int>(100, 1));
+}
+
+TEST(Cancellation, BeginsNoFurtherIndexHoweverDeepTheLoop) {
+    std::atomic<bool> cancelled{false};
+    std::atomic<int> begun{0};
+    const auto inner = [&](std::size_t) {
+        for_each_index(100, Threads{2}, [&](std::size_t) {
+            if (++begun == 5) cancelled = true;
+        });
+    };
+    const CancellationScope scope(cancelled);
+    EXPECT_THROW(for_each_index(100, Threads{3}, inner), Cancelled);
+    EXPECT_LT(begun, 5 + 2 * 3);  // those under way when it was asked for
+}
+
+TEST(Cancellation, EndsWithItsScope) {
+    const std::atomic<bool> cancelled{true};
+    { const CancellationScope scope(cancelled); }
+    int visits = 0;
+    for_each_index(3, Threads{1}, [&](std::size_t) { ++visits; });
+    EXPECT_EQ(visits, 3);
 }
 
 }  // namespace

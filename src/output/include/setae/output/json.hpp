@@ -25,6 +25,7 @@ namespace setae::study {
 struct MeasurementResult;
 struct SpectrumResult;
 struct StudyResult;
+struct SurfaceAnalysisOptions;
 struct SurfaceResult;
 }  // namespace setae::study
 
@@ -62,6 +63,10 @@ using Json = nlohmann::ordered_json;
 
 /// Its energies alone: "loop", "ledger", "cycles", "further_contacts", "alerts".
 [[nodiscard]] Json energies_json(const loops::LoopAnalysis& analysis);
+
+/// A surface as the study's JSON has it under its name: parameters by the spectrum used, "spectra", "likelihood",
+/// "measurements", "alerts"; or "error".
+[[nodiscard]] Json to_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options);
 
 /// All of a study: "fits", "surfaces", "elastomers", "pairs", "experiments", "references", "cutoff_scan", "reported",
 /// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the

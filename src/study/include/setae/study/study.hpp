@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,25 +19,35 @@
 #include "setae/study/loop_source.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
 #include "setae/topography/detrend.hpp"
+#include "setae/topography/measurement.hpp"
 
 namespace setae::study {
 
+/// Heights that are no file's. Nothing of them is kept between runs: they have no content that a key could name.
+struct HeightsInMemory {
+    std::function<topography::Measurement()> read;  ///< a copy of them [m]; empty: there are none
+
+    template <class Archive>
+    void serialize(Archive&) {}
+};
+
 /// One file of a surface and what is done to it before analysis.
 struct MeasurementInput {
-    std::string file;                          ///< path, relative to the study file where not absolute
-    std::optional<std::size_t> channel;        ///< default: the first channel of heights; of a container: every one
-    std::string instrument;                    ///< type: "stylus", "afm", "tem", "optical"
-    std::optional<Estimate> tip_radius;        ///< [m]
-    std::string tip_shape;                     ///< "sphere", "cone", "paraboloid"; empty: sphere
-    std::optional<double> tip_half_angle;      ///< of a cone [rad]
-    std::optional<std::string> tip_file;       ///< picture of the tip, apex up
-    std::optional<Estimate> foil_thickness;    ///< of a side view, along the beam [m]
+    std::string
+        file;  ///< path, relative to the study file where not absolute; of heights in memory what they are called
+    std::optional<std::size_t> channel;      ///< default: the first channel of heights; of a container: every one
+    std::string instrument;                  ///< type: "stylus", "afm", "tem", "optical"
+    std::optional<Estimate> tip_radius;      ///< [m]
+    std::string tip_shape;                   ///< "sphere", "cone", "paraboloid"; empty: sphere
+    std::optional<double> tip_half_angle;    ///< of a cone [rad]
+    std::optional<std::string> tip_file;     ///< picture of the tip, apex up
+    std::optional<Estimate> foil_thickness;  ///< of a side view, along the beam [m]
     std::optional<Estimate>
         height_calibration;  ///< true heights over those of the file, > 0; the data are multiplied with it
     std::optional<Estimate> lateral_calibration;  ///< of lengths along the surface, likewise; of a contour along x
     std::optional<double> numerical_aperture;     ///< of an optical profiler, with …
-    std::optional<double> light_wavelength;    ///< … the mean wavelength of its light [m]
-    std::optional<double> resolution;          ///< [m]
+    std::optional<double> light_wavelength;       ///< … the mean wavelength of its light [m]
+    std::optional<double> resolution;             ///< [m]
     std::optional<topography::Trend>
         trend;               ///< default: none where `steps` level, else what the container says, else by instrument
     double direction = 0.0;  ///< of its lines (x of a map) on the surface [rad]
@@ -45,6 +56,7 @@ struct MeasurementInput {
     std::optional<std::vector<double>> size;  ///< [m], where the file leaves it open
     std::optional<std::string> pipeline;      ///< file that `steps` come from
     std::vector<std::string> steps;           ///< processing before analysis, each as step_from_text() reads it
+    HeightsInMemory in_memory = {};           ///< in place of the file's
 };
 
 /// Published moments in place of measurements.

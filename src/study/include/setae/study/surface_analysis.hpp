@@ -27,9 +27,9 @@ namespace setae::study {
 
 /// Inputs that all measurements by one instrument share, beyond the sizes that it states itself.
 struct InstrumentInputs {
-    std::string tip_radius, foil_thickness;     ///< names; empty where nobody named them
-    Estimate height_calibration{1.0, 0.0};      ///< true over stated, which the data have been multiplied with
-    Estimate lateral_calibration{1.0, 0.0};     ///< likewise
+    std::string tip_radius, foil_thickness;  ///< names; empty where nobody named them
+    Estimate height_calibration{1.0, 0.0};   ///< true over stated, which the data have been multiplied with
+    Estimate lateral_calibration{1.0, 0.0};  ///< likewise
 };
 
 /// One measurement of a surface: what was read, done and found, or why it failed.
@@ -172,6 +172,7 @@ struct Wanted {
     bool parameters = true;  ///< from heights
     bool map =
         false;  ///< the heights themselves, where the surface is one map held in memory: then by the average alone
+    bool every_measurement = false;  ///< the first failure of one is thrown, in place of a result without it
 };
 
 /// Spectrum and real-space parameters of a prepared measurement.
@@ -195,7 +196,7 @@ struct SurfaceWithMap {
     SurfaceResult surface;
     std::optional<topography::HeightMap> map;
 };
-/// The same with no more than what is wanted.
+/// The same with no more than what is wanted. @throws what failed, where every measurement is wanted.
 [[nodiscard]] SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options,
                                              const Wanted& wanted, parallel::Threads threads);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/run_time.hpp"
+#include "setae/answers/run_time.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 
-namespace setae::cli {
+namespace setae::answers {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::string time_of_run() {
     return text.data();
 }
 
-}  // namespace setae::cli
+}  // namespace setae::answers

@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace setae::cli {
+namespace setae::answers {
 
 /// Now, ISO 8601 in UTC: "2026-11-21T18:40:20Z"; SOURCE_DATE_EPOCH stands for now where it is set.
 /// Source: https://reproducible-builds.org/specs/source-date-epoch/.
 [[nodiscard]] std::string time_of_run();
 
-}  // namespace setae::cli
+}  // namespace setae::answers

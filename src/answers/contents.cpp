@@ -1,11 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/contents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
-#include "files/listed_file.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/topography/detrend.hpp"
 
-namespace setae::cli::info_command {
+namespace setae::answers {
 namespace {
+
+/// Larger files are not read without being asked to.
+constexpr std::uint64_t largest_read = 64'000'000;
+
+HeightSummary summary_of(const Eigen::Ref<const Array1D>& heights) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    HeightSummary summary{.read = true, .undefined_count = heights.isNaN().count(), .points = heights.size()};
+    const auto count = static_cast<double>(summary.points - summary.undefined_count);
+    const double offset = summary.mean = heights.isNaN().select(0.0, heights).sum() / count;
+    summary.standard_deviation = std::sqrt(heights.isNaN().select(0.0, heights - offset).square().sum() / count);
+    summary.least = heights.isNaN().select(infinity, heights).minCoeff();
+    summary.greatest = heights.isNaN().select(-infinity, heights).maxCoeff();
+    return summary;
+}
+
+/// Reads the heights of a channel. What keeps it from that stands in the result.
+HeightSummary summarise(const formats::Channel& channel) {
+    try {
+        const auto measurement = channel.read();
+        return std::visit(
+            [](const auto& m) { return summary_of(Eigen::Map<const Array1D>(m.heights.data(), m.heights.size())); },
+            measurement);
+    } catch (const std::exception& error) {
+        return {.error = reason_of(error)};
+    }
+}
 
 output::Json optional_number(const std::optional<double>& value) {
     return value ? output::Json(*value) : output::Json(nullptr);
@@ -44,8 +77,7 @@ void add_study(output::Json& json, const study::Study& study) {
     json["experiments"] = study.experiments.size();
 }
 
-}  // namespace
-
+/// A channel with all that is known of it; null where that is nothing.
 output::Json channel_json(const std::string& file, const ListedChannel& channel) {
     using output::number;
     const auto& info = channel.info;
@@ -80,6 +112,7 @@ output::Json channel_json(const std::string& file, const ListedChannel& channel)
     return json;
 }
 
+/// A file: its kind, format and verbs, and what its kind has to say.
 output::Json file_json(const ListedFile& file) {
     const auto& content = file.content;
     output::Json json{{"file", content.file},
@@ -98,4 +131,54 @@ output::Json file_json(const ListedFile& file) {
     return json;
 }
 
-}  // namespace setae::cli::info_command
+ListedFile listed(const std::string& file, const ContentsRequest& request) {
+    ListedFile listed{.content = study::file_content(file, request.questions),
+                      .channels = {},
+                      .bytes = bytes::file_source(file).size};
+    const bool large = listed.bytes > largest_read;
+    const bool wanted = !request.no_heights && (request.heights || !large);
+    listed.too_large = large && !request.heights && !request.no_heights;
+    const auto& channels = listed.content.channels;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (request.channel && *request.channel != i) continue;
+        const auto& info = channels[i].info;
+        listed.channels.push_back({i, info, wanted && can_be_read(info) ? summarise(channels[i]) : HeightSummary{}});
+    }
+    return listed;
+}
+
+}  // namespace
+
+bool can_be_read(const formats::ChannelInfo& info) {
+    return info.is_height && !info.size.empty() && !info.unit.empty();
+}
+
+Contents contents(const ContentsRequest& request) {
+    if (request.paths.empty()) throw InvalidArgument("no file; expected at least one file or folder");
+    if (request.heights && request.no_heights)
+        throw InvalidArgument("--heights and --no-heights contradict each other; expected one of them");
+    const auto found = study::found_files(request.paths);
+    Contents contents{.files = {}, .failed = found.unreadable};
+    for (const auto& file : found.files) {
+        try {
+            contents.files.push_back(listed(file, request));
+        } catch (const std::exception& error) {
+            contents.failed.push_back({file, reason_of(error, file)});
+        }
+    }
+    return contents;
+}
+
+output::Json to_json(const Contents& contents) {
+    output::Json json{
+        {"channels", output::Json::array()}, {"files", output::Json::array()}, {"failed", output::Json::array()}};
+    for (const auto& file : contents.files) {
+        json["files"].push_back(file_json(file));
+        for (const auto& channel : file.channels) json["channels"].push_back(channel_json(file.content.file, channel));
+    }
+    for (const auto& failed : contents.failed)
+        json["failed"].push_back({{"file", failed.path}, {"error", failed.reason}});
+    return json;
+}
+
+}  // namespace setae::answers

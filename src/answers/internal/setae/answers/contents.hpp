@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/output/json.hpp"
+#include "setae/study/file_content.hpp"
+
+namespace setae::answers {
+
+/// What the heights of a channel say, or why they could not be read.
+struct HeightSummary {
+    bool read = false;
+    Index undefined_count = 0, points = 0;
+    double mean = undefined, standard_deviation = undefined, least = undefined, greatest = undefined;
+    std::string error;
+
+    [[nodiscard]] double undefined_share() const {
+        return read ? static_cast<double>(undefined_count) / static_cast<double>(points) : undefined;
+    }
+};
+
+/// Whether a channel's heights can be read as they are: its size and unit are known.
+[[nodiscard]] bool can_be_read(const formats::ChannelInfo& info);
+
+/// A channel of a listed file.
+struct ListedChannel {
+    std::size_t index = 0;
+    formats::ChannelInfo info;
+    HeightSummary heights;
+};
+
+/// A file as `setae info` lists it.
+struct ListedFile {
+    study::FileContent content;
+    std::vector<ListedChannel> channels;  ///< of topographies and containers, those that are shown
+    std::uint64_t bytes = 0;
+    bool too_large = false;  ///< for its heights to be read without being asked to
+};
+
+/// What files are asked.
+struct ContentsRequest {
+    std::vector<std::string> paths;  ///< files, or folders of them
+    study::FileQuestions questions;
+    std::optional<std::size_t> channel;  ///< the only one that is shown
+    bool heights = false;                ///< read heights of files above 64 MB too
+    bool no_heights = false;             ///< read headers alone
+};
+
+/// What was found, and what is wrong with it.
+struct Contents {
+    std::vector<ListedFile> files;
+    std::vector<study::UnreadablePath> failed;  ///< files that nothing can be said of
+};
+
+/// @throws InvalidArgument for contradicting questions, and where there is no path.
+[[nodiscard]] Contents contents(const ContentsRequest& request);
+
+/// "channels", "files" and "failed".
+[[nodiscard]] output::Json to_json(const Contents& contents);
+
+}  // namespace setae::answers

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+#include "setae/core/table.hpp"
+#include "setae/output/json.hpp"
+#include "setae/spectra/self_affine_fit.hpp"
+#include "setae/study/surface_analysis.hpp"
+
+namespace setae::answers {
+
+/// Two wavevectors [1/m], "1e5:1e8". @throws InvalidArgument.
+[[nodiscard]] Band wavevector_range(const std::string& text);
+
+/// Whether and how a self-affine surface is fitted.
+struct SelfAffineRequest {
+    bool wanted = false;
+    std::string range;  ///< of wavevectors, "1e5:1e8"; empty: all
+    bool no_rolloff = false, short_cutoff = false;
+};
+
+/// A self-affine surface fitted to the spectra of all measurements, each where neither window nor sampling bends it.
+/// @throws InvalidArgument for a malformed range; what the fit throws.
+[[nodiscard]] spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const SelfAffineRequest& request);
+
+/// Its parameters that were fitted.
+[[nodiscard]] std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit);
+
+/// Columns C1D_model, C1D_model_standard_error and extrapolated (1 outside the range of the fit) beside the wavevectors
+/// of a table, and the parameters in its header.
+void add_model(Table& table, const spectra::SelfAffineFit& fit);
+
+[[nodiscard]] output::Json to_json(const spectra::SelfAffineFit& fit);
+
+}  // namespace setae::answers

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/loops.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/loops/machine_stiffness.hpp"
+#include "setae/output/fit_json.hpp"
+#include "setae/study/force_map.hpp"
+#include "setae/tables/loop_file.hpp"
+#include "setae/tables/mapping_folder.hpp"
+
+namespace setae::answers {
+namespace {
+
+std::optional<double> given(const std::string& text, const Dimension& dimension) {
+    return text.empty() ? std::nullopt : std::optional(parse_quantity(text, dimension));
+}
+
+/// k of the machine: given, measured on something rigid, or stated in the loop's file.
+std::optional<Estimate> stiffness_of(const LoopSettings& arguments, const Table& loop) {
+    if (!arguments.machine_stiffness.empty())
+        return parse_uncertain_quantity(arguments.machine_stiffness, dimension::stiffness);
+    if (!arguments.rigid_contact.empty()) {
+        const auto rigid = study::open_loop({.file = arguments.rigid_contact});
+        return loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(rigid.table)).stiffness;
+    }
+    return tables::loop_quantity(loop, "machine_stiffness");
+}
+
+/// A length that is given, with its ±.
+std::optional<Estimate> length(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional(parse_uncertain_quantity(text, positive(dimension::length)));
+}
+
+}  // namespace
+
+std::vector<std::string> LoopFiles::expanded() const {
+    std::vector<std::string> all;
+    for (const auto& path : files) {
+        if (!std::filesystem::is_directory(path)) {
+            all.push_back(path);
+            continue;
+        }
+        std::vector<std::string> within;
+        for (const auto& entry : std::filesystem::directory_iterator(path))
+            if (entry.is_regular_file() && !entry.path().filename().string().starts_with("."))
+                within.push_back(entry.path().string());
+        std::sort(within.begin(), within.end());
+        all.insert(all.end(), within.begin(), within.end());
+    }
+    if (all.empty()) throw InvalidArgument("no file; expected at least one loop");
+    return all;
+}
+
+study::LoopSource LoopFiles::source(const std::string& file) const {
+    study::LoopSource source{.file = file};
+    source.mapping = mapping();
+    if (!camera.empty()) {
+        source.camera = study::CameraInput{.file = camera,
+                                           .clock_offset = given(clock_offset, dimension::time),
+                                           .pixel_size = given(pixel, dimension::length),
+                                           .frame_rate = frame_rate,
+                                           .fringes = fringes};
+        if (!camera_map.empty()) source.camera->mapping = tables::mapping_path(camera_map, mapping_folder);
+    }
+    source.force_curve.spring_constant = given(spring_constant, dimension::stiffness);
+    if (!sensitivity.empty()) source.force_curve.sensitivity = tables::parse_sensitivity(sensitivity);
+    return source;
+}
+
+std::optional<std::string> LoopFiles::mapping() const {
+    return map.empty() ? std::nullopt : std::optional(tables::mapping_path(map, mapping_folder));
+}
+
+study::OpenedLoop LoopFiles::open(const std::string& file) const {
+    const auto wanted = source(file);
+    return curve_number ? study::open_force_curve(file, *curve_number, wanted.force_curve) : study::open_loop(wanted);
+}
+
+study::StatedBodies LoopBodies::bodies(const Table& loop) const {
+    auto bodies = without_radius(loop);
+    if (!(bodies.values.radius > 0.0))
+        throw InvalidArgument(
+            "missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
+    return bodies;
+}
+
+study::StatedBodies LoopBodies::without_radius(const Table& loop) const {
+    using loops::SharedInput;
+    auto bodies = study::bodies_stated_in(loop);
+    auto& values = bodies.values;
+    bodies.take(SharedInput::sphere_radius, values.radius, length(radius));
+    if (poisson_ratio) bodies.take(SharedInput::poisson_ratio, values.lens_poisson_ratio, Estimate{*poisson_ratio});
+    bodies.take(SharedInput::sphere_height, values.lens_height, length(lens_height));
+    bodies.take(SharedInput::sphere_height, values.layer_thickness, length(layer_thickness));
+    values.counter_youngs_modulus = given(counter_modulus, dimension::pressure).value_or(values.counter_youngs_modulus);
+    values.counter_poisson_ratio = counter_poisson_ratio.value_or(values.counter_poisson_ratio);
+    return bodies;
+}
+
+loops::AnalysisOptions LoopSettings::options(const Table& loop) const {
+    loops::AnalysisOptions options;
+    options.samples_dropped = samples_dropped;
+    options.effective_variance = !unweighted;
+    options.force_drift = !no_drift;
+    options.leave_pinned_out = !whole_retraction;
+    options.retraction_modulus_free = modulus_free;
+    options.extrapolate_force_drift = extrapolate_drift;
+    options.contact_point = loops::parse_contact_point(contact_point);
+    options.true_area_ratio = area_ratio;
+    options.segments.baseline_share = baseline_share;
+    for (const auto& edit : segments) loops::add_segment_edit(options.segments.edits, edit);
+    if (!displacement_drift.empty())
+        options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::length / dimension::time);
+    if (const auto stiffness = stiffness_of(*this, loop)) {
+        options.machine_stiffness = stiffness->value;
+        if (stiffness->standard_error > 0.0) options.machine_stiffness_standard_error = stiffness->standard_error;
+    }
+    return options;
+}
+
+study::LoopModelOptions LoopModelsRequest::options() const {
+    const auto shares = [&](const char* what) { return std::find(shared.begin(), shared.end(), what) != shared.end(); };
+    study::LoopModelOptions options{.models = models,
+                                    .profile = profile,
+                                    .crack_speed = crack_speed,
+                                    .exponent = exponent,
+                                    .share_contact_modulus = shares("modulus"),
+                                    .share_work_of_adhesion = shares("work")};
+    options.branch = branch == "loading" ? loops::LoopBranch::loading : loops::LoopBranch::unloading;
+    options.errors = study::fit_errors_named(errors);
+    if (!contact_point.empty()) options.contact_point = parse_quantity(contact_point, dimension::length);
+    if (!cohesive_stress.empty()) options.cohesive_stress = parse_quantity(cohesive_stress, dimension::pressure);
+    return options;
+}
+
+AnalysedLoop analysed_loop(const std::string& file, const LoopFiles& files, const LoopBodies& bodies,
+                           const LoopSettings& settings) {
+    return analysed_loop(files.open(file), file, bodies, settings);
+}
+
+AnalysedLoop analysed_loop(study::OpenedLoop opened, const std::string& file, const LoopBodies& bodies,
+                           const LoopSettings& settings) {
+    AnalysedLoop loop{.file = file, .opened = std::move(opened)};
+    const auto stated = bodies.bodies(loop.opened.table);
+    loop.bodies = stated.values;
+    loop.options = settings.options(loop.opened.table);
+    loop.analysis = study::analyse_loop(loop.opened, file, stated, loop.options);
+    return loop;
+}
+
+study::LoopModels models_of(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
+    return study::loop_models(loop.analysis, loop.bodies, loop.options, models);
+}
+
+output::Json fit_json(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
+    auto json = output::to_json(loop.analysis);
+    json["file"] = loop.file;
+    if (models.any()) json["models"] = output::to_json(models_of(loop, models));
+    return json;
+}
+
+output::Json energy_json(const AnalysedLoop& loop) {
+    auto json = output::energies_json(loop.analysis);
+    json["file"] = loop.file;
+    return json;
+}
+
+}  // namespace setae::answers

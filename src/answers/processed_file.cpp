@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/processed_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "setae/study/pipeline_file.hpp"
+
+namespace setae::answers {
+
+ProcessedFile processed_file(const std::string& file, const formats::ReadOptions& options,
+                             std::optional<std::size_t> channel, const processing::Pipeline& pipeline,
+                             parallel::Threads threads) {
+    const auto channels = formats::open(file, options);
+    const auto& chosen = channels[formats::chosen_channels(file, channels, channel).front()];
+    ProcessedFile processed{.file = file, .channel = chosen.info, .before = chosen.read(), .result = {}};
+    processed.result = processing::apply(pipeline, processed.before, study::measurement_loader(options), threads);
+    return processed;
+}
+
+output::Json to_json(const ProcessedFile& processed, const std::string& output) {
+    return {{"input", processed.file},
+            {"output", output.empty() ? output::Json(nullptr) : output::Json(output)},
+            {"channel", processed.channel.name},
+            {"steps", output::to_json(processed.result.records)}};
+}
+
+output::Json processing_json(const processing::Pipeline& pipeline, const output::Json& files) {
+    return {{"pipeline", study::step_lines(pipeline)}, {"files", files}};
+}
+
+}  // namespace setae::answers

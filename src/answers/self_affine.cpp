@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/self_affine.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
+#include "setae/core/text.hpp"
+#include "setae/output/json.hpp"
+
+namespace setae::answers {
+namespace {
+
+const char* text(spectra::ScaleStatus status) {
+    switch (status) {
+        case spectra::ScaleStatus::found: return "found";
+        case spectra::ScaleStatus::bounded: return "bounded";
+        case spectra::ScaleStatus::not_asked: return "not_asked";
+    }
+    throw InternalError("a status of a scale without a name");
+}
+
+output::Json rows(const Eigen::MatrixXd& matrix) {
+    output::Json json = output::Json::array();
+    for (Index i = 0; i < matrix.rows(); ++i) json.push_back(output::numbers(matrix.row(i).transpose().array()));
+    return json;
+}
+
+}  // namespace
+
+Band wavevector_range(const std::string& text) {
+    const auto ends = spelled_list<double, 2>(text, ':');
+    if (!ends) throw InvalidArgument(fmt::format("'{}'; expected two wavevectors in 1/m, such as 1e5:1e8", text));
+    return {(*ends)[0], (*ends)[1]};
+}
+
+spectra::SelfAffineFit fitted(const study::SurfaceResult& surface, const SelfAffineRequest& request) {
+    spectra::SelfAffineFitOptions fit;
+    if (!request.range.empty()) fit.range = wavevector_range(request.range);
+    fit.rolloff = !request.no_rolloff;
+    fit.short_cutoff = request.short_cutoff;
+    std::vector<spectra::MeasuredSpectrum> spectra;
+    for (const auto& m : surface.measurements)
+        if (!m.failed()) spectra.push_back(m.spectrum);
+    if (spectra.empty()) throw InvalidArgument("a spectrum given as a table is not fitted: give the measurements");
+    return spectra::fit_self_affine(spectra, fit);
+}
+
+std::vector<Quantity> parameters_of(const spectra::SelfAffineFit& fit) {
+    std::vector<Quantity> list{fit.hurst_exponent, fit.amplitude};
+    if (fit.rolloff != spectra::ScaleStatus::not_asked) {
+        list.push_back(fit.plateau);
+        list.push_back(fit.rolloff_wavelength);
+    }
+    if (fit.short_cutoff != spectra::ScaleStatus::not_asked) list.push_back(fit.shortest_wavelength);
+    return list;
+}
+
+void add_model(Table& table, const spectra::SelfAffineFit& fit) {
+    const auto model = spectra::model_spectrum(fit, table.at("wavevector"));
+    const Array1D extrapolated = model.wavevector.unaryExpr([&](double q) {
+        return q < model.band.lower * (1.0 - 1e-12) || q > model.band.upper * (1.0 + 1e-12) ? 1.0 : 0.0;
+    });
+    table.columns.push_back({"C1D_model", "m3", model.density});
+    table.columns.push_back({"C1D_model_standard_error", "m3", model.standard_error});
+    table.columns.push_back({"extrapolated", "1", extrapolated});
+    for (const auto& q : parameters_of(fit))
+        table.metadata["fit_" + q.quantity] =
+            fmt::format("{:.6g} {} (standard error {:.2g})", q.estimate.value, q.unit, q.estimate.standard_error);
+    table.metadata["fit_range"] = fmt::format("{:.6g} … {:.6g} 1/m", fit.range.lower, fit.range.upper);
+    if (fit.parameters.size() > 1) {
+        std::string correlations;
+        for (Index i = 0; i < fit.correlation.rows(); ++i)
+            for (Index j = 0; j < i; ++j)
+                correlations += fmt::format("{}{}, {}: {:.2f}", correlations.empty() ? "" : "; ",
+                                            fit.parameters[static_cast<std::size_t>(j)],
+                                            fit.parameters[static_cast<std::size_t>(i)], fit.correlation(i, j));
+        table.metadata["fit_correlation"] = correlations;
+    }
+}
+
+output::Json to_json(const spectra::SelfAffineFit& fit) {
+    output::Json json;
+    json["parameters"] = output::Json::array();
+    for (const auto& q : parameters_of(fit)) json["parameters"].push_back(output::to_json(q));
+    json["rolloff"] = text(fit.rolloff);
+    json["short_cutoff"] = text(fit.short_cutoff);
+    json["reference_wavevector"] = {{"value", fit.reference_wavevector}, {"unit", "1/m"}};
+    json["range"] = {{"lower", fit.range.lower}, {"upper", fit.range.upper}, {"unit", "1/m"}};
+    json["covariance"] = {{"of", fit.parameters}, {"rows", rows(fit.covariance)}};
+    json["correlation"] = rows(fit.correlation);
+    json["chi_squared"] = fit.chi_squared;
+    json["degrees_of_freedom"] = fit.degrees_of_freedom;
+    json["probability"] = fit.probability;
+    json["status"] = fit.status == spectra::FitStatus::converged ? "converged" : "not_converged";
+    json["residuals"] = {{"wavevector", output::numbers(fit.wavevector)}, {"residual", output::numbers(fit.residual)}};
+    json["alerts"] = output::to_json(fit.alerts);
+    return json;
+}
+
+}  // namespace setae::answers
