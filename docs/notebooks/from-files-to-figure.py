@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# ---
+# jupyter:
+#   jupytext:
+#     formats: py:percent
+# ---
+# %% [markdown]
+# # From files to the figure
+#
+# Two surfaces, each measured with a stylus, an AFM and a TEM; two soft spheres pressed on them and pulled off; one figure that compares
+# what roughness predicts with what was measured. The files are generated, so that what should come out is known; yours go the same way.
+
+# %%
+import subprocess
+import sys
+
+import setae
+
+subprocess.run([sys.executable, "-m", "setae", "lab", "make", "examples/tutorial/recipe.toml", "-o", "mine"], check=True)
+setae.info("mine/rougher", "mine/loops")
+
+# %% [markdown]
+# ## One measurement
+#
+# Heights are an array of NumPy in metres. Steps are recorded, and each gives another scan.
+
+# %%
+scan = setae.read("mine/rougher/afm_1.txt").stated(instrument="afm", tip_radius="10 ± 0.5 nm")
+levelled = scan.level("plane").despike(threshold=5)
+print(levelled.heights.shape, levelled.heights.std())
+levelled.processing
+
+# %% [markdown]
+# Its power spectral density. The tip decides what of it is believed.
+
+# %%
+psd = setae.power_spectrum(scan)
+print(psd, psd.q[:3], psd.C1D[:3])
+psd.alerts
+
+# %%
+parameters = setae.parameters(scan)
+print(parameters["rms_slope"], "from heights;", parameters["rms_slope_from_spectrum"], "from the spectrum")
+
+# %% [markdown]
+# ## One surface
+#
+# All measurements at once: one spectrum, and moments with their ±. What no file says is said here.
+
+# %%
+stylus = [setae.read(f"mine/rougher/stylus_{i}.csv").stated(instrument="stylus", tip_radius="5 ± 0.2 um") for i in (1, 2, 3)]
+afm = [setae.read(f"mine/rougher/afm_{i}.txt").stated(instrument="afm", tip_radius="10 ± 0.5 nm") for i in (1, 2, 3)]
+tem = [setae.read(f"mine/rougher/tem_{i}.csv").stated(instrument="tem") for i in (1, 2, 3, 4)]
+surface = setae.surface(stylus + afm + tem)
+surface
+
+# %% [markdown]
+# What that does to a soft solid:
+
+# %%
+w = setae.work_of_adhesion(surface, E="0.7 MPa", nu=0.5, W_int="37 ± 2 mJ/m2", gamma="25 mJ/m2")
+print(f"W_app {w.estimate}, of it stored {w['stored_energy']}; conforms: {w.conforms}")
+
+# %% [markdown]
+# ## One loop
+
+# %%
+loop = setae.loop("mine/loops/rougher_soft.csv", radius="1.25 mm")
+fit = loop.fit()
+print(f"E* {fit.E_star}, W {fit.W}, lost {fit.loss}")
+
+# %% [markdown]
+# ## The study
+#
+# A file says which measurement belongs to which surface, elastomer and loop. What is computed is kept between runs.
+
+# %%
+study = setae.study("mine/study.toml").run(output="mine/results")
+print(study.work_of_adhesion)
+study.figures["4"]
+
+# %%
+study.report("mine/report.html")
+study.figures["4"].save("mine/figure_4.csv")

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <string>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/table.hpp"
+#include "setae/parallel/cancellation.hpp"
+
+namespace setae::python {
+
+namespace nb = nanobind;
+
+/// Where Python asked to stop.
+struct Interrupted {};
+
+/// What `work` gives, computed without the interpreter's lock on a thread of its own, so that other threads of Python
+/// run and Ctrl-C is heard: work is then asked to stop, and KeyboardInterrupt is raised when it has.
+///
+/// work: takes the flag that asks it to stop. Loops of for_each_index() stop by themselves.
+template <class Work>
+auto unlocked(Work&& work) {
+    constexpr auto between_looks = std::chrono::milliseconds(50);
+    std::atomic<bool> cancelled{false};
+    bool interrupted = false;
+    auto result = [&] {
+        const nb::gil_scoped_release released;
+        auto future = std::async(std::launch::async, [&] {
+            const parallel::CancellationScope scope(cancelled);
+            return work(static_cast<const std::atomic<bool>&>(cancelled));
+        });
+        while (future.wait_for(between_looks) != std::future_status::ready) {
+            const nb::gil_scoped_acquire locked;
+            if (interrupted || PyErr_CheckSignals() == 0) continue;
+            PyErr_Clear();
+            interrupted = cancelled = true;
+        }
+        if (interrupted) {
+            try {
+                (void)future.get();
+            } catch (...) {
+                // it was stopped, however that ended
+            }
+            throw Interrupted();
+        }
+        return future.get();
+    }();
+    return result;
+}
+
+using ReadOnly1D = nb::ndarray<nb::numpy, const double, nb::ndim<1>, nb::c_contig>;
+using ReadOnly = nb::ndarray<nb::numpy, const double, nb::c_contig>;
+
+/// An array of NumPy on the memory of a series, which `owner` keeps alive.
+inline ReadOnly1D view(const Array1D& values, nb::handle owner) {
+    return ReadOnly1D(values.data(), {static_cast<std::size_t>(values.size())}, owner);
+}
+
+/// Columns by name, on the memory of a table that `owner` keeps alive.
+inline nb::typed<nb::dict, nb::str, ReadOnly1D> columns(const Table& table, nb::handle owner) {
+    nb::dict named;
+    for (const auto& column : table.columns) named[nb::cast(column.name)] = nb::cast(view(column.values, owner));
+    return named;
+}
+
+inline nb::typed<nb::dict, nb::str, nb::str> units(const Table& table) {
+    nb::dict named;
+    for (const auto& column : table.columns) named[nb::cast(column.name)] = column.unit;
+    return named;
+}
+
+void bind_errors(nb::module_& module);
+void bind_heights(nb::module_& module);
+void bind_surfaces(nb::module_& module);
+void bind_loops(nb::module_& module);
+void bind_studies(nb::module_& module);
+
+}  // namespace setae::python

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings.hpp"
+#include "setae/core/uncertain_text.hpp"
+#include "setae/core/units.hpp"
+#include "setae/parallel/for_each.hpp"
+#include "setae/study/provenance.hpp"
+
+NB_MODULE(_setae, module) {
+    using namespace setae;
+    module.doc() = "setae's libraries; use the package setae";
+    nanobind::set_leak_warnings(true);
+    python::bind_errors(module);
+    python::bind_heights(module);
+    python::bind_surfaces(module);
+    python::bind_loops(module);
+    python::bind_studies(module);
+    module.def("version", &study::version, "release and digest of the build, such as '0.1.0+4f1c09ab'");
+    module.def(
+        "limit_threads", [](int count) { parallel::limit_threads({count}); }, nanobind::arg("count"),
+        "threads that computations may use from now on; 0: one a core");
+    module.def(
+        "length_factor", [](const std::string& unit) { return unit_factor(unit, dimension::length); },
+        nanobind::arg("unit"), "metres in a unit of length");
+    module.def(
+        "format_uncertain",
+        [](double value, double standard_error, const std::string& unit) {
+            return format_uncertain({.value = value, .standard_error = standard_error}, unit);
+        },
+        nanobind::arg("value"), nanobind::arg("standard_error"), nanobind::arg("unit"),
+        "'37.0 ± 3.7 mJ/m²' of a number in SI");
+}

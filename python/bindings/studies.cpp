@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <nanobind/stl/shared_ptr.h>
+#include <nlohmann/json.hpp>
+
+#include "bindings.hpp"
+#include "setae/answers/run_time.hpp"
+#include "setae/output/budget.hpp"
+#include "setae/output/json.hpp"
+#include "setae/output/next_measurement_output.hpp"
+#include "setae/output/screen.hpp"
+#include "setae/output/study_tables.hpp"
+#include "setae/report/report.hpp"
+#include "setae/study/next_measurement.hpp"
+#include "setae/study/provenance.hpp"
+#include "setae/study_figures/write_figures.hpp"
+
+namespace setae::python {
+namespace {
+
+/// A study that ran, with its figures, and where results are kept.
+struct Study {
+    explicit Study(const std::optional<std::string>& folder)
+        : store(folder ? std::make_unique<cache::Store>(folder->empty() ? cache::default_folder() : *folder,
+                                                        study::version())
+                       : std::make_unique<cache::Store>()) {}
+
+    std::unique_ptr<cache::Store> store;
+    study::StudyResult result;
+    std::vector<study_figures::StudyFigure> figures;
+};
+using Run = std::shared_ptr<Study>;
+
+/// A figure of a study.
+struct Figure {
+    Run study;
+    const study_figures::StudyFigure* figure;
+};
+
+study::Study read(const std::string& file, const std::string& output) {
+    auto study = study::read_study(file);
+    if (!output.empty()) study.output = output;
+    return study;
+}
+
+/// cache: the folder; empty: the user's own; absent: nothing is kept.
+Run run(const std::string& file, const std::string& output, const std::optional<std::string>& cache,
+        const std::atomic<bool>& cancelled) {
+    auto done = std::make_shared<Study>(cache);
+    done->result = study::run_study(read(file, output), {.store = done->store.get(), .cancelled = &cancelled});
+    done->figures = study_figures::study_figures(done->result, {.store = done->store.get()});
+    return done;
+}
+
+void bind_figures(nb::module_& module) {
+    nb::class_<Figure>(module, "StudyFigure")
+        .def_prop_ro("identifier", [](const Figure& f) { return f.figure->identifier; })
+        .def_prop_ro("name", [](const Figure& f) { return f.figure->name; })
+        .def_prop_ro("title", [](const Figure& f) { return f.figure->title; })
+        .def_prop_ro("caption", [](const Figure& f) { return f.figure->caption; })
+        .def_prop_ro(
+            "reason", [](const Figure& f) { return f.figure->reason; }, "why it cannot be drawn; empty where it can")
+        .def(
+            "drawn",
+            [](const Figure& f, const std::string& ending) {
+                const auto bytes = unlocked([&](const auto&) {
+                    return ending == "csv" ? study_figures::data_of(*f.figure, f.study->result.study.path)
+                                           : study_figures::bytes_of(*f.figure, ending, f.study->store.get());
+                });
+                return nb::bytes(bytes.data(), bytes.size());
+            },
+            nb::arg("ending"), "bytes of an svg, pdf, png, or its numbers as csv");
+}
+
+}  // namespace
+
+void bind_studies(nb::module_& module) {
+    bind_figures(module);
+    nb::class_<Study>(module, "StudyRun")
+        .def("json", [](const Study& study) { return output::as_text(output::to_json(study.result)); })
+        .def(
+            "summary", [](const Study& study, std::size_t width) { return output::summary(study.result, width); },
+            nb::arg("width"))
+        .def(
+            "budget", [](const Study& study, std::size_t width) { return output::budget_text(study.result, width); },
+            nb::arg("width"))
+        .def(
+            "next_measurements",
+            [](const Study& study, const std::string& target) {
+                return unlocked([&](const auto&) {
+                    return output::as_text(output::next_json(target, study::next_measurements(study.result, target)));
+                });
+            },
+            nb::arg("target"))
+        .def(
+            "report",
+            [](const Study& study, const std::string& command) {
+                return unlocked([&](const auto&) {
+                    return report::as_html(study.result, study.figures, {command, answers::time_of_run()});
+                });
+            },
+            nb::arg("command"))
+        .def("write_tables",
+             [](const Study& study) {
+                 return unlocked([&](const auto&) { return output::write_results(study.result); });
+             })
+        .def_prop_ro("output", [](const Study& study) { return study.result.study.output; })
+        .def_prop_ro("successes", [](const Study& study) { return study.result.successes(); })
+        .def_prop_ro("failures", [](const Study& study) { return study.result.failures(); });
+    module.def("figures_of", [](const Run& study) {
+        std::vector<Figure> figures;
+        for (const auto& figure : study->figures) figures.push_back({study, &figure});
+        return figures;
+    });
+    module.def(
+        "title_of_study", [](const std::string& file) { return read(file, {}).title; }, nb::arg("file"),
+        "reads a study; what is wrong with its file is raised");
+    module.def(
+        "run_study",
+        [](const std::string& file, const std::string& output, const std::optional<std::string>& cache) {
+            return unlocked([&](const std::atomic<bool>& cancelled) { return run(file, output, cache, cancelled); });
+        },
+        nb::arg("file"), nb::arg("output"), nb::arg("cache").none());
+}
+
+}  // namespace setae::python

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nlohmann/json.hpp>
+
+#include "heights.hpp"
+#include "setae/answers/adhesion.hpp"
+#include "setae/answers/parameters.hpp"
+#include "setae/answers/power_spectrum.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/output/study_tables.hpp"
+
+namespace setae::python {
+namespace {
+
+using Items = std::vector<std::shared_ptr<Item>>;
+
+/// A surface that was analysed, and by which options.
+struct Surface {
+    study::SurfaceWithMap result;
+    study::SurfaceAnalysisOptions analysis;
+    Table spectrum;  ///< the one its numbers rest on
+};
+
+/// The spectrum that a surface's numbers rest on.
+Table spectrum_of(const study::SurfaceResult& surface) {
+    if (surface.method == study::SpectrumMethod::likelihood) return output::fitted_spectrum_table(*surface.fitted);
+    const auto& curve = surface.used().curve;
+    const bool is_profile = curve.kind == spectra::Density::C1D;
+    const auto* unit = is_profile ? "m3" : "m4";
+    Table table;
+    table.columns = {{"wavevector", "1/m", curve.wavevector}, {is_profile ? "C1D" : "C_iso", unit, curve.density}};
+    if (curve.standard_error.size() > 0) table.columns.push_back({"standard_error", unit, curve.standard_error});
+    return table;
+}
+
+/// @throws InvalidArgument that says why a surface gave nothing.
+const study::SurfaceResult& analysed(const study::SurfaceResult& surface) {
+    if (!surface.failed()) return surface;
+    std::string reasons;
+    for (const auto& m : surface.measurements)
+        if (m.failed()) reasons += "; " + m.error;
+    throw InvalidArgument(surface.error + reasons);
+}
+
+Surface surface(const Items& items, const answers::AnalysisRequest& request, const std::string& spectrum,
+                bool every_measurement) {
+    Surface surface{.result = {}, .analysis = request.analysis(), .spectrum = {}};
+    auto& method = surface.analysis.spectrum;
+    if (spectrum.empty()) method.reset();
+    else if (spectrum == "likelihood") method = study::SpectrumMethod::likelihood;
+    else if (spectrum != "average")
+        throw InvalidArgument(fmt::format("spectrum '{}'; expected \"average\" or \"likelihood\"", spectrum));
+    surface.result =
+        study::analyse_surface(surface_of(items), surface.analysis,
+                               {.previews = false, .map = true, .every_measurement = every_measurement}, {});
+    surface.spectrum = spectrum_of(analysed(surface.result.surface));
+    return surface;
+}
+
+void bind_analysis(nb::module_& module) {
+    nb::class_<answers::AnalysisRequest>(module, "Analysis")
+        .def(
+            "__init__",
+            [](answers::AnalysisRequest* request, const std::string& longest, const std::string& shortest,
+               const std::string& window, const std::string& contours, const std::string& conversion,
+               std::optional<double> memory, std::optional<int> resamples) {
+                new (request) answers::AnalysisRequest{longest, shortest, window, contours, conversion};
+                request->memory = memory.value_or(request->memory);
+                request->resamples = resamples.value_or(request->resamples);
+                (void)request->analysis();  // what is wrong with it is said here
+            },
+            nb::arg("longest"), nb::arg("shortest"), nb::arg("window"), nb::arg("contours"), nb::arg("conversion"),
+            nb::arg("memory").none(), nb::arg("resamples").none());
+}
+
+void bind_adhesion(nb::module_& module) {
+    nb::class_<answers::AdhesionRequest>(module, "Solids")
+        .def(
+            "__init__",
+            [](answers::AdhesionRequest* request, const std::string& youngs_modulus, const std::string& work,
+               const std::string& surface_energy, double poisson_ratio, const std::string& rough_modulus,
+               double rough_poisson_ratio, const std::string& radius, const std::string& preload) {
+                require_within(domain::poisson_ratio, poisson_ratio, fmt::format("{}", poisson_ratio));
+                require_within(domain::poisson_ratio, rough_poisson_ratio, fmt::format("{}", rough_poisson_ratio));
+                new (request)
+                    answers::AdhesionRequest{youngs_modulus,      work,   surface_energy, poisson_ratio, rough_modulus,
+                                             rough_poisson_ratio, radius, preload};
+                (void)request->study({});  // what is wrong with it is said here
+            },
+            nb::arg("youngs_modulus"), nb::arg("work"), nb::arg("surface_energy"), nb::arg("poisson_ratio"),
+            nb::arg("rough_modulus"), nb::arg("rough_poisson_ratio"), nb::arg("radius"), nb::arg("preload"));
+    module.def(
+        "adhesion_of_files",
+        [](const Items& items, const answers::AnalysisRequest& request, const answers::AdhesionRequest& solids,
+           bool every_measurement) {
+            return unlocked([&](const auto&) {
+                const auto analysis = request.analysis();
+                auto surface = study::analyse_surface(
+                    surface_of(items), analysis,
+                    {.previews = false, .parameters = false, .map = true, .every_measurement = every_measurement}, {});
+                (void)analysed(surface.surface);
+                return output::as_text(answers::to_json(answers::adhesion(std::move(surface), analysis, solids)));
+            });
+        },
+        nb::arg("items"), nb::arg("analysis"), nb::arg("solids"), nb::arg("every_measurement"),
+        "as `setae adhesion --json` prints it");
+    module.def(
+        "adhesion_of_surface",
+        [](const Surface& surface, const answers::AdhesionRequest& solids) {
+            return unlocked([&](const auto&) {
+                return output::as_text(answers::to_json(answers::adhesion(surface.result, surface.analysis, solids)));
+            });
+        },
+        nb::arg("surface"), nb::arg("solids"));
+}
+
+}  // namespace
+
+void bind_surfaces(nb::module_& module) {
+    bind_analysis(module);
+    using Spectrum = answers::PowerSpectrum;
+    nb::class_<Spectrum>(module, "Spectrum")
+        .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Spectrum&>(self).table, self); })
+        .def_prop_ro("units", [](const Spectrum& spectrum) { return units(spectrum.table); })
+        .def("json", [](const Spectrum& spectrum) { return output::as_text(answers::to_json(spectrum)); });
+    module.def(
+        "power_spectrum",
+        [](const Items& items, const answers::AnalysisRequest& analysis, bool isotropic, bool abel, bool binned,
+           bool fit, const std::string& fit_range, bool no_rolloff, bool short_cutoff, bool every_measurement) {
+            return unlocked([&](const auto&) {
+                auto spectrum = answers::power_spectrum({.surface = surface_of(items),
+                                                         .analysis = analysis.analysis(),
+                                                         .isotropic = isotropic,
+                                                         .abel = abel,
+                                                         .binned = binned,
+                                                         .fit = {fit, fit_range, no_rolloff, short_cutoff},
+                                                         .every_measurement = every_measurement});
+                (void)analysed(spectrum.surface);
+                return spectrum;
+            });
+        },
+        nb::arg("items"), nb::arg("analysis"), nb::arg("isotropic"), nb::arg("abel"), nb::arg("binned"), nb::arg("fit"),
+        nb::arg("fit_range"), nb::arg("no_rolloff"), nb::arg("short_cutoff"), nb::arg("every_measurement"));
+    module.def(
+        "parameters",
+        [](const Items& items, const answers::AnalysisRequest& analysis, bool every_measurement) {
+            return unlocked([&](const auto&) {
+                const auto parameters =
+                    answers::parameters({surface_of(items), analysis.analysis(), every_measurement});
+                (void)analysed(parameters.surface);
+                return output::as_text(answers::to_json(parameters));
+            });
+        },
+        nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as `setae params --json` prints them");
+    nb::class_<Surface>(module, "Surface")
+        .def("json",
+             [](const Surface& surface) {
+                 return output::as_text(output::to_json(surface.result.surface, surface.analysis));
+             })
+        .def("quantities",
+             [](const Surface& surface) {
+                 const auto& result = surface.result.surface;
+                 output::Json json = output::Json::array();
+                 for (const auto& q : output::surface_quantities(result, result.used(), surface.analysis.conversion))
+                     json.push_back(output::to_json(q));
+                 return output::as_text(json);
+             })
+        .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Surface&>(self).spectrum, self); })
+        .def_prop_ro("units", [](const Surface& surface) { return units(surface.spectrum); });
+    module.def(
+        "surface",
+        [](const Items& items, const answers::AnalysisRequest& analysis, const std::string& spectrum,
+           bool every_measurement) {
+            return unlocked([&](const auto&) { return surface(items, analysis, spectrum, every_measurement); });
+        },
+        nb::arg("items"), nb::arg("analysis"), nb::arg("spectrum"), nb::arg("every_measurement"));
+    bind_adhesion(module);
+}
+
+}  // namespace setae::python

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What roughness makes of adhesion."""
+
+from __future__ import annotations
+
+import html
+from typing import Any
+
+from . import _setae
+from ._options import Text, text
+from ._quantities import Answer, Quantity
+from ._scan import Measured, items
+from ._spectra import Surface, analysis_of, shared_options
+
+
+class WorkOfAdhesion(Answer):
+    """W_app and what it rests on, as ``setae adhesion --json`` prints it. ``float()`` is W_app by (7) [J/m²].
+
+    ``w["work_of_adhesion_modified"]``, ``w["stored_energy"]``, ``w["true_area_ratio"]`` … by the names of the JSON; ``w["scales"]``: what waves
+    of each scale gain and store.
+    """
+
+    @property
+    def estimate(self) -> Quantity:
+        """W_app = W_int r − γ1 (r − 1) − U_el/A_app."""
+        found: Quantity = self["work_of_adhesion_modified"]
+        return found
+
+    def __float__(self) -> float:
+        return self.estimate.value
+
+    @property
+    def conforms(self) -> bool:
+        """Whether the soft solid conforms to the roughness by adhesion alone."""
+        return bool(self["conforms"])
+
+    def _repr_html_(self) -> str:
+        return f"<b>{html.escape(str(self.estimate))}</b>{super()._repr_html_()}"
+
+
+def work_of_adhesion(
+    surface: Surface | Measured,
+    *,
+    E: Text,
+    W_int: Text,
+    gamma: Text,
+    nu: float = 0.5,
+    rough_E: Text | None = None,
+    rough_nu: float = 0.0,
+    radius: Text | None = None,
+    preload: Text | None = None,
+    skip_failed: bool = False,
+    **measurement: Any,
+) -> WorkOfAdhesion:
+    """Apparent work of adhesion of a soft solid on a rough surface.
+
+    W_app = W_int r − γ1 (r − 1) − U_el/A_app, r = A_true/A_app, U_el/A_app = (E*/8) ∫ q C1D dq
+    [Dalvi et al., PNAS 116 (2019) 25484, (7), (8)].
+
+    surface: one that :func:`surface` gave, or measurements, which are then averaged as by the program; ``measurement``: ``tip_radius``,
+    ``instrument`` … as of :func:`parameters`.  E, nu: of the soft solid.  W_int: intrinsic work of adhesion.  gamma: surface energy
+    of the soft solid.  radius, preload: of a sphere pressed on and pulled off.
+    """
+    solids = _setae.Solids(text(E), text(W_int), text(gamma), nu, text(rough_E), rough_nu, text(radius), text(preload))
+    if isinstance(surface, Surface):
+        if measurement:
+            raise TypeError(f"{', '.join(measurement)}: the surface is analysed already; say it to setae.surface")
+        return WorkOfAdhesion(_setae.adhesion_of_surface(surface.analysed(), solids))
+    names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit")
+    shared = shared_options(*(measurement.pop(name, None) for name in names))
+    return WorkOfAdhesion(_setae.adhesion_of_files(items(surface, shared), analysis_of(**measurement), solids, not skip_failed))

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact experiments: force, displacement and contact radius of a soft sphere pressed on and pulled off."""
+
+from __future__ import annotations
+
+import json
+import pathlib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from . import _setae
+from ._options import Path, Text, path, text
+from ._quantities import Alert, Answer, Quantity, alerts_from
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+
+class LoopFit(Answer):
+    """Everything that is fitted to a loop, as ``setae jkr fit --json`` prints it: ``fit["loading"]["fits"]["joint"]``, ``fit["pull_off"]`` …"""
+
+    @property
+    def E_star(self) -> Quantity:
+        """Contact modulus of loading [Pa], by the fit that counts."""
+        found: Quantity = self["loading"]["contact_modulus"]
+        return found
+
+    @property
+    def W(self) -> Quantity:
+        """Work of adhesion of loading [J/m²], by the fit that counts."""
+        found: Quantity = self["loading"]["work_of_adhesion"]
+        return found
+
+    @property
+    def loss(self) -> Quantity | None:
+        """Energy of the closed loop [J]; None where it could not be had, which ``fit["loop_reason"]`` says."""
+        loop = self["loop"]
+        return None if loop is None else loop["energy"]
+
+
+class LoopEnergy(Answer):
+    """Where the energy of a loop goes, as ``setae jkr energy --json`` prints it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Loop:
+    """A loop as it was read, in SI, and what is known of the bodies."""
+
+    file: str
+    files: tuple[tuple[str, Any], ...] = field(default=(), repr=False)
+    bodies: tuple[tuple[str, Any], ...] = field(default=(), repr=False)
+
+    @cached_property
+    def _opened(self) -> _setae.Loop:
+        return _setae.open_loop(self.file, _setae.LoopFiles(**dict(self.files)))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"file": self.file, "files": self.files, "bodies": self.bodies}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    @property
+    def columns(self) -> dict[str, Array]:
+        """"force" [N], "displacement" [m], "contact_radius" [m], "time" [s], as far as the file has them."""
+        return self._opened.columns
+
+    @property
+    def units(self) -> dict[str, str]:
+        return self._opened.units
+
+    @property
+    def metadata(self) -> dict[str, str]:
+        return self._opened.metadata
+
+    @property
+    def alerts(self) -> tuple[Alert, ...]:
+        return alerts_from(json.loads(self._opened.alerts))
+
+    def __getitem__(self, name: str) -> Any:
+        return self.columns[name]
+
+    def _answer(self, models: dict[str, Any], settings: dict[str, Any]) -> _setae.LoopAnswer:
+        asked, wanted = _setae.LoopSettings(), _setae.LoopModels()
+        for target, given in ((asked, settings), (wanted, models)):
+            for name, value in given.items():
+                if value is None:
+                    continue
+                if not hasattr(target, name):
+                    raise TypeError(f"unknown argument '{name}'; expected one of {', '.join(n for n in dir(target) if n[0] != '_')}")
+                setattr(target, name, text(value) if isinstance(value, Quantity) else value)
+        return _setae.fit_loop(self._opened, _setae.LoopBodies(**dict(self.bodies)), asked, wanted)
+
+    def fit(
+        self,
+        *,
+        models: Sequence[str] = (),
+        branch: str = "loading",
+        errors: str = "orthogonal_distance",
+        model_contact_point: Text | None = None,
+        cohesive_stress: Text | None = None,
+        profile: bool = False,
+        crack_speed: bool = False,
+        exponent: float | None = None,
+        **settings: Any,
+    ) -> LoopFit:
+        """E*, W, pull-off and loss by every route, with their ±; ``models``: "hertz", "dmt", "maugis_dugdale" … or "all" beside them.
+
+        settings: ``machine_stiffness``, ``contact_point``, ``segments``, ``area_ratio``, ``samples_dropped``, ``unweighted``, ``no_drift``,
+        ``extrapolate_drift``, ``whole_retraction`` … as the options of ``setae jkr fit``.
+        """
+        wanted = {
+            "models": list(models),
+            "branch": branch,
+            "errors": errors,
+            "contact_point": text(model_contact_point),
+            "cohesive_stress": text(cohesive_stress),
+            "profile": profile,
+            "crack_speed": crack_speed,
+            "exponent": exponent,
+        }
+        return LoopFit(self._answer(wanted, settings).fit)
+
+    def energy(self, **settings: Any) -> LoopEnergy:
+        """Where the energy goes: work in and out, jumps, the smooth sphere's own loss, loss per area."""
+        return LoopEnergy(self._answer({}, settings).energy)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Force against displacement, or contact radius, on axes of matplotlib."""
+        from ._plot import plot_loop
+
+        return plot_loop(self, ax)
+
+
+def loop(
+    file: Path,
+    *,
+    radius: Text | None = None,
+    nu: float | None = None,
+    counter_E: Text | None = None,
+    counter_nu: float | None = None,
+    lens_height: Text | None = None,
+    layer_thickness: Text | None = None,
+    mapping: str | None = None,
+    camera: Path | None = None,
+    camera_mapping: str | None = None,
+    clock_offset: Text | None = None,
+    pixel: Text | None = None,
+    frame_rate: float | None = None,
+    fringes: bool = False,
+    spring_constant: Text | None = None,
+    sensitivity: Text | None = None,
+    curve_number: int | None = None,
+) -> Loop:
+    """A loop: a table with units in the header, setae's loop file, a workbook, a force curve.
+
+    radius: of the sphere, where the file does not say it.  mapping: names the columns of a foreign table, by its file or its name.
+    camera: its own table of times and contact radii, or its pictures.
+    """
+    files = {
+        "mapping": text(mapping),
+        "mapping_folder": str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings"),
+        "camera": "" if camera is None else path(camera),
+        "camera_mapping": text(camera_mapping),
+        "clock_offset": text(clock_offset),
+        "pixel": text(pixel),
+        "frame_rate": frame_rate,
+        "fringes": fringes,
+        "spring_constant": text(spring_constant),
+        "sensitivity": text(sensitivity),
+        "curve_number": curve_number,
+    }
+    bodies: dict[str, Any] = {
+        "radius": text(radius),
+        "lens_height": text(lens_height),
+        "layer_thickness": text(layer_thickness),
+        "counter_modulus": text(counter_E),
+        "poisson_ratio": nu,
+        "counter_poisson_ratio": counter_nu,
+    }
+    _setae.LoopBodies(**bodies)  # what is wrong with it is said here
+    opened = Loop(path(file), tuple(files.items()), tuple(bodies.items()))
+    opened._opened  # noqa: B018
+    return opened

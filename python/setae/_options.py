@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arguments as the library reads them: texts with their units, by its own parser."""
+
+from __future__ import annotations
+
+import math
+import os
+from typing import Union
+
+from ._quantities import Quantity
+
+#: What has a unit: a text such as "10 ± 2 nm", or a quantity that setae gave. A bare number is refused: it has none.
+Text = Union[str, Quantity]
+#: A file by its path.
+Path = Union[str, "os.PathLike[str]"]
+
+
+def text(value: Text | float | None) -> str:
+    """The text that the library's parser reads; it says what is wrong with it."""
+    if value is None:
+        return ""
+    if isinstance(value, Quantity):
+        error = value.standard_error
+        return f"{value.value!r}{'' if math.isnan(error) else f' ± {error!r}'} {value.unit}"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return repr(value)
+    raise TypeError(f"{type(value).__name__}; expected a text with its unit, such as '10 ± 2 nm'")
+
+
+def path(value: Path) -> str:
+    return os.fspath(value)

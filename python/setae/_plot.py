@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures by matplotlib, which is an optional extra: ``pip install setae[plot]``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ._loops import Loop
+    from ._scan import Scan
+    from ._spectra import Columns
+
+
+def axes(ax: Any) -> Any:
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    return plt.subplots()[1]
+
+
+def plot_scan(scan: Scan, ax: Any) -> Any:
+    ax = axes(ax)
+    nanometres, micrometres = 1e9 * scan.heights, [1e6 * length for length in scan.size]
+    ax.set_xlabel("x [µm]")
+    if scan.heights.ndim == 1:
+        import numpy as np
+
+        x = np.arange(len(nanometres)) * scan.pixel_size[0] if scan.positions is None else scan.positions
+        ax.plot(1e6 * x, nanometres)
+        ax.set_ylabel("h [nm]")
+        return ax
+    image = ax.imshow(nanometres.T, extent=(0, micrometres[0], micrometres[1], 0))
+    ax.figure.colorbar(image, ax=ax, label="h [nm]")
+    ax.set_ylabel("y [µm]")
+    return ax
+
+
+def plot_spectrum(spectrum: Columns, ax: Any, **style: Any) -> Any:
+    ax = axes(ax)
+    name = "C1D" if "C1D" in spectrum.columns else "C_iso"
+    density, q = spectrum.columns[name], spectrum.q
+    (line,) = ax.loglog(q, density, **style)
+    if "standard_error" in spectrum.columns:
+        error = spectrum.standard_error
+        below = (density - error).clip(min=density / 10)
+        ax.fill_between(q, below, density + error, color=line.get_color(), alpha=0.2, linewidth=0)
+    ax.set_xlabel("q = 2π/λ [1/m]")
+    ax.set_ylabel("C$_{1D}$ [m³]" if name == "C1D" else "C$_{iso}$ [m⁴]")
+    return ax
+
+
+def plot_loop(loop: Loop, ax: Any) -> Any:
+    ax = axes(ax)
+    columns = loop.columns
+    against = "displacement" if "displacement" in columns else "contact_radius"
+    ax.plot(1e6 * columns[against], 1e3 * columns["force"])
+    ax.set_xlabel(f"{against.replace('_', ' ')} [µm]")
+    ax.set_ylabel("force [mN]")
+    return ax

@@ -1,0 +1,349 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measured heights: a file's channel or an array, and the steps that are done to them."""
+
+from __future__ import annotations
+
+import dataclasses
+import pathlib
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Union, cast
+
+from . import _setae
+from ._options import Path, Text, path, text
+from ._quantities import Alert, Answer, Json, Quantity, alerts_from, quantity_from
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+
+def lengths(size: Text | tuple[Text, ...]) -> list[float]:
+    """Lengths in metres, as the library reads them.
+
+    >>> lengths("2 um x 1 m")
+    [2e-06, 1.0]
+    """
+    parts = size if isinstance(size, tuple) else (size,)
+    return [length for part in parts for length in _setae.lengths(text(part))]
+
+
+class Info(Answer):
+    """What files hold, as ``setae info --json`` prints it."""
+
+    @property
+    def channels(self) -> tuple[Json, ...]:
+        return tuple(self._data["channels"])
+
+    @property
+    def files(self) -> tuple[Json, ...]:
+        return tuple(self._data["files"])
+
+    def __repr__(self) -> str:
+        return f"Info({len(self.files)} files, {len(self.channels)} channels)"
+
+
+@dataclass(frozen=True)
+class Step:
+    """What one step of a pipeline did."""
+
+    step: str
+    numbers: tuple[Quantity, ...]
+    alerts: tuple[Alert, ...]
+
+    def __str__(self) -> str:
+        return self.step + ": " + ", ".join(f"{q.quantity.replace('_', ' ')} {q}" for q in self.numbers)
+
+
+class Processing(Answer):
+    """What the steps of a scan did, as ``setae level --json`` prints it."""
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        entries = self._data["files"][0]["steps"]
+        return tuple(
+            Step(entry["step"], tuple(map(quantity_from, entry["numbers"])), alerts_from(entry["alerts"])) for entry in entries
+        )
+
+    @property
+    def alerts(self) -> tuple[Alert, ...]:
+        return tuple(alert for step in self.steps for alert in step.alerts)
+
+    def __repr__(self) -> str:
+        return "\n".join(map(str, self.steps))
+
+
+@dataclass(frozen=True, eq=False)
+class Scan:
+    """A map, a line or a traced curve, and the steps that are done to it before it is analysed.
+
+    ``heights`` is an array of NumPy in metres, first index x, NaN where undefined; nothing is read before it is asked for.
+    Every method gives another scan, with one step more.
+    """
+
+    file: str
+    channel: int | None = None
+    steps: tuple[str, ...] = ()
+    pipeline: str = ""
+    instrument: str = ""
+    tip_radius: str = ""
+    resolution: str = ""
+    trend: str = ""
+    stated_size: str = ""
+    stated_unit: str = ""
+    layout: str = ""
+    source: Any = field(default=None, repr=False)  #: the array, its size, and whether it is periodic; None for a file
+
+    @cached_property
+    def _given(self) -> _setae.Heights | None:
+        if self.source is None:
+            return None
+        array, size, periodic = self.source
+        return _setae.Heights(array, size, periodic, self.file)
+
+    @cached_property
+    def _item(self) -> _setae.Item:
+        item = _setae.Item(self.file, self._given)
+        item.set_file(self.stated_size, self.stated_unit, self.layout, self.channel)
+        item.set_processing(self.pipeline, list(self.steps))
+        item.set_instrument(self.instrument, self.tip_radius, self.resolution, self.trend)
+        return item
+
+    @cached_property
+    def _processed(self) -> tuple[_setae.Heights, str]:
+        processed = _setae.process(self._item)
+        return processed.heights, processed.json
+
+    @cached_property
+    def _heights(self) -> _setae.Heights:
+        if self.steps or self.pipeline:
+            return self._processed[0]
+        return self._given or _setae.read(self._item)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {entry.name: getattr(self, entry.name) for entry in dataclasses.fields(self)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    @property
+    def heights(self) -> Array:
+        """Heights [m] behind all steps: a view of setae's memory that cannot be written to, or the very array that was given."""
+        return cast("Array", self._heights.array)
+
+    @property
+    def positions(self) -> Array | None:
+        """x of every point of a traced curve [m]; None of what lies on a grid."""
+        return cast("Array | None", self._heights.positions)
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Extent along x, and y of a map [m]: points times pixel size."""
+        return tuple(self._heights.size)
+
+    @property
+    def pixel_size(self) -> tuple[float, ...]:
+        """Extent over points [m]."""
+        return tuple(extent / points for extent, points in zip(self.size, self.heights.shape))
+
+    @property
+    def periodic(self) -> bool:
+        return self._heights.periodic
+
+    @property
+    def name(self) -> str:
+        return self._heights.name
+
+    @property
+    def unit(self) -> str:
+        """The file's own unit; ``heights`` are metres all the same."""
+        return self._heights.unit
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Further entries of the file's header."""
+        return self._heights.attributes
+
+    @property
+    def processing(self) -> Processing:
+        """What the steps did.
+
+        >>> import numpy, setae
+        >>> ramp = setae.scan(numpy.arange(64.0).reshape(8, 8), size="8 um x 8 um", unit="nm").level()
+        >>> print(ramp.processing.steps[0].step, float(abs(ramp.heights).max()) < 1e-20)
+        level_plane True
+        """
+        return Processing(self._processed[1])
+
+    def process(self, step: str, **parameters: Text | float | bool) -> Scan:
+        """One step more, by its name in docs/reference/processing-steps.md: ``scan.process("gaussian_filter", cutoff="8 um")``."""
+        line = step
+        for name, value in parameters.items():
+            word = str(value).lower() if isinstance(value, bool) else text(value)
+            line += f' {name}="{word}"' if " " in word else f" {name}={word}"
+        changed = dataclasses.replace(self, steps=(*self.steps, line))
+        changed._item  # noqa: B018  a step that is none is refused here
+        return changed
+
+    def level(self, by: str = "plane", **parameters: Text | float | bool) -> Scan:
+        """Subtracts what ``by`` names: "mean", "plane", "polynomial", "facet" …"""
+        return self.process(f"level_{by}", **parameters)
+
+    def despike(self, **parameters: Text | float | bool) -> Scan:
+        """Replaces spikes."""
+        return self.process("despike", **parameters)
+
+    def align_rows(self, **parameters: Text | float | bool) -> Scan:
+        """Brings scan lines to one level."""
+        return self.process("align_rows", **parameters)
+
+    def fill(self, **parameters: Text | float | bool) -> Scan:
+        """Fills undefined heights."""
+        return self.process("fill_undefined", **parameters)
+
+    def stated(
+        self,
+        *,
+        instrument: str | None = None,
+        tip_radius: Text | None = None,
+        resolution: Text | None = None,
+        trend: str | None = None,
+    ) -> Scan:
+        """The same with what its file does not say: "stylus", "afm", "tem" or "optical"; the tip's radius with its ±."""
+        given: dict[str, Any] = {
+            name: text(value)
+            for name, value in (("instrument", instrument), ("tip_radius", tip_radius), ("resolution", resolution), ("trend", trend))
+            if value is not None
+        }
+        return dataclasses.replace(self, **given)
+
+    def plot(self, ax: Any = None) -> Any:
+        """The heights on axes of matplotlib."""
+        from ._plot import plot_scan
+
+        return plot_scan(self, ax)
+
+    def to_xarray(self) -> Any:
+        """As a DataArray of xarray with coordinates in metres."""
+        import numpy
+        import xarray
+
+        if self.positions is not None:
+            return xarray.DataArray(self.heights, dims="x", coords={"x": self.positions}, name="heights", attrs={"unit": "m"})
+        names = ("x", "y")[: self.heights.ndim]
+        coordinates = {n: numpy.arange(points) * step for n, points, step in zip(names, self.heights.shape, self.pixel_size)}
+        return xarray.DataArray(self.heights, dims=names, coords=coordinates, name="heights", attrs={"unit": "m"})
+
+    def to_surface_topography(self) -> Any:
+        """As a topography of SurfaceTopography, in metres."""
+        import SurfaceTopography
+
+        if self.positions is not None:
+            return SurfaceTopography.NonuniformLineScan(self.positions, self.heights, unit="m")
+        if self.heights.ndim == 1:
+            return SurfaceTopography.UniformLineScan(self.heights, self.size[0], periodic=self.periodic, unit="m")
+        return SurfaceTopography.Topography(self.heights, self.size, periodic=self.periodic, unit="m")
+
+    def _repr_html_(self) -> str:
+        shape = " × ".join(map(str, self.heights.shape))
+        extent = " × ".join(_setae.format_uncertain(length, float("nan"), "m") for length in self.size)
+        steps = "".join(f"<li>{step}</li>" for step in self.processing.steps) if self.steps or self.pipeline else ""
+        return f"<b>{self.name or self.file}</b>: {shape} points, {extent}" + (f"<ol>{steps}</ol>" if steps else "")
+
+
+def read(
+    file: Path,
+    *,
+    channel: int | None = None,
+    size: Text | None = None,
+    unit: str | None = None,
+    layout: str | None = None,
+    instrument: str | None = None,
+    tip_radius: Text | None = None,
+    resolution: Text | None = None,
+    trend: str | None = None,
+) -> Scan:
+    """A channel of a file; without ``channel`` the first that holds heights.
+
+    size, unit, layout: what the file leaves open, as ``--size``, ``--unit`` and ``--as`` of the program.
+
+    :raises FileError: for a path that cannot be read
+    :raises FormatError: for content that nothing reads, or that is damaged
+    """
+    scan = Scan(
+        path(file),
+        channel,
+        instrument=text(instrument),
+        tip_radius=text(tip_radius),
+        resolution=text(resolution),
+        trend=text(trend),
+        stated_size=text(size),
+        stated_unit=text(unit),
+        layout=text(layout),
+    )
+    _setae.channels(scan._item, False)
+    return scan
+
+
+def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
+    """All channels of heights of a file, or measurements of a container; ``stated`` as of :func:`read`."""
+    first = read(file, **stated)
+    return tuple(dataclasses.replace(first, channel=index) for index in _setae.channels(first._item, True))
+
+
+def info(*paths: Path, heights: bool | None = None, size: Text | None = None, unit: str | None = None, layout: str | None = None,
+         channel: int | None = None) -> Info:
+    """What files or folders hold. heights: read them (True), not (False), or of files up to 64 MB (None)."""
+    item = _setae.Item("")
+    item.set_file(text(size), text(unit), text(layout), channel)
+    return Info(_setae.contents([path(entry) for entry in paths], item, heights))
+
+
+def scan(heights: Any, size: Text | tuple[Text, ...] | None = None, unit: str | None = None, *, periodic: bool = False, name: str = "array",
+         instrument: str | None = None, tip_radius: Text | None = None, resolution: Text | None = None,
+         trend: str | None = None) -> Scan:
+    """Heights from elsewhere: an array with its size and unit, a DataArray of xarray with coordinates, a topography of
+    SurfaceTopography.
+
+    An array of float64 in metres that is C-contiguous is not copied: ``scan(array, …).heights is array``. Others are converted.
+
+    >>> import numpy
+    >>> wave = scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")
+    >>> wave.size, wave.heights.shape
+    ((2e-06,), (512,))
+    """
+    from ._arrays import as_heights
+
+    array, extent, is_periodic = as_heights(heights, size, unit, periodic)
+    made = Scan(name, instrument=text(instrument), tip_radius=text(tip_radius), resolution=text(resolution), trend=text(trend),
+                source=(array, extent, is_periodic))
+    made._item  # noqa: B018  what is wrong with it is said here
+    return made
+
+
+#: What is analysed: scans, files, arrays with a size of their own.
+Measured = Union[Scan, Path, Any]
+
+
+def items(measurements: Measured, shared: dict[str, str]) -> list[_setae.Item]:
+    """Measurements of one surface, each with what is said of all where it says nothing itself."""
+    single = isinstance(measurements, (Scan, str, pathlib.PurePath)) or not hasattr(measurements, "__iter__") or is_array(measurements)
+    listed: list[Any] = [measurements] if single else list(cast(Any, measurements))
+    found = []
+    for number_of, entry in enumerate(listed):
+        if isinstance(entry, Scan):
+            made = entry
+        elif isinstance(entry, (str, pathlib.PurePath)):
+            made = Scan(path(entry), stated_size=shared.get("stated_size", ""), stated_unit=shared.get("stated_unit", ""))
+        else:
+            made = scan(entry, name=f"array {number_of}")
+        own: dict[str, Any] = {key: value for key, value in shared.items() if value and not getattr(made, key)}
+        found.append(dataclasses.replace(made, **own)._item if own else made._item)
+    return found
+
+
+def is_array(value: Any) -> bool:
+    """Whether it is heights, not a list of measurements."""
+    return hasattr(value, "physical_sizes") or hasattr(value, "__array__") or hasattr(value, "dims")

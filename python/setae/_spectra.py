@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Power spectra, parameters and surfaces."""
+
+from __future__ import annotations
+
+import html
+import json
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from . import _setae
+from ._options import Text, text
+from ._quantities import Alert, Answer, Band, Json, Quantity, alerts_from, number, quantity_from
+from ._scan import Measured, items
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+
+def shared_options(
+    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Text | None, unit: str | None
+) -> dict[str, str]:
+    return {
+        "instrument": text(instrument),
+        "tip_radius": text(tip_radius),
+        "resolution": text(resolution),
+        "trend": text(trend),
+        "stated_size": text(size),
+        "stated_unit": text(unit),
+    }
+
+
+def analysis_of(
+    longest: Text | None = None,
+    shortest: Text | None = None,
+    window: str | None = None,
+    contours: str | None = None,
+    conversion: str | None = None,
+    memory: float | None = None,
+    bootstrap_resamples: int | None = None,
+) -> _setae.Analysis:
+    return _setae.Analysis(text(longest), text(shortest), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Columns:
+    """Columns of numbers by name, each with its unit; they cannot be written to."""
+
+    columns: dict[str, Array]
+    units: dict[str, str]
+
+    def __getitem__(self, name: str) -> Any:
+        return self.columns[name]
+
+    @property
+    def q(self) -> Array:
+        """Wavevectors 2π/λ [1/m]."""
+        return self.columns["wavevector"]
+
+    @property
+    def C1D(self) -> Array:
+        """Density of the spectrum of lines [m³]: h_rms² = (1/π) ∫ C1D dq."""
+        return self.columns["C1D"]
+
+    @property
+    def C_iso(self) -> Array:
+        """Radial density of the spectrum of the surface [m⁴]: h_rms² = (1/2π) ∫ q C_iso dq."""
+        return self.columns["C_iso"]
+
+    @property
+    def standard_error(self) -> Array:
+        return self.columns["standard_error"]
+
+    def to_pandas(self) -> Any:
+        """As a DataFrame of pandas; units are in ``attrs``."""
+        import pandas
+
+        frame = pandas.DataFrame(dict(self.columns))
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def to_xarray(self) -> Any:
+        """As a Dataset of xarray along the wavevector."""
+        import xarray
+
+        variables = {
+            name: ("wavevector", values, {"units": self.units[name]}) for name, values in self.columns.items() if name != "wavevector"
+        }
+        return xarray.Dataset(variables, coords={"wavevector": ("wavevector", self.q, {"units": "1/m"})})
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """The spectrum on axes of matplotlib, both logarithmic."""
+        from ._plot import plot_spectrum
+
+        return plot_spectrum(self, ax, **style)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PowerSpectrum(Columns):
+    """A spectrum: of one measurement mode by mode, of several in the bins of the combined grid."""
+
+    text: str = field(repr=False)
+
+    def json(self) -> str:
+        """The bytes that ``setae psd --json`` prints."""
+        return self.text
+
+    @property
+    def data(self) -> Json:
+        return json.loads(self.text)
+
+    @property
+    def band(self) -> Band:
+        """Wavevectors of the combined spectrum."""
+        band = self.data["band"]
+        return Band(number(band["lower"]), number(band["upper"]))
+
+    @property
+    def n(self) -> int:
+        """Measurements it rests on."""
+        return len(self.data["measurements"])
+
+    @property
+    def alerts(self) -> tuple[Alert, ...]:
+        return alerts_from(self.data["alerts"])
+
+    @property
+    def fit(self) -> dict[str, Quantity]:
+        """Parameters of the self-affine fit, by name; empty where none was asked for."""
+        fit = self.data.get("fit")
+        return {entry["quantity"]: quantity_from(entry) for entry in fit["parameters"]} if fit else {}
+
+    def __repr__(self) -> str:
+        return f"PowerSpectrum({len(self.q)} of {', '.join(self.columns)}, {self.n} measurements)"
+
+    def _repr_html_(self) -> str:
+        remarks = "".join(f"<li>{html.escape(str(alert))}</li>" for alert in self.alerts)
+        return f"<b>{html.escape(repr(self))}</b><ul>{remarks}</ul>"
+
+
+def power_spectrum(
+    measurements: Measured,
+    *,
+    isotropic: bool = False,
+    abel: bool = False,
+    binned: bool = False,
+    fit: bool = False,
+    fit_range: str | None = None,
+    rolloff: bool = True,
+    short_cutoff: bool = False,
+    instrument: str | None = None,
+    tip_radius: Text | None = None,
+    resolution: Text | None = None,
+    trend: str | None = None,
+    size: Text | None = None,
+    unit: str | None = None,
+    longest: Text | None = None,
+    shortest: Text | None = None,
+    window: str | None = None,
+    contours: str | None = None,
+    memory: float | None = None,
+    skip_failed: bool = False,
+) -> PowerSpectrum:
+    """The power spectral density of one measurement, or of all measurements of one surface.
+
+    C1D(q) = \\|h(q)\\|²/L [m³], h(q) = ∫ h exp(−iqx) dx, two-sided and averaged over ±q, so that h_rms² = (1/π) ∫ C1D dq
+    [Jacobs, Junge, Pastewka, Surf. Topogr. 5 (2017) 013001]. What tip or resolution cannot show is cut.
+
+    measurements: a scan, a file, an array of another package, or a list of them.  isotropic: also C_iso [m⁴] by the transform.
+    abel: also C_iso by the inverse Abel transform.  fit: a self-affine surface.  tip_radius …: of every measurement that does not say it itself.
+    skip_failed: a measurement that cannot be read is left out with an alert; else its error is raised.
+
+    A wave of amplitude A over the length L has A² L/4 in its own mode:
+
+    >>> import numpy, setae
+    >>> wave = setae.scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")
+    >>> psd = setae.power_spectrum(wave, window="none", trend="mean")
+    >>> bool(numpy.isclose(psd.C1D.max(), (3e-9) ** 2 * 2e-6 / 4))
+    True
+    """
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    spectrum = _setae.power_spectrum(
+        items(measurements, shared),
+        analysis_of(longest, shortest, window, contours, memory=memory),
+        isotropic,
+        abel,
+        binned,
+        fit,
+        text(fit_range),
+        not rolloff,
+        short_cutoff,
+        not skip_failed,
+    )
+    return PowerSpectrum(spectrum.columns, spectrum.units, spectrum.json())
+
+
+class Parameters(Answer):
+    """Parameters of heights and of the spectrum, as ``setae params --json`` prints them; by name, the first measurement's first."""
+
+    def __getitem__(self, name: str) -> Any:
+        for entry in self._data:
+            if entry["quantity"] == name:
+                return quantity_from(entry)
+        raise KeyError(name)
+
+    def __iter__(self) -> Any:
+        return iter(dict.fromkeys(entry["quantity"] for entry in self._data))
+
+    def of(self, file: str) -> dict[str, Quantity]:
+        """Those of one measurement, or of what is called "combined"."""
+        return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["file"] == file}
+
+
+def parameters(
+    measurements: Measured,
+    *,
+    instrument: str | None = None,
+    tip_radius: Text | None = None,
+    resolution: Text | None = None,
+    trend: str | None = None,
+    size: Text | None = None,
+    unit: str | None = None,
+    longest: Text | None = None,
+    shortest: Text | None = None,
+    window: str | None = None,
+    contours: str | None = None,
+    conversion: str | None = None,
+    memory: float | None = None,
+    bootstrap_resamples: int | None = None,
+    skip_failed: bool = False,
+) -> Parameters:
+    """Roughness parameters from heights and from the spectrum, the same arguments as :func:`power_spectrum`.
+
+    >>> import numpy, setae
+    >>> wave = setae.scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m")
+    >>> print(setae.parameters(wave, trend="mean")["rms_height"])
+    2.121 nm
+    """
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    analysis = analysis_of(longest, shortest, window, contours, conversion, memory, bootstrap_resamples)
+    return Parameters(_setae.parameters(items(measurements, shared), analysis, not skip_failed))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Surface(Columns):
+    """A surface of several measurements: its spectrum and the moments that follow, with their ±."""
+
+    text: str = field(repr=False)
+    moments: tuple[Quantity, ...] = ()
+    arguments: tuple[Any, ...] = field(default=(), repr=False)  #: it is made of again in another process
+    handle: Any = field(default=None, repr=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "handle": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    def json(self) -> str:
+        """What a study's JSON holds under the surface's name."""
+        return self.text
+
+    @property
+    def data(self) -> Json:
+        return json.loads(self.text)
+
+    def __getitem__(self, name: str) -> Any:
+        for quantity in self.moments:
+            if quantity.quantity == name:
+                return quantity
+        return self.columns[name]
+
+    @property
+    def method(self) -> str:
+        """Whose spectrum it is: "likelihood", "average", "given"."""
+        return str(self.data["spectrum_method"])
+
+    @property
+    def n(self) -> int:
+        return int(self.data["n_measurements"])
+
+    @property
+    def alerts(self) -> tuple[Alert, ...]:
+        data = self.data
+        return tuple(alert for m in data["measurements"] for alert in alerts_from(m.get("alerts", ()))) + alerts_from(data["alerts"])
+
+    def __repr__(self) -> str:
+        return f"Surface({self.method} of {self.n}: {', '.join(f'{q.symbol} = {q}' for q in self.moments[:4])})"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><td>{html.escape(q.quantity.replace('_', ' '))}</td><td>{q._repr_html_()}</td></tr>" for q in self.moments)
+        return f"<table>{rows}</table>"
+
+    def analysed(self) -> _setae.Surface:
+        """setae's own, computed again where it came from another process."""
+        if self.handle is not None:
+            found: _setae.Surface = self.handle
+            return found
+        return computed(*self.arguments)
+
+
+def computed(measurements: Any, shared: dict[str, str], analysis: tuple[Any, ...], spectrum: str, every: bool) -> _setae.Surface:
+    return _setae.surface(items(measurements, shared), analysis_of(*analysis), spectrum, every)
+
+
+def surface(
+    measurements: Measured,
+    *,
+    spectrum: str | None = None,
+    instrument: str | None = None,
+    tip_radius: Text | None = None,
+    resolution: Text | None = None,
+    trend: str | None = None,
+    size: Text | None = None,
+    unit: str | None = None,
+    longest: Text | None = None,
+    shortest: Text | None = None,
+    window: str | None = None,
+    contours: str | None = None,
+    conversion: str | None = None,
+    memory: float | None = None,
+    bootstrap_resamples: int | None = None,
+    skip_failed: bool = False,
+) -> Surface:
+    """All measurements of one surface as one spectrum: fitted to all at once by likelihood, or their "average".
+
+    spectrum: "likelihood" or "average"; without it the likelihood of several, the average of one. Everything else as of :func:`power_spectrum`.
+    """
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    options = (text(longest), text(shortest), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
+    arguments = (measurements, shared, options, text(spectrum), not skip_failed)
+    found = computed(*arguments)
+    moments = tuple(map(quantity_from, json.loads(found.quantities())))
+    return Surface(found.columns, found.units, found.json(), moments, arguments, found)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies: surfaces, elastomers and loops of one file, and what they say together."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from . import _setae
+from ._options import Path, path
+from ._quantities import Answer, Quantity
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure of a study; a notebook shows it."""
+
+    handle: _setae.StudyFigure
+
+    @property
+    def title(self) -> str:
+        return self.handle.title
+
+    @property
+    def caption(self) -> str:
+        return self.handle.caption
+
+    @property
+    def reason(self) -> str:
+        """Why it cannot be drawn; empty where it can."""
+        return self.handle.reason
+
+    def _repr_svg_(self) -> str | None:
+        return None if self.reason else self.handle.drawn("svg").decode()
+
+    def csv(self) -> str:
+        """Its numbers."""
+        return self.handle.drawn("csv").decode()
+
+    def save(self, file: Path) -> pathlib.Path:
+        """Writes it as the name ends: .svg, .pdf, .png, .csv. Drawing takes gnuplot."""
+        target = pathlib.Path(file)
+        target.write_bytes(self.handle.drawn(target.suffix.lstrip(".")))
+        return target
+
+    def __repr__(self) -> str:
+        return f"Figure({self.handle.identifier}: {self.title}{'; ' + self.reason if self.reason else ''})"
+
+
+class Figures(Mapping[str, Figure]):
+    """Figures of a study by what ``setae plot --figure`` calls them."""
+
+    def __init__(self, run: _setae.StudyRun) -> None:
+        self._figures = {figure.identifier: Figure(figure) for figure in _setae.figures_of(run)}
+
+    def __getitem__(self, identifier: str) -> Figure:
+        return self._figures[identifier]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._figures)
+
+    def __len__(self) -> int:
+        return len(self._figures)
+
+
+class StudyResult(Answer):
+    """What a study says, as its study.json: "surfaces", "pairs", "fits", "experiments" … and its figures and report."""
+
+    handle: _setae.StudyRun
+    file: str
+
+    @classmethod
+    def of(cls, run: _setae.StudyRun, file: str) -> StudyResult:
+        result = cls(run.json())
+        object.__setattr__(result, "handle", run)
+        object.__setattr__(result, "file", file)
+        return result
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a study's result is not pickled: run the study again, what was computed is kept")
+
+    @property
+    def work_of_adhesion(self) -> Quantity | None:
+        """W_int as the study found it; None where no fit gave it."""
+        found: Quantity | None = self.get("work_of_adhesion")
+        return found
+
+    @property
+    def figures(self) -> Figures:
+        return Figures(self.handle)
+
+    def summary(self, width: int = 100) -> str:
+        """Every table as text, the verdict first."""
+        return self.handle.summary(width)
+
+    def budget(self, width: int = 100) -> str:
+        """Which input gives how much of each ±, as text."""
+        return self.handle.budget(width)
+
+    def next_measurements(self, target: str = "W_int") -> Answer:
+        """What one further measurement would leave of a number's ±, as ``setae study --next --json`` prints it."""
+        return Answer(self.handle.next_measurements(target))
+
+    def report(self, file: Path | None = None) -> str:
+        """The report, one page of HTML that needs no network; written to ``file`` where one is named."""
+        page = self.handle.report(f"setae study {self.file}")
+        if file is not None:
+            pathlib.Path(file).write_text(page, encoding="utf-8")
+        return page
+
+    def write(self) -> tuple[str, ...]:
+        """Writes study.json and the tables into the study's output folder; names of the files."""
+        return tuple(self.handle.write_tables())
+
+    def __repr__(self) -> str:
+        return self.summary()
+
+    def _repr_html_(self) -> str:
+        import html
+
+        return f"<pre>{html.escape(self.summary())}</pre>"
+
+
+@dataclass(frozen=True)
+class Study:
+    """A study's file that was read without an error."""
+
+    file: str
+    title: str
+
+    def run(self, *, output: Path | None = None, cache: Path | None = None, keep: bool = True) -> StudyResult:
+        """Runs it. What was computed before is taken from the cache, which the program uses, too; ``keep=False`` does without."""
+        folder = (path(cache) if cache is not None else "") if keep else None
+        run = _setae.run_study(self.file, "" if output is None else path(output), folder)
+        return StudyResult.of(run, self.file)
+
+
+def study(file: Path) -> Study:
+    """Reads a study; what is wrong with its file is raised, with its line.
+
+    :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared
+    """
+    name = os.fspath(file)
+    return Study(name, _setae.title_of_study(name))

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Examples in docstrings and guides do what they say, notebooks run, types are right."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import os
+import pathlib
+import pkgutil
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+import setae
+
+from conftest import ROOT
+
+MODULES = [module.name for module in pkgutil.iter_modules(setae.__path__) if module.name not in ("_setae", "__main__")]
+NOTEBOOKS = sorted((ROOT / "docs/notebooks").glob("*.py"))
+
+
+@pytest.mark.parametrize("name", ["__init__", *MODULES])
+def test_examples_in_docstrings(name):
+    module = setae if name == "__init__" else importlib.import_module(f"setae.{name}")
+    assert doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE).failed == 0
+
+
+def test_every_public_name_says_what_it_is():
+    silent = [name for name in setae.__all__ if name != "__version__" and not (getattr(setae, name).__doc__ or "").strip()]
+    assert not silent
+
+
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
+def test_notebooks_run(notebook, tmp_path):
+    """In a folder that holds examples, as the notebook says."""
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    subprocess.run([sys.executable, notebook], cwd=tmp_path, check=True, stdout=subprocess.DEVNULL)
+    if notebook.stem == "from-files-to-figure":
+        assert (tmp_path / "mine/report.html").stat().st_size > 100_000
+        assert (tmp_path / "mine/figure_4.csv").read_text().startswith("#")
+
+
+def blocks(page: pathlib.Path) -> str:
+    return "\n".join(re.findall(r"^```python\n(.*?)^```", page.read_text(), re.S | re.M))
+
+
+def test_the_guide_runs(data, tmp_path):
+    """Its blocks one after the other, beside the tutorial's files."""
+    shutil.copytree(data, tmp_path / "mine")
+    source = blocks(ROOT / "docs/guides/python.md")
+    assert "setae.work_of_adhesion" in source
+    subprocess.run([sys.executable, "-c", source], cwd=tmp_path, check=True, stdout=subprocess.DEVNULL, env={**os.environ, "MPLBACKEND": "svg"})
+
+
+def test_types(tmp_path):
+    """mypy --strict, of the package, the notebooks and the guide."""
+    pytest.importorskip("mypy")
+    (tmp_path / "guide.py").write_text(blocks(ROOT / "docs/guides/python.md"))
+    package = pathlib.Path(setae.__file__).parent
+    command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--cache-dir", tmp_path / "cache", package]
+    done = subprocess.run([*command, tmp_path / "guide.py", *NOTEBOOKS], capture_output=True, text=True, cwd=ROOT)
+    assert done.returncode == 0, done.stdout
+
+
+def test_the_module_is_the_program(tmp_path):
+    typed = subprocess.run([sys.executable, "-m", "setae", "--version"], capture_output=True, text=True, check=True)
+    assert typed.stdout == f"setae {setae.version()}\n"
+    failed = subprocess.run([sys.executable, "-m", "setae", "psd", "no/such"], capture_output=True, text=True)
+    assert failed.returncode == 2 and "no/such" in failed.stderr

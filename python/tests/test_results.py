@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results are small, frozen, and go wherever Python sends them."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import math
+import pickle
+
+import numpy as np
+import pytest
+import setae
+
+
+@pytest.fixture(scope="module")
+def scan() -> setae.Scan:
+    heights = 1e-8 * np.random.default_rng(1).standard_normal((64, 64)).cumsum(axis=0)
+    return setae.scan(heights, size="5 um x 5 um", unit="m", tip_radius="10 ± 1 nm", instrument="afm")
+
+
+def test_a_quantity_is_a_number_in_si(scan):
+    slope = setae.surface([scan, scan.process("crop", x_from="1 um", x_to="4 um")], spectrum="average")["rms_slope"]
+    assert float(slope) == slope.value and slope.unit == "1" and slope.n == 2
+    assert slope.interval.lower < slope.value < slope.interval.upper and slope.interval.level == 0.95
+    assert slope.band.lower < slope.band.upper and slope.source
+    assert math.isnan(setae.parameters(scan)["rms_slope"].standard_error)
+
+
+def test_what_comes_out_may_go_in():
+    radius = setae.Quantity("tip_radius", "R", 1e-8, "m", standard_error=2e-9)
+    wave = setae.scan(1e-9 * np.sin(np.arange(512.0)), size="2 um", unit="m")
+    by_quantity = setae.power_spectrum(wave, tip_radius=radius, instrument="afm")
+    assert by_quantity.json() == setae.power_spectrum(wave, tip_radius="1e-08 ± 2e-09 m", instrument="afm").json()
+
+
+@pytest.mark.parametrize("make", [setae.power_spectrum, setae.parameters, setae.surface, lambda s: s, lambda s: s.level().processing])
+@pytest.mark.parametrize("moved", [copy.copy, copy.deepcopy, lambda r: pickle.loads(pickle.dumps(r))])
+def test_results_are_copied_and_pickled(scan, make, moved):
+    result = make(scan)
+    other = moved(result)
+    if isinstance(result, setae.Scan):
+        np.testing.assert_array_equal(other.heights, result.heights)
+        assert other.tip_radius == result.tip_radius
+        return
+    assert other.json() == result.json()
+    assert other.alerts == result.alerts
+    if hasattr(result, "columns"):
+        np.testing.assert_array_equal(other.q, result.q)
+
+
+def test_a_pickled_surface_is_analysed_again(scan):
+    surface = setae.surface(scan)
+    solids = {"E": "0.7 MPa", "W_int": "37 mJ/m2", "gamma": "25 mJ/m2"}
+    other = pickle.loads(pickle.dumps(surface))
+    assert setae.work_of_adhesion(other, **solids).json() == setae.work_of_adhesion(surface, **solids).json()
+
+
+def test_results_are_frozen(scan):
+    psd = setae.power_spectrum(scan)
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        psd.text = ""
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        scan.steps = ()
+    with pytest.raises(ValueError, match="read-only"):
+        psd.C1D[0] = 1.0
+    with pytest.raises(TypeError):
+        setae.parameters(scan)["rms_slope"] = 1.0
+
+
+def test_a_notebook_shows_them(scan):
+    surface = setae.surface(scan)
+    work = setae.work_of_adhesion(surface, E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2")
+    for shown in (scan, scan.level(), setae.power_spectrum(scan), setae.parameters(scan), surface, work, work.estimate, scan.level().processing):
+        assert shown._repr_html_().startswith("<") and repr(shown)
+    assert "mJ/m²" in repr(work.estimate) or "mJ/m²" in str(work.estimate)
+
+
+def test_other_packages_take_them(scan):
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    psd = setae.power_spectrum(scan)
+    frame = psd.to_pandas()
+    assert isinstance(frame, pandas.DataFrame) and frame.attrs["units"]["C1D"] == "m3"
+    assert isinstance(psd.to_xarray(), xarray.Dataset) and psd.to_xarray().C1D.attrs["units"] == "m3"
+
+
+def test_uncertainties_and_pint():
+    pytest.importorskip("uncertainties"), pytest.importorskip("pint")
+    work = setae.Quantity("work_of_adhesion", "W", 37e-3, "J/m2", standard_error=2e-3)
+    assert work.to_uncertainties().std_dev == 2e-3
+    assert work.to_pint().value.to("mJ/m**2").magnitude == pytest.approx(37.0)
+
+
+def test_parts_of_an_answer(scan):
+    work = setae.work_of_adhesion(setae.surface(scan), E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2")
+    assert float(work) == work["work_of_adhesion_modified"].value
+    assert isinstance(work["scales"], setae.Answer) and len(work["scales"]["gained"]) == len(work["scales"]["wavevector"])
+    with pytest.raises(KeyError):
+        work["no such thing"]
+    with pytest.raises(TypeError, match="analysed already"):
+        setae.work_of_adhesion(setae.surface(scan), E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2", tip_radius="3 nm")

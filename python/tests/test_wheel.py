@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The wheel as a stranger installs it: a new environment, no compiler, nothing of the build tree on its paths."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+from conftest import ROOT
+
+WHEELS = sorted(pathlib.Path(os.environ["SETAE_WHEELS"]).glob("*.whl"))
+
+
+@pytest.fixture(scope="module")
+def python(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
+    """An interpreter that has the wheel, and NumPy from the environment of the tests."""
+    if not WHEELS:
+        print("skipped: no wheel in build/wheels; ./setup python makes one")
+        pytest.skip("no wheel")
+    folder = tmp_path_factory.mktemp("environment")
+    subprocess.run([sys.executable, "-m", "venv", folder], check=True)
+    python = folder / "bin/python"
+    subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-deps", "--no-index", WHEELS[0]], check=True)
+    (site,) = folder.glob("lib/python*/site-packages")
+    import numpy
+
+    for package in pathlib.Path(numpy.__file__).parents[1].glob("numpy*"):
+        (site / package.name).symlink_to(package)
+    return python
+
+
+def run(*command: object, cwd: pathlib.Path) -> str:
+    alone = {"PATH": "/usr/bin:/bin", "HOME": str(cwd), "SETAE_CACHE": str(cwd / "cache")}
+    return subprocess.run([*map(str, command)], cwd=cwd, env=alone, check=True, capture_output=True, text=True).stdout
+
+
+def test_it_is_small_and_says_where_it_runs():
+    assert WHEELS and WHEELS[0].stat().st_size < 40e6
+    assert "manylinux_2_" in WHEELS[0].name
+
+
+def test_the_notebook_runs_with_it(python, tmp_path):
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    shown = run(python, "-c", "import setae; print(setae.__file__, setae.version())", cwd=tmp_path)
+    assert str(python.parents[1]) in shown
+    run(python, ROOT / "docs/notebooks/from-files-to-figure.py", cwd=tmp_path)
+    assert (tmp_path / "mine/report.html").exists()
+
+
+def test_it_holds_the_program(python, tmp_path):
+    version = run(python, "-c", "import setae; print(setae.version())", cwd=tmp_path)
+    assert run(python.parent / "setae", "--version", cwd=tmp_path) == f"setae {version}"
+    assert run(python, "-m", "setae", "--version", cwd=tmp_path) == f"setae {version}"
+
+
+def test_mappings_come_along(python, tmp_path):
+    (tmp_path / "curve.txt").write_bytes((ROOT / "tests/cli/jkr/jkr_import_mapping_by_name/curve.txt").read_bytes())
+    columns = run(python, "-c", "import setae; print(*setae.loop('curve.txt', mapping='eoh').columns)", cwd=tmp_path)
+    assert "force" in columns
+    run(python.parent / "setae", "jkr", "import", "curve.txt", "--mapping", "eoh", "-o", "sensor.csv", cwd=tmp_path)
+    assert (tmp_path / "sensor.csv").exists()
