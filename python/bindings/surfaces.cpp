@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nlohmann/json.hpp>
 
 #include "heights.hpp"
 #include "setae/answers/adhesion.hpp"
+#include "setae/answers/functions_of_scale.hpp"
 #include "setae/answers/parameters.hpp"
 #include "setae/answers/power_spectrum.hpp"
 #include "setae/core/errors.hpp"
@@ -56,6 +58,12 @@ Surface surface(const Items& items, const answers::AnalysisRequest& request, con
                                {.previews = false, .map = true, .every_measurement = every_measurement}, {});
     surface.spectrum = spectrum_of(analysed(surface.result.surface));
     return surface;
+}
+
+answers::ScaleFunction scale_function(const std::string& verb) {
+    if (verb == "sdrp") return answers::ScaleFunction::differences;
+    if (verb == "acf") return answers::ScaleFunction::autocorrelation;
+    return answers::ScaleFunction::variable_bandwidth;
 }
 
 void bind_analysis(nb::module_& module) {
@@ -153,6 +161,39 @@ void bind_surfaces(nb::module_& module) {
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as `setae params --json` prints them");
+    using Scales = answers::FunctionsOfScale;
+    nb::class_<Scales>(module, "FunctionsOfScale")
+        .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Scales&>(self).table, self); })
+        .def_prop_ro("units", [](const Scales& found) { return units(found.table); })
+        .def("json", [](const Scales& found) { return output::as_text(answers::to_json(found)); });
+    nb::class_<answers::ScaleRequest>(module, "ScaleRequest")
+        .def(nb::init<>())
+        .def_rw("area", &answers::ScaleRequest::area)
+        .def_rw("slope", &answers::ScaleRequest::slope)
+        .def_rw("all", &answers::ScaleRequest::all)
+        .def_rw("binned", &answers::ScaleRequest::binned)
+        .def_rw("order", &answers::ScaleRequest::order)
+        .def_rw("bins_per_decade", &answers::ScaleRequest::bins_per_decade)
+        .def_rw("distance", &answers::ScaleRequest::distance)
+        .def_rw("longest", &answers::ScaleRequest::longest)
+        .def_rw("statistic", &answers::ScaleRequest::statistic)
+        .def_rw("along", &answers::ScaleRequest::along)
+        .def_rw("weighting", &answers::ScaleRequest::weighting)
+        .def_rw("every_measurement", &answers::ScaleRequest::every_measurement);
+    module.def(
+        "functions_of_scale",
+        [](const std::string& function, const Items& items, const answers::AnalysisRequest& analysis,
+           const answers::ScaleRequest& asked) {
+            return unlocked([&](const auto&) {
+                auto request = asked;
+                request.surface = surface_of(items);
+                request.largest_map = analysis.analysis().largest_map;
+                auto found = answers::functions_of_scale(scale_function(function), request);
+                if (found.functions.empty()) throw InvalidArgument(fmt::format("{}", fmt::join(found.failures, "; ")));
+                return found;
+            });
+        },
+        nb::arg("function"), nb::arg("items"), nb::arg("analysis"), nb::arg("request"));
     nb::class_<Surface>(module, "Surface")
         .def("json",
              [](const Surface& surface) {

@@ -15,6 +15,7 @@ from ._adhesion import WorkOfAdhesion, work_of_adhesion
 from ._errors import Error, FileError, FormatError, InternalError, InvalidArgument, UndefinedDataError
 from ._loops import Loop, LoopEnergy, LoopFit, loop
 from ._quantities import Alert, Answer, Band, Interval, Quantity
+from ._scales import FunctionOfScale, autocorrelation, scale_dependent, variable_bandwidth
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
 from ._setae import limit_threads, steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
@@ -30,6 +31,7 @@ __all__ = [
     "Figure",
     "FileError",
     "FormatError",
+    "FunctionOfScale",
     "Info",
     "InternalError",
     "Interval",
@@ -49,6 +51,7 @@ __all__ = [
     "UndefinedDataError",
     "WorkOfAdhesion",
     "__version__",
+    "autocorrelation",
     "channels",
     "info",
     "lengths",
@@ -57,10 +60,12 @@ __all__ = [
     "parameters",
     "power_spectrum",
     "read",
+    "scale_dependent",
     "scan",
     "steps",
     "study",
     "surface",
+    "variable_bandwidth",
     "version",
     "work_of_adhesion",
 ]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ._loops import Loop
+    from ._scales import FunctionOfScale
     from ._scan import Scan
     from ._spectra import Columns
 
@@ -57,4 +58,12 @@ def plot_loop(loop: Loop, ax: Any) -> Any:
     ax.plot(1e6 * columns[against], 1e3 * columns["force"])
     ax.set_xlabel(f"{against.replace('_', ' ')} [µm]")
     ax.set_ylabel("force [mN]")
+    return ax
+
+
+def plot_function_of_scale(function: FunctionOfScale, ax: Any, **style: Any) -> Any:
+    ax = axes(ax)
+    ax.loglog(function.distance, function.value, **style)
+    ax.set_xlabel("distance [m]")
+    ax.set_ylabel(f"{function.quantity.replace('_', ' ')} [{function.units[function.quantity]}]")
     return ax

@@ -85,6 +85,14 @@ def test_analysis(argument, data):
         setae.parameters(data / "rougher/afm_1.txt", **argument)
 
 
+def test_functions_of_scale(data):
+    for argument in ({"order": 4}, {"distance": "3 kg"}, {"statistic": "median"}, {"along": "z"}, {"bins_per_decade": 0}, {"weighting": "none"}):
+        with pytest.raises(setae.InvalidArgument):
+            setae.scale_dependent(data / "rougher/afm_1.txt", **argument)
+    with pytest.raises(TypeError, match="bins"):
+        setae.autocorrelation(data / "rougher/afm_1.txt", bins=3)
+
+
 def test_errors_are_pickled():
     with pytest.raises(setae.InvalidArgument) as caught:
         setae.lengths("5 kg")

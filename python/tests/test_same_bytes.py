@@ -20,6 +20,9 @@ FUNCTIONS = {
     "info": "`setae.info`, `setae.read`, `setae.channels`",
     "level": "`Scan.level`, `Scan.process` …; `Scan.processing` is its JSON",
     "psd": "`setae.power_spectrum`",
+    "sdrp": "`setae.scale_dependent`",
+    "acf": "`setae.autocorrelation`",
+    "vbw": "`setae.variable_bandwidth`",
     "params": "`setae.parameters`; parameters of a standard (`--standard`) by the program alone",
     "adhesion": "`setae.work_of_adhesion`",
     "jkr fit": "`setae.loop(…).fit()`, a loop at a time; fits that loops share and force curves by the program alone",
@@ -32,9 +35,6 @@ GAPS = {
     "container check": "not bound yet",
     "container write": "not bound yet",
     "contour": "not bound yet",
-    "sdrp": "not bound yet",
-    "acf": "not bound yet",
-    "vbw": "not bound yet",
     "check": "not bound yet; alerts come with every result",
     "profile": "slices of `Scan.heights`",
     "tip": "not bound yet",
@@ -93,6 +93,17 @@ def test_psd_of_a_table(printed):
 def test_params(printed):
     assert setae.parameters(files()).json() == printed("params", *files())
     assert setae.parameters("rougher/afm_1.txt").json() == printed("params", "rougher/afm_1.txt")
+
+
+def test_functions_of_scale(printed):
+    map_of, two = "rougher/afm_1.txt", ["rougher/afm_1.txt", "rougher/afm_2.txt"]
+    assert setae.scale_dependent(map_of).json() == printed("sdrp", map_of)
+    curvature = setae.scale_dependent(two, order=2, distance=["100 nm", "200 nm"], statistic="variance", along="both", tip_radius="10 nm")
+    options = ("--order", 2, "--distance", "100 nm,200 nm", "--statistic", "variance", "--along", "both", "--tip-radius", "10 nm")
+    assert curvature.json() == printed("sdrp", *two, *options)
+    assert setae.autocorrelation(map_of, area=True, all=True).json() == printed("acf", map_of, "--area", "--all")
+    assert setae.autocorrelation(two, slope=True, weighting="by_count").json() == printed("acf", *two, "--slope", "--weighting", "by_count")
+    assert setae.variable_bandwidth(map_of, binned=True).json() == printed("vbw", map_of, "--binned")
 
 
 def test_adhesion(printed):

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Functions of a distance: slopes and curvatures at every scale, autocorrelation, variable bandwidth."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from . import _setae
+from ._options import Text, text
+from ._quantities import Alert, Json, alerts_from
+from ._scan import Measured, items
+from ._spectra import analysis_of, shared_options
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class FunctionOfScale:
+    """A function of a distance, of one measurement or combined from several; its columns cannot be written to."""
+
+    quantity: str
+    columns: dict[str, Array]
+    units: dict[str, str]
+    text: str = field(repr=False)
+
+    def json(self) -> str:
+        """The bytes that the verb prints with ``--json``."""
+        return self.text
+
+    @property
+    def data(self) -> Json:
+        return json.loads(self.text)
+
+    @property
+    def distance(self) -> Array:
+        """[m]"""
+        return self.columns["distance"]
+
+    @property
+    def value(self) -> Array:
+        return self.columns[self.quantity]
+
+    @property
+    def n(self) -> int:
+        """Measurements it rests on."""
+        return len(self.data["measurements"])
+
+    @property
+    def alerts(self) -> tuple[Alert, ...]:
+        return alerts_from(self.data["alerts"])
+
+    def __getitem__(self, name: str) -> Any:
+        return self.columns[name]
+
+    def __repr__(self) -> str:
+        return f"FunctionOfScale({self.quantity} [{self.units[self.quantity]}] at {len(self.distance)} distances, {self.n} measurements)"
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """On axes of matplotlib, both logarithmic."""
+        from ._plot import plot_function_of_scale
+
+        return plot_function_of_scale(self, ax, **style)
+
+
+def found(verb: str, measurements: Measured, asked: dict[str, Any], options: dict[str, Any]) -> FunctionOfScale:
+    names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit")
+    shared = shared_options(*(options.pop(name, None) for name in names))
+    request = _setae.ScaleRequest()
+    request.every_measurement = not options.pop("skip_failed", False)
+    memory = options.pop("memory", None)
+    for name in ("all", "binned", "bins_per_decade", "weighting"):
+        if name in options:
+            setattr(request, name, options.pop(name))
+    if options:
+        raise TypeError(f"unknown argument '{next(iter(options))}'")
+    for name, value in asked.items():
+        setattr(request, name, value)
+    answer = _setae.functions_of_scale(verb, items(measurements, shared), analysis_of(memory=memory), request)
+    quantity = list(answer.columns)[1]
+    return FunctionOfScale(quantity, answer.columns, answer.units, answer.json())
+
+
+def scale_dependent(
+    measurements: Measured,
+    *,
+    order: int = 1,
+    distance: Text | Sequence[Text] = (),
+    statistic: str = "rms",
+    along: str = "x",
+    **options: Any,
+) -> FunctionOfScale:
+    """Slope (order 1), curvature (2) or third derivative (3) at every scale, as ``setae sdrp``.
+
+    [h(x + s) − h(x)]/s over d = s; [h(x − s) − 2h(x) + h(x + s)]/s² over d = 2s. distance: "100 nm" or several; ten a decade without.
+    statistic: "rms", "variance", "mean", "skewness", "kurtosis", "minimum", "maximum".  along: "x", "y", "both".
+    options: ``tip_radius``, ``instrument`` … as of :func:`power_spectrum`; ``all``: unreliable distances, too; ``binned``, ``bins_per_decade``, ``weighting``.
+    """
+    lengths: list[Any] = [distance] if not isinstance(distance, (list, tuple)) else list(distance)
+    asked = {"order": order, "distance": ",".join(map(text, lengths)), "statistic": statistic, "along": along}
+    return found("sdrp", measurements, asked, options)
+
+
+def autocorrelation(
+    measurements: Measured, *, area: bool = False, slope: bool = False, longest: Text | None = None, **options: Any
+) -> FunctionOfScale:
+    """Height-difference autocorrelation A(d) = ⟨[h(x + d) − h(x)]²⟩/2 [m²], as ``setae acf``; ``options`` as of :func:`scale_dependent`.
+
+    area: maps over all directions.  slope: √(2A)/d in its place.
+
+    >>> import numpy, setae
+    >>> wave = setae.scan(3e-9 * numpy.cos(2 * numpy.pi * 8 * numpy.arange(512) / 512), size="2 um", unit="m", periodic=True)
+    >>> A = setae.autocorrelation(wave, trend="none", all=True)
+    >>> bool(numpy.isclose(A.value.max(), (3e-9) ** 2))
+    True
+    """
+    return found("acf", measurements, {"area": area, "slope": slope, "longest": text(longest)}, options)
+
+
+def variable_bandwidth(measurements: Measured, *, area: bool = False, **options: Any) -> FunctionOfScale:
+    """Rms height left in pieces of every length about their own line (area: plane), as ``setae vbw``; ``options`` as of :func:`scale_dependent`."""
+    return found("vbw", measurements, {"area": area}, options)
