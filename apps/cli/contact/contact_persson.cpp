@@ -13,6 +13,7 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
+#include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/persson_figure.hpp"
@@ -104,7 +105,7 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.common.json)
         print_json(as_json(load, along_scales ? &*along_scales : nullptr, scales, arguments, body.contact_modulus));
     else print(output::persson_answer(load, scales, body.contact_modulus, output_size().width));
-    if (!arguments.common.json) show(alerts_of(surface));
+    if (!arguments.common.json) show(answers::alerts_of(surface));
     return code;
 }
 
