@@ -48,8 +48,9 @@ private:
         double square = 0.0;  ///< Σ r²
     };
     struct Preconditioned {
-        double product = 0.0;  ///< Σ r z
-        double sum = 0.0;      ///< Σ z
+        double sum = 0.0;       ///< Σ z
+        double coupling = 0.0;  ///< Σ z w, w the response to the last direction
+        double response = 0.0;  ///< Σ w on the set
     };
     struct Response {
         double work = 0.0;       ///< Σ t w
@@ -57,6 +58,7 @@ private:
         double square = 0.0;     ///< Σ w²
         double product = 0.0;    ///< Σ r w
         double direction = 0.0;  ///< Σ t
+        double slope = 0.0;      ///< Σ r t
     };
     template <class Body>
     void for_each_row(const Body& body) const;
@@ -68,7 +70,7 @@ private:
     Residual choose_set(bool careful);
     Preconditioned precondition(double step, double level);
     Response respond_to_direction(double mean, double memory, double level);
-    double reduce_residual(const Residual& start, Index most);
+    double reduce_residual(const Residual& start, Index most, bool remembers);
     double activation_step();
     void activate(double step);
 
@@ -85,6 +87,7 @@ private:
     double level_ = 0.0;
     double load_ = 0.0, work_ = 0.0, elastic_work_ = 0.0, least_ = 0.0;  ///< Σ p, Σ p v, Σ p G p, min v
     Certificate certificate_;
+    double curvature_ = 0.0;  ///< of the last direction
     Index iterations_ = 0, pairs_ = 0;
 };
 
