@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "setae/answers/run_time.hpp"
+#include "setae/bytes/protected_inputs.hpp"
 #include "setae/output/budget.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/next_measurement_output.hpp"
@@ -103,7 +104,10 @@ void bind_studies(nb::module_& module) {
             nb::arg("command"))
         .def("write_tables",
              [](const Study& study) {
-                 return unlocked([&](const auto&) { return output::write_results(study.result); });
+                 return unlocked([&](const auto&) {
+                     const bytes::ProtectedInputs inputs;  // no output replaces a file that the study read
+                     return output::write_results(study.result);
+                 });
              })
         .def_prop_ro("output", [](const Study& study) { return study.result.study.output; })
         .def_prop_ro("successes", [](const Study& study) { return study.result.successes(); })

@@ -15,10 +15,7 @@ from ._options import Path, Text, path, text
 from ._quantities import Alert, Answer, Quantity, alerts_from
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from ._columns import Array
 
 
 class LoopFit(Answer):

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from ._loops import Loop
     from ._scales import FunctionOfScale
     from ._scan import Scan
-    from ._spectra import Columns
+    from ._spectra import Spectrum
 
 
 def axes(ax: Any) -> Any:
@@ -37,7 +37,7 @@ def plot_scan(scan: Scan, ax: Any) -> Any:
     return ax
 
 
-def plot_spectrum(spectrum: Columns, ax: Any, **style: Any) -> Any:
+def plot_spectrum(spectrum: Spectrum, ax: Any, **style: Any) -> Any:
     ax = axes(ax)
     name = "C1D" if "C1D" in spectrum.columns else "C_iso"
     density, q = spectrum.columns[name], spectrum.q

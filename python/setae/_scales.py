@@ -3,40 +3,26 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
+from ._columns import Columns
 from ._options import Text, text
-from ._quantities import Alert, Json, alerts_from
 from ._scan import Measured, items
 from ._spectra import analysis_of, shared_options
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from ._columns import Array
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class FunctionOfScale:
-    """A function of a distance, of one measurement or combined from several; its columns cannot be written to."""
-
-    quantity: str
-    columns: dict[str, Array]
-    units: dict[str, str]
-    text: str = field(repr=False)
-
-    def json(self) -> str:
-        """The bytes that the verb prints with ``--json``."""
-        return self.text
+class FunctionOfScale(Columns):
+    """A function of a distance, of one measurement or combined from several."""
 
     @property
-    def data(self) -> Json:
-        return json.loads(self.text)
+    def quantity(self) -> str:
+        """Name of the column that is a function of the distance."""
+        return list(self.columns)[1]
 
     @property
     def distance(self) -> Array:
@@ -46,18 +32,6 @@ class FunctionOfScale:
     @property
     def value(self) -> Array:
         return self.columns[self.quantity]
-
-    @property
-    def n(self) -> int:
-        """Measurements it rests on."""
-        return len(self.data["measurements"])
-
-    @property
-    def alerts(self) -> tuple[Alert, ...]:
-        return alerts_from(self.data["alerts"])
-
-    def __getitem__(self, name: str) -> Any:
-        return self.columns[name]
 
     def __repr__(self) -> str:
         return f"FunctionOfScale({self.quantity} [{self.units[self.quantity]}] at {len(self.distance)} distances, {self.n} measurements)"
@@ -83,8 +57,7 @@ def found(verb: str, measurements: Measured, asked: dict[str, Any], options: dic
     for name, value in asked.items():
         setattr(request, name, value)
     answer = _setae.functions_of_scale(verb, items(measurements, shared), analysis_of(memory=memory), request)
-    quantity = list(answer.columns)[1]
-    return FunctionOfScale(quantity, answer.columns, answer.units, answer.json())
+    return FunctionOfScale(answer.columns, answer.units, answer.json())
 
 
 def scale_dependent(

@@ -14,10 +14,7 @@ from ._options import Path, Text, path, text
 from ._quantities import Alert, Answer, Json, Quantity, alerts_from, quantity_from
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from ._columns import Array
 
 
 def lengths(size: Text | tuple[Text, ...]) -> list[float]:

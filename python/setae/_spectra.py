@@ -9,15 +9,13 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
+from ._columns import Columns
 from ._options import Text, text
-from ._quantities import Alert, Answer, Band, Json, Quantity, alerts_from, number, quantity_from
+from ._quantities import Alert, Answer, Band, Quantity, alerts_from, number, quantity_from
 from ._scan import Measured, items
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from ._columns import Array
 
 
 def shared_options(
@@ -45,15 +43,8 @@ def analysis_of(
     return _setae.Analysis(text(longest), text(shortest), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Columns:
-    """Columns of numbers by name, each with its unit; they cannot be written to."""
-
-    columns: dict[str, Array]
-    units: dict[str, str]
-
-    def __getitem__(self, name: str) -> Any:
-        return self.columns[name]
+class Spectrum(Columns):
+    """A spectrum: columns along the wavevector."""
 
     @property
     def q(self) -> Array:
@@ -74,23 +65,6 @@ class Columns:
     def standard_error(self) -> Array:
         return self.columns["standard_error"]
 
-    def to_pandas(self) -> Any:
-        """As a DataFrame of pandas; units are in ``attrs``."""
-        import pandas
-
-        frame = pandas.DataFrame(dict(self.columns))
-        frame.attrs["units"] = dict(self.units)
-        return frame
-
-    def to_xarray(self) -> Any:
-        """As a Dataset of xarray along the wavevector."""
-        import xarray
-
-        variables = {
-            name: ("wavevector", values, {"units": self.units[name]}) for name, values in self.columns.items() if name != "wavevector"
-        }
-        return xarray.Dataset(variables, coords={"wavevector": ("wavevector", self.q, {"units": "1/m"})})
-
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """The spectrum on axes of matplotlib, both logarithmic."""
         from ._plot import plot_spectrum
@@ -99,33 +73,14 @@ class Columns:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PowerSpectrum(Columns):
+class PowerSpectrum(Spectrum):
     """A spectrum: of one measurement mode by mode, of several in the bins of the combined grid."""
-
-    text: str = field(repr=False)
-
-    def json(self) -> str:
-        """The bytes that ``setae psd --json`` prints."""
-        return self.text
-
-    @property
-    def data(self) -> Json:
-        return json.loads(self.text)
 
     @property
     def band(self) -> Band:
         """Wavevectors of the combined spectrum."""
         band = self.data["band"]
         return Band(number(band["lower"]), number(band["upper"]))
-
-    @property
-    def n(self) -> int:
-        """Measurements it rests on."""
-        return len(self.data["measurements"])
-
-    @property
-    def alerts(self) -> tuple[Alert, ...]:
-        return alerts_from(self.data["alerts"])
 
     @property
     def fit(self) -> dict[str, Quantity]:
@@ -245,10 +200,12 @@ def parameters(
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Surface(Columns):
-    """A surface of several measurements: its spectrum and the moments that follow, with their ±."""
+class Surface(Spectrum):
+    """A surface of several measurements: its spectrum and the moments that follow, with their ±.
 
-    text: str = field(repr=False)
+    ``json()`` is what a study's JSON holds under the surface's name.
+    """
+
     moments: tuple[Quantity, ...] = ()
     arguments: tuple[Any, ...] = field(default=(), repr=False)  #: it is made of again in another process
     handle: Any = field(default=None, repr=False)
@@ -258,14 +215,6 @@ class Surface(Columns):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-
-    def json(self) -> str:
-        """What a study's JSON holds under the surface's name."""
-        return self.text
-
-    @property
-    def data(self) -> Json:
-        return json.loads(self.text)
 
     def __getitem__(self, name: str) -> Any:
         for quantity in self.moments:

@@ -135,6 +135,7 @@ def test_jkr(printed):
 def test_study(printed, tmp_path):
     mine, theirs = setae.study("study.toml").run(output="results"), printed("study", "study.toml", "--output", "results", "--no-figures")
     assert mine.json() == theirs
+    assert "study.json" in mine.write() and pathlib.Path("results/study.json").read_text() == theirs
     assert mine.next_measurements().json() == printed("study", "study.toml", "--output", "results", "--next")
 
 
