@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/answers/contents.hpp"
+#include "setae/answers/diagnosis.hpp"
 #include "setae/answers/processed_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/processing/step_text.hpp"
@@ -187,6 +188,16 @@ study::SurfaceInput surface_of(const std::vector<std::shared_ptr<Item>>& items) 
             surface.measurements.back().in_memory.read = [heights = item->heights] { return heights->measurement(); };
     }
     return surface;
+}
+
+std::vector<topography::Measurement> measurements_of(const Item& item) {
+    auto found = item.heights ? std::vector{item.heights->measurement()}
+                              : answers::measurements_of(item.path, item.request.file);
+    const auto pipeline = item.request.processing.pipeline();
+    if (pipeline.empty()) return found;
+    for (auto& measurement : found)
+        measurement = processing::apply(pipeline, std::move(measurement), study::measurement_loader()).measurement;
+    return found;
 }
 
 void bind_heights(nb::module_& module) {

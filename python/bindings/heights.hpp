@@ -46,4 +46,7 @@ struct Item {
 /// One surface of them. @throws InvalidArgument as SurfaceRequest does.
 [[nodiscard]] study::SurfaceInput surface_of(const std::vector<std::shared_ptr<Item>>& items);
 
+/// The measurements of one, behind its steps. @throws what reading and the steps throw.
+[[nodiscard]] std::vector<topography::Measurement> measurements_of(const Item& item);
+
 }  // namespace setae::python

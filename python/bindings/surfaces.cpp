@@ -6,6 +6,7 @@
 
 #include "heights.hpp"
 #include "setae/answers/adhesion.hpp"
+#include "setae/answers/diagnosis.hpp"
 #include "setae/answers/functions_of_scale.hpp"
 #include "setae/answers/parameters.hpp"
 #include "setae/answers/power_spectrum.hpp"
@@ -194,6 +195,20 @@ void bind_surfaces(nb::module_& module) {
             });
         },
         nb::arg("function"), nb::arg("items"), nb::arg("analysis"), nb::arg("request"));
+    module.def(
+        "diagnosis",
+        [](const Items& items, const std::string& tip_radius, bool every_measurement) {
+            return unlocked([&](const auto&) {
+                std::vector<answers::Suspect> suspects;
+                for (const auto& item : items)
+                    suspects.push_back({item->path, [item] { return measurements_of(*item); }});
+                const auto found = answers::diagnosis(suspects, tip_radius, {}, every_measurement);
+                if (found.failures.size() == items.size())
+                    throw InvalidArgument(fmt::format("{}", fmt::join(found.failures, "; ")));
+                return output::as_text(answers::to_json(found));
+            });
+        },
+        nb::arg("items"), nb::arg("tip_radius"), nb::arg("every_measurement"), "as `setae check --json` prints it");
     nb::class_<Surface>(module, "Surface")
         .def("json",
              [](const Surface& surface) {

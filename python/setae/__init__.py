@@ -12,6 +12,7 @@ Numbers are SI and carry unit, ±, band and source; what has a unit goes in as a
 from __future__ import annotations
 
 from ._adhesion import WorkOfAdhesion, work_of_adhesion
+from ._diagnosis import Diagnosis, Finding, check
 from ._errors import Error, FileError, FormatError, InternalError, InvalidArgument, UndefinedDataError
 from ._loops import Loop, LoopEnergy, LoopFit, loop
 from ._quantities import Alert, Answer, Band, Interval, Quantity
@@ -27,9 +28,11 @@ __all__ = [
     "Alert",
     "Answer",
     "Band",
+    "Diagnosis",
     "Error",
     "Figure",
     "FileError",
+    "Finding",
     "FormatError",
     "FunctionOfScale",
     "Info",
@@ -53,6 +56,7 @@ __all__ = [
     "__version__",
     "autocorrelation",
     "channels",
+    "check",
     "info",
     "lengths",
     "limit_threads",

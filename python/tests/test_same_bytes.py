@@ -20,6 +20,7 @@ FUNCTIONS = {
     "info": "`setae.info`, `setae.read`, `setae.channels`",
     "level": "`Scan.level`, `Scan.process` …; `Scan.processing` is its JSON",
     "psd": "`setae.power_spectrum`",
+    "check": "`setae.check`",
     "sdrp": "`setae.scale_dependent`",
     "acf": "`setae.autocorrelation`",
     "vbw": "`setae.variable_bandwidth`",
@@ -35,7 +36,6 @@ GAPS = {
     "container check": "not bound yet",
     "container write": "not bound yet",
     "contour": "not bound yet",
-    "check": "not bound yet; alerts come with every result",
     "profile": "slices of `Scan.heights`",
     "tip": "not bound yet",
     "synthesize": "not bound yet",
@@ -104,6 +104,12 @@ def test_functions_of_scale(printed):
     assert setae.autocorrelation(map_of, area=True, all=True).json() == printed("acf", map_of, "--area", "--all")
     assert setae.autocorrelation(two, slope=True, weighting="by_count").json() == printed("acf", *two, "--slope", "--weighting", "by_count")
     assert setae.variable_bandwidth(map_of, binned=True).json() == printed("vbw", map_of, "--binned")
+
+
+def test_check(printed):
+    two = ["rougher/afm_1.txt", "smoother/afm_1.txt"]
+    assert setae.check(two, tip_radius="10 nm").json() == printed("check", *two, "--tip-radius", "10 nm")
+    assert setae.check("rougher/tem_1.csv").json() == printed("check", "rougher/tem_1.csv")
 
 
 def test_adhesion(printed):

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "files/file_options.hpp"
-#include "files/measurement_files.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
-#include "setae/core/errors.hpp"
+#include "setae/answers/diagnosis.hpp"
 #include "setae/core/units.hpp"
-#include "setae/diagnostics/diagnose.hpp"
 
 namespace setae::cli::check_command {
 namespace {
@@ -39,45 +38,22 @@ struct Arguments {
     bool strict = false;
 };
 
-output::Json as_json(const diagnostics::Finding& finding) {
-    output::Json json = output::to_json(std::vector<Alert>{finding.alert}).front();
-    json["effects"] = output::Json::array();
-    for (const auto& effect : finding.effects) json["effects"].push_back(output::to_json(effect));
-    return json;
-}
-
 ExitCode run(const Arguments& arguments) {
-    if (arguments.files.empty()) throw InvalidArgument("no file; expected at least one measurement");
-    diagnostics::DiagnosisOptions options;
-    options.threads = arguments.common.workers();
-    std::optional<double> tip_radius;
-    if (!arguments.tip_radius.empty()) tip_radius = parse_quantity(arguments.tip_radius, dimension::length);
-    std::vector<topography::Measurement> all;
-    std::vector<diagnostics::Finding> findings;
-    const auto code = for_each_item(arguments.files, [&](const std::string& path) {
-        for (auto& measurement : measurements_of(path, arguments.file)) {
-            if (tip_radius) topography::metadata(measurement).instrument.tip_radius = tip_radius;
-            auto found = diagnostics::diagnose(measurement, options);
-            if (!arguments.common.json && found.empty())
-                print(topography::label(topography::metadata(measurement)) + ": nothing found\n");
-            findings.insert(findings.end(), std::make_move_iterator(found.begin()),
-                            std::make_move_iterator(found.end()));
-            all.push_back(std::move(measurement));
-        }
-    });
-    if (all.size() > 1) {
-        auto found = diagnostics::diagnose_overlap(all, options);
-        findings.insert(findings.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+    std::vector<answers::Suspect> suspects;
+    for (const auto& path : arguments.files)
+        suspects.push_back({path, [path, &arguments] { return answers::measurements_of(path, arguments.file); }});
+    const auto diagnosis = answers::diagnosis(suspects, arguments.tip_radius, arguments.common.workers());
+    for (const auto& failure : diagnosis.failures) complain(failure);
+    if (arguments.common.json) {
+        print_json(answers::to_json(diagnosis));
+    } else {
+        for (const auto& label : diagnosis.faultless) print(label + ": nothing found\n");
+        for (const auto& [alert, effects] : diagnosis.findings)
+            print(fmt::format("{}: {}: {}; {}\n", alert.subject, alert.code, alert.message, alert.action));
     }
-    output::Json json = output::Json::array();
-    for (const auto& finding : findings) {
-        if (arguments.common.json) json.push_back(as_json(finding));
-        else
-            print(fmt::format("{}: {}: {}; {}\n", finding.alert.subject, finding.alert.code, finding.alert.message,
-                              finding.alert.action));
-    }
-    if (arguments.common.json) print_json(json);
-    return code == ExitCode::done && arguments.strict && !findings.empty() ? ExitCode::some_failed : code;
+    if (!diagnosis.failures.empty())
+        return diagnosis.failures.size() < arguments.files.size() ? ExitCode::some_failed : ExitCode::nothing_done;
+    return arguments.strict && !diagnosis.findings.empty() ? ExitCode::some_failed : ExitCode::done;
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "files/file_options.hpp"
-#include "files/measurement_files.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/diagnosis.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 #include "setae/core/table.hpp"
@@ -60,7 +60,7 @@ double parsed_width(const std::string& text, const topography::HeightMap& map, c
 
 ExitCode run(const Arguments& arguments) {
     if (arguments.path.empty()) throw InvalidArgument("no file; expected a map");
-    const auto measurement = measurements_of(arguments.path, arguments.file).front();
+    const auto measurement = answers::measurements_of(arguments.path, arguments.file).front();
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
     if (!map) throw InvalidArgument(fmt::format("{}: a line is its own profile; expected a map", arguments.path));
     const auto unit = unit_lengths(arguments.unit, *map);

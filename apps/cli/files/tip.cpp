@@ -8,11 +8,11 @@
 #include "convert/heights_output.hpp"
 #include "convert/pipeline_option.hpp"
 #include "files/file_options.hpp"
-#include "files/measurement_files.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/diagnosis.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -43,9 +43,9 @@ struct Arguments {
 };
 
 topography::HeightMap map_of(const Arguments& arguments) {
-    auto processed =
-        processing::apply(arguments.processing.pipeline(), measurements_of(arguments.path, arguments.file).front(),
-                          study::measurement_loader(arguments.file.read_options()));
+    auto processed = processing::apply(arguments.processing.pipeline(),
+                                       answers::measurements_of(arguments.path, arguments.file).front(),
+                                       study::measurement_loader(arguments.file.read_options()));
     auto* map = std::get_if<topography::HeightMap>(&processed.measurement);
     if (!map) throw InvalidArgument(fmt::format("{}: a line does not show a tip; expected a map", arguments.path));
     return std::move(*map);

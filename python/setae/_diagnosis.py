@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is wrong with measurements."""
+
+from __future__ import annotations
+
+import html
+from dataclasses import dataclass
+
+from . import _setae
+from ._options import Text, text
+from ._quantities import Alert, Answer, Quantity, alerts_from, quantity_from
+from ._scan import Measured, items
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something wrong with a measurement, and how large its effect is in numbers."""
+
+    alert: Alert
+    effects: tuple[Quantity, ...]
+
+    def __str__(self) -> str:
+        return str(self.alert)
+
+
+class Diagnosis(Answer):
+    """What was found, as ``setae check --json`` prints it; empty where nothing was."""
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        return tuple(
+            Finding(alert, tuple(map(quantity_from, entry["effects"]))) for alert, entry in zip(self.alerts, self._data)
+        )
+
+    @property
+    def alerts(self) -> tuple[Alert, ...]:
+        return alerts_from(self._data)
+
+    def __repr__(self) -> str:
+        return "\n".join(map(str, self.findings)) or "nothing found"
+
+    def _repr_html_(self) -> str:
+        return "<ul>" + "".join(f"<li>{html.escape(str(finding))}</li>" for finding in self.findings) + "</ul>"
+
+
+def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text | None = None, unit: str | None = None,
+          skip_failed: bool = False) -> Diagnosis:
+    """What is wrong with measurements, each alone and compared with each other, how large its effect is, what to do.
+
+    Spikes, scars, noise, quantised heights, offsets of scan lines, curves that turn back … (docs/reference/diagnostics.md).
+
+    >>> import numpy, setae
+    >>> heights = 1e-9 * numpy.random.default_rng(1).standard_normal((64, 64))
+    >>> heights[3, 5] = 1e-6
+    >>> "SPIKES" in [alert.code for alert in check(setae.scan(heights, size="1 um x 1 um", unit="m")).alerts]
+    True
+    """
+    shared = {"stated_size": text(size), "stated_unit": text(unit)}
+    return Diagnosis(_setae.diagnosis(items(measurements, shared), text(tip_radius), not skip_failed))

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/diagnosis.hpp"
+
+#include <iterator>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::answers {
+namespace {
+
+void append(std::vector<diagnostics::Finding>& findings, std::vector<diagnostics::Finding> found) {
+    findings.insert(findings.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+}
+
+}  // namespace
+
+std::vector<topography::Measurement> measurements_of(const std::string& path, const FileRequest& options) {
+    std::vector<topography::Measurement> found;
+    for (const auto& channel : formats::open_chosen(path, options.channel, options.read_options()))
+        found.push_back(channel.read());
+    return found;
+}
+
+Diagnosis diagnosis(const std::vector<Suspect>& suspects, const std::string& tip_radius, parallel::Threads threads,
+                    bool every_measurement) {
+    if (suspects.empty()) throw InvalidArgument("no file; expected at least one measurement");
+    const diagnostics::DiagnosisOptions options{.threads = threads};
+    std::optional<double> radius;
+    if (!tip_radius.empty()) radius = parse_quantity(tip_radius, dimension::length);
+    Diagnosis diagnosis;
+    std::vector<topography::Measurement> all;
+    for (const auto& suspect : suspects) {
+        try {
+            for (auto& measurement : suspect.measurements()) {
+                if (radius) topography::metadata(measurement).instrument.tip_radius = radius;
+                auto found = diagnostics::diagnose(measurement, options);
+                if (found.empty()) diagnosis.faultless.push_back(topography::label(topography::metadata(measurement)));
+                append(diagnosis.findings, std::move(found));
+                all.push_back(std::move(measurement));
+            }
+        } catch (const Error& error) {
+            if (every_measurement) throw;
+            diagnosis.failures.emplace_back(error.what());
+        } catch (const std::exception& error) {
+            if (every_measurement) throw;
+            diagnosis.failures.push_back(reason_of(error, suspect.file));
+        }
+    }
+    if (all.size() > 1) append(diagnosis.findings, diagnostics::diagnose_overlap(all, options));
+    return diagnosis;
+}
+
+output::Json to_json(const Diagnosis& diagnosis) {
+    output::Json list = output::Json::array();
+    for (const auto& finding : diagnosis.findings) {
+        output::Json json = output::to_json(std::vector<Alert>{finding.alert}).front();
+        json["effects"] = output::Json::array();
+        for (const auto& effect : finding.effects) json["effects"].push_back(output::to_json(effect));
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+}  // namespace setae::answers
