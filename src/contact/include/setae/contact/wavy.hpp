@@ -15,7 +15,7 @@ namespace setae::contact::wavy {
 /// Source: Johnson, Int. J. Solids Struct. 32 (1995) 423.
 [[nodiscard]] double closing_pressure(double energy_ratio);
 
-/// e below which the contact closes by itself: 0.4881, α = 0.5711.
+/// e below which the contact closes by itself: 0.4901, α = 0.5699.
 [[nodiscard]] double closing_energy();
 
 }  // namespace setae::contact::wavy

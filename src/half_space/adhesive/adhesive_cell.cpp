@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/half_space/adhesive_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "adhesive/face_model.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::half_space {
+namespace {
+
+const ArrayView2D& checked(const ArrayView2D& heights, const Grid& grid, const Body& body, const Interaction& law) {
+    require(grid);
+    require(body);
+    require(law, body, grid);
+    require_shape(heights, grid, "heights");
+    if (!heights.isFinite().all())
+        throw UndefinedDataError("heights of a cell are undefined at some points; fill them first");
+    return heights;
+}
+
+constexpr double tangent_accuracy = 0.03;  ///< of the tension's change along it
+
+}  // namespace
+
+class AdhesiveCell::Work {
+public:
+    Work(const ArrayView2D& heights, const Grid& grid, const Body& body, const Interaction& law,
+         const AdhesiveOptions& options, parallel::Threads threads)
+        : law_(law),
+          options_(options),
+          elastic_(grid, body, Edges::periodic, threads),
+          heights_(checked(heights, grid, body, law)),
+          model_(heights_, elastic_, threads),
+          rows_(heights_, threads),
+          points_(static_cast<double>(heights_.size())),
+          radius_(2.0 * law.range) {
+        for (auto* place : {&here_, &trial_}) *place = {heights_, heights_, heights_, heights_};
+        for (auto* map : {&gradient_, &slopes_, &face_, &step_, &stiff_step_, &tangent_, &stiff_tangent_})
+            *map = Array2D::Zero(heights_.rows(), heights_.cols());
+        rigid_ = heights_;
+        apply_stiffness(heights_, rigid_);
+        conformal_energy_ =
+            0.5 * rows_.sum([&](Index i) { return (row(heights_, i) * row(rigid_, i)).sum(); }) / points_;
+    }
+
+    void begin_at(double mean_gap) {
+        const double mean_height = heights_.mean();
+        here_.gaps = mean_gap - (heights_ - mean_height);
+        refresh();
+        move_to_mean(here_, mean_gap);
+        refresh();
+        has_tangent_ = false;
+    }
+
+    void begin_with(const ArrayView2D& gaps) {
+        require_shape(gaps, elastic_.grid(), "gaps");
+        if (!(gaps >= 0.0).all()) throw InvalidArgument("gaps of a cell are below 0 or undefined; expected >= 0");
+        here_.gaps = gaps;
+        refresh();
+        has_tangent_ = false;
+    }
+
+    AdhesiveState solve(const Control& control);
+    Tangent find_tangent();
+    void follow_tangent(double change);
+
+    void keep() {
+        kept_ = here_;
+        kept_tangent_ = tangent_, kept_stiff_tangent_ = stiff_tangent_;
+        kept_has_tangent_ = has_tangent_;
+    }
+    void restore() {
+        here_ = kept_;
+        tangent_ = kept_tangent_, stiff_tangent_ = kept_stiff_tangent_;
+        has_tangent_ = kept_has_tangent_;
+    }
+
+    [[nodiscard]] const Grid& grid() const { return elastic_.grid(); }
+    [[nodiscard]] const Interaction& interaction() const { return law_; }
+    [[nodiscard]] const Array2D& gaps() const { return here_.gaps; }
+    [[nodiscard]] double conformal_energy() const { return conformal_energy_; }
+    [[nodiscard]] double far_gap() const {
+        const double reach = law_.law == AttractionLaw::lennard_jones ? 15.0 : 5.0;
+        const double longest = std::max(grid().nx > 1 ? grid().size_x : 0.0, grid().ny > 1 ? grid().size_y : 0.0);
+        return std::max(heights_.maxCoeff() - heights_.mean() + reach * law_.range,
+                        1.4 * std::sqrt(law_.work_of_adhesion * longest / elastic_.body().contact_modulus));
+    }
+
+private:
+    /// A state, and what follows from its gaps.
+    struct Place {
+        Array2D gaps;     ///< g
+        Array2D stiff;    ///< K (g + h)
+        Array2D energy;   ///< V
+        Array2D tension;  ///< V'
+        double mean = 0.0;
+    };
+
+    void apply_stiffness(const Array2D& from, Array2D& to) {
+        elastic_.apply(
+            model_.stiffness(), [&](Index i, double* line) { Row(line, from.cols()) = row(from, i); },
+            [&](Index i, const double* line) { row(to, i) = ConstRow(line, to.cols()); });
+        ++model_.transforms;
+    }
+    /// Everything of the present gaps anew.
+    void refresh() {
+        apply_stiffness(here_.gaps, here_.stiff);
+        here_.stiff += rigid_;
+        attract(here_);
+    }
+    void attract(Place& place) {
+        place.mean = rows_.sum([&](Index i) {
+            const double* g = place.gaps.data() + i * place.gaps.cols();
+            attraction(place.gaps.cols(), g, law_, place.energy.data() + i * place.gaps.cols(),
+                       place.tension.data() + i * place.gaps.cols(), nullptr);
+            return row(place.gaps, i).sum();
+        }) / points_;
+    }
+    /// Shifts gaps so that, cut at 0, their mean is as given.
+    void move_to_mean(Place& place, double mean);
+    /// From `from` to `trial_`, whose gaps are set: K of the difference, attraction, change of the energy.
+    double energy_to_trial(bool stiff_known);
+
+    [[nodiscard]] bool mean_held() const { return std::holds_alternative<HeldGap>(control_); }
+    /// Φ' and Φ'' of what holds the mean: E + Φ(⟨g⟩) is lowered.
+    [[nodiscard]] double control_tension(double mean) const {
+        if (const auto* load = std::get_if<DeadLoad>(&control_)) return -load->tension;
+        if (const auto* stage = std::get_if<Stage>(&control_)) return stage->stiffness * (mean - stage->position);
+        return 0.0;
+    }
+    [[nodiscard]] double control_stiffness() const {
+        const auto* stage = std::get_if<Stage>(&control_);
+        return stage ? stage->stiffness : 0.0;
+    }
+    /// Change of Φ.
+    [[nodiscard]] double control_energy(double from, double to) const {
+        return 0.5 * (control_tension(from) + control_tension(to)) * (to - from);
+    }
+
+    /// Gradient, its value mu_ on free points, and how far the state is from equilibrium [Pa].
+    double residual();
+    bool gradient_step();
+    bool newton_step(double residual);
+    void take_trial() { std::swap(here_, trial_); }
+    AdhesiveState state(double residual, int iterations, std::int64_t transforms);
+
+    Interaction law_;
+    AdhesiveOptions options_;
+    ElasticOperator elastic_;
+    Array2D heights_, rigid_;
+    FaceModel model_;
+    RowSums rows_;
+    double points_, radius_;
+    double conformal_energy_ = 0.0, multiplier_ = 0.0;
+    Control control_;
+    Place here_, trial_, kept_;
+    Array2D gradient_, slopes_, face_, step_, stiff_step_;
+    Array2D tangent_, stiff_tangent_, kept_tangent_, kept_stiff_tangent_;
+    bool has_tangent_ = false, kept_has_tangent_ = false;
+};
+
+void AdhesiveCell::Work::move_to_mean(Place& place, double mean) {
+    // Newton on a convex function, piecewise linear: from the right it falls onto the root
+    double shift = mean - place.gaps.mean();
+    const double close = 1e-14 * std::max(mean, law_.range);
+    for (int round = 0; round < 100; ++round) {
+        Array1D open(place.gaps.rows());
+        const double sum = rows_.sum([&](Index i) {
+            const auto g = row(place.gaps, i);
+            open[i] = static_cast<double>((g > -shift).count());
+            return (g + shift).max(0.0).sum();
+        });
+        const double excess = sum / points_ - mean, count = open.sum();
+        if (std::abs(excess) <= close) break;
+        shift = count > 0.0 ? shift - excess * points_ / count : shift - excess;
+    }
+    rows_.each([&](Index i) { row(place.gaps, i) = (row(place.gaps, i) + shift).max(0.0); });
+}
+
+double AdhesiveCell::Work::residual() {
+    const double of_control = control_tension(here_.mean);
+    Array1D tensions(here_.gaps.rows()), least(here_.gaps.rows());
+    const double free = rows_.sum([&](Index i) {
+        auto G = row(gradient_, i);
+        G = row(here_.stiff, i) + row(here_.tension, i) + of_control;
+        const auto g = row(here_.gaps, i);
+        double sum = 0.0, count = 0.0;
+        for (Index j = 0; j < g.size(); ++j)
+            if (g[j] > 0.0) sum += G[j], ++count;
+        tensions[i] = sum;
+        least[i] = G.minCoeff();
+        return count;
+    });
+    multiplier_ = !mean_held() ? 0.0 : free > 0.0 ? pairwise_sum(tensions) / free : least.minCoeff();
+    const double stiffest = elastic_.greatest_stiffness();
+    return rows_.largest(
+        [&](Index i) { return (row(gradient_, i) - multiplier_).min(stiffest * row(here_.gaps, i)).abs().maxCoeff(); });
+}
+
+double AdhesiveCell::Work::energy_to_trial(bool stiff_known) {
+    if (!stiff_known)
+        elastic_.apply(
+            model_.stiffness(),
+            [&](Index i, double* line) { Row(line, here_.gaps.cols()) = row(trial_.gaps, i) - row(here_.gaps, i); },
+            [&](Index i, const double* line) {
+                row(trial_.stiff, i) = row(here_.stiff, i) + ConstRow(line, here_.gaps.cols());
+            });
+    if (!stiff_known) ++model_.transforms;
+    attract(trial_);
+    const double change = rows_.sum([&](Index i) {
+        return (0.5 * (row(trial_.gaps, i) - row(here_.gaps, i)) * (row(trial_.stiff, i) + row(here_.stiff, i)) +
+                (row(trial_.energy, i) - row(here_.energy, i)))
+            .sum();
+    });
+    return change / points_ + control_energy(here_.mean, trial_.mean);
+}
+
+bool AdhesiveCell::Work::gradient_step() {
+    const double length = 1.0 / (elastic_.greatest_stiffness() + control_stiffness());
+    rows_.each([&](Index i) { row(trial_.gaps, i) = row(here_.gaps, i) - length * row(gradient_, i); });
+    if (mean_held()) move_to_mean(trial_, here_.mean);
+    else rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
+    const bool lower = energy_to_trial(false) <= 1e-14 * law_.work_of_adhesion;
+    if (lower) take_trial();
+    return lower;
+}
+
+bool AdhesiveCell::Work::newton_step(double residual) {
+    rows_.each([&](Index i) {
+        const auto g = row(here_.gaps, i);
+        attraction(g.size(), g.data(), law_, nullptr, nullptr, slopes_.data() + i * slopes_.cols());
+        row(face_, i) = (g > 0.0 || row(gradient_, i) < multiplier_).cast<double>();
+    });
+    const double forcing = std::min(0.1, std::sqrt(residual / law_.greatest_tension()));
+    const double count = face_.sum();
+    const double power =
+        rows_.sum([&](Index i) { return (row(face_, i) * (row(gradient_, i) - multiplier_)).square().sum(); });
+    const auto outcome = model_.minimise({.gradient = gradient_,
+                                          .slopes = slopes_,
+                                          .face = face_,
+                                          .mean_held = mean_held(),
+                                          .control_stiffness = control_stiffness(),
+                                          .radius = radius_,
+                                          .tolerance = forcing * std::sqrt(power / std::max(1.0, count))},
+                                         step_, stiff_step_);
+    double length = 1.0;
+    for (int attempt = 0; attempt < 7; ++attempt, length *= 0.3) {
+        const double least = -rows_.largest([&](Index i) {
+            auto g = row(trial_.gaps, i);
+            g = row(here_.gaps, i) + length * row(step_, i);
+            return -g.minCoeff();
+        });
+        const bool cut = least < 0.0;
+        if (!cut) {
+            rows_.each([&](Index i) { row(trial_.stiff, i) = row(here_.stiff, i) + length * row(stiff_step_, i); });
+        } else if (mean_held()) {
+            move_to_mean(trial_, here_.mean);
+        } else {
+            rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
+        }
+        if (energy_to_trial(!cut) <= 1e-14 * law_.work_of_adhesion) {
+            take_trial();
+            if (attempt == 0 && (outcome.at_radius || outcome.curves_down))
+                radius_ = std::min(2.0 * radius_, 8.0 * law_.range);
+            return true;
+        }
+        radius_ = std::max(0.3 * radius_, 1e-3 * law_.range);
+    }
+    return false;
+}
+
+AdhesiveState AdhesiveCell::Work::state(double residual, int iterations, std::int64_t transforms) {
+    AdhesiveState result{.mean_gap = here_.mean,
+                         .tension = multiplier_,
+                         .residual = residual / law_.greatest_tension(),
+                         .iterations = iterations,
+                         .transforms = transforms};
+    if (const auto* held = std::get_if<HeldGap>(&control_)) result.mean_gap = held->mean_gap;
+    if (const auto* load = std::get_if<DeadLoad>(&control_)) result.tension = load->tension;
+    if (std::holds_alternative<Stage>(control_)) result.tension = -control_tension(here_.mean);
+    result.converged = result.residual <= options_.tolerance;
+    result.elastic_energy = 0.5 * rows_.sum([&](Index i) {
+        return ((row(here_.gaps, i) + row(heights_, i)) * row(here_.stiff, i)).sum();
+    }) / points_;
+    result.adhesive_energy = rows_.sum([&](Index i) { return row(here_.energy, i).sum(); }) / points_;
+    result.area_fraction =
+        rows_.sum([&](Index i) { return static_cast<double>((row(here_.gaps, i) == 0.0).count()); }) / points_;
+    return result;
+}
+
+AdhesiveState AdhesiveCell::Work::solve(const Control& control) {
+    const auto transforms = model_.transforms;
+    control_ = control;
+    if (const auto* held = std::get_if<HeldGap>(&control)) {
+        if (!(held->mean_gap >= 0.0))
+            throw InvalidArgument(fmt::format("mean gap is {} m, expected >= 0", held->mean_gap));
+        if (std::abs(here_.mean - held->mean_gap) > 1e-14 * std::max(here_.mean, law_.range))
+            move_to_mean(here_, held->mean_gap);
+    }
+    if (const auto* stage = std::get_if<Stage>(&control); stage && !(stage->stiffness > 0.0))
+        throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m, expected > 0", stage->stiffness));
+    refresh();
+    radius_ = 2.0 * law_.range;
+    const double wanted = options_.tolerance * law_.greatest_tension();
+    double left = residual();
+    int iterations = 0;
+    while (left > wanted && iterations < options_.most_iterations) {
+        ++iterations;
+        bool moved = gradient_step();
+        if (moved) left = residual();
+        if (left <= wanted) break;
+        moved = newton_step(left) || moved;
+        if (!moved) break;
+        left = residual();
+    }
+    return state(left, iterations, model_.transforms - transforms);
+}
+
+AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
+    const double free = rows_.sum([&](Index i) {
+        const auto g = row(here_.gaps, i);
+        attraction(g.size(), g.data(), law_, nullptr, nullptr, slopes_.data() + i * slopes_.cols());
+        row(face_, i) = (g > 0.0).cast<double>();
+        return row(face_, i).sum();
+    });
+    const bool warm = has_tangent_;
+    has_tangent_ = false;
+    if (free == 0.0) return {.largest = points_};
+    double sum = warm ? rows_.sum([&](Index i) { return (row(tangent_, i) * row(face_, i)).sum(); }) : 0.0;
+    const bool start_warm = sum > 0.5 * points_;
+    rows_.each([&](Index i) {
+        if (start_warm) row(tangent_, i) *= row(face_, i) * (points_ / sum);
+        else row(tangent_, i) = row(face_, i) * (points_ / free);
+    });
+    apply_stiffness(tangent_, stiff_tangent_);
+    rows_.each([&](Index i) { row(gradient_, i) = row(stiff_tangent_, i) + row(slopes_, i) * row(tangent_, i); });
+    const double power = rows_.sum([&](Index i) { return (row(slopes_, i) * row(tangent_, i)).square().sum(); });
+    const auto outcome = model_.minimise({.gradient = gradient_,
+                                          .slopes = slopes_,
+                                          .face = face_,
+                                          .radius = std::numeric_limits<double>::infinity(),
+                                          .tolerance = tangent_accuracy * std::sqrt(power / free)},
+                                         step_, stiff_step_);
+    if (outcome.curves_down) return {.largest = points_ / free};
+    tangent_ += step_, stiff_tangent_ += stiff_step_;
+    has_tangent_ = true;
+    Tangent result{.stable = true};
+    result.largest = rows_.largest([&](Index i) { return row(tangent_, i).abs().maxCoeff(); });
+    result.tension_slope = rows_.sum([&](Index i) {
+        return (row(tangent_, i) * (row(stiff_tangent_, i) + row(slopes_, i) * row(tangent_, i))).sum();
+    }) / points_;
+    return result;
+}
+
+void AdhesiveCell::Work::follow_tangent(double change) {
+    const double mean = std::max(0.0, here_.mean + change);
+    if (has_tangent_) {
+        here_.gaps += change * tangent_;
+    } else if ((here_.gaps > 0.0).any()) {
+        here_.gaps = (here_.gaps > 0.0).select(here_.gaps + change, 0.0);
+    } else {
+        // out of full contact the least pressed points open
+        here_.gaps -= (here_.stiff + here_.tension) / elastic_.greatest_stiffness();
+    }
+    move_to_mean(here_, mean);
+    here_.mean = mean;
+}
+
+AdhesiveCell::AdhesiveCell(const ArrayView2D& heights, const Grid& grid, const Body& body,
+                           const Interaction& interaction, const AdhesiveOptions& options, parallel::Threads threads)
+    : work_(std::make_unique<Work>(heights, grid, body, interaction, options, threads)) {
+    begin_at(far_gap());
+}
+AdhesiveCell::~AdhesiveCell() = default;
+AdhesiveCell::AdhesiveCell(AdhesiveCell&&) noexcept = default;
+AdhesiveCell& AdhesiveCell::operator=(AdhesiveCell&&) noexcept = default;
+
+const Grid& AdhesiveCell::grid() const { return work_->grid(); }
+const Interaction& AdhesiveCell::interaction() const { return work_->interaction(); }
+const Array2D& AdhesiveCell::gaps() const { return work_->gaps(); }
+double AdhesiveCell::conformal_energy() const { return work_->conformal_energy(); }
+double AdhesiveCell::far_gap() const { return work_->far_gap(); }
+void AdhesiveCell::begin_at(double mean_gap) { work_->begin_at(mean_gap); }
+void AdhesiveCell::begin_with(const ArrayView2D& gaps) { work_->begin_with(gaps); }
+AdhesiveState AdhesiveCell::solve(const Control& control) { return work_->solve(control); }
+AdhesiveCell::Tangent AdhesiveCell::find_tangent() { return work_->find_tangent(); }
+void AdhesiveCell::follow_tangent(double mean_gap_change) { work_->follow_tangent(mean_gap_change); }
+void AdhesiveCell::keep() { work_->keep(); }
+void AdhesiveCell::restore() { work_->restore(); }
+
+}  // namespace setae::half_space

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/extent.hpp"
+#include "setae/core/summation.hpp"
+#include "setae/parallel/for_each.hpp"
+
+namespace setae::half_space {
+
+/// A row of a map as one dimension.
+using Row = Eigen::Map<Array1D>;
+using ConstRow = Eigen::Map<const Array1D>;
+inline Row row(Array2D& map, Index i) { return {map.data() + i * map.cols(), map.cols()}; }
+inline ConstRow row(const Array2D& map, Index i) { return {map.data() + i * map.cols(), map.cols()}; }
+
+/// Passes over a map row by row, on threads where it is large; sums are taken over rows in their order, so that they
+/// do not depend on threads.
+class RowSums {
+public:
+    RowSums(const Array2D& shape, parallel::Threads threads)
+        : rows_(shape.rows()), threads_{shape.size() < least_points ? 1 : threads.resolved()}, sums_(shape.rows()) {}
+
+    /// Σ of body(row) over all rows.
+    template <class Body>
+    double sum(Body&& body) {
+        each([&](Index i) { sums_[i] = body(i); });
+        return pairwise_sum(sums_);
+    }
+    template <class Body>
+    double largest(Body&& body) {
+        each([&](Index i) { sums_[i] = body(i); });
+        return sums_.maxCoeff();
+    }
+    template <class Body>
+    void each(Body&& body) const {
+        const Index blocks = (rows_ + rows_per_block - 1) / rows_per_block;
+        parallel::for_each_index(extent(blocks), threads_, [&](std::size_t block) {
+            const Index first = static_cast<Index>(block) * rows_per_block;
+            for (Index i = first; i < std::min(rows_, first + rows_per_block); ++i) body(i);
+        });
+    }
+
+private:
+    static constexpr Index rows_per_block = 32;
+    static constexpr Index least_points = 1 << 17;
+    Index rows_;
+    parallel::Threads threads_;
+    Array1D sums_;
+};
+
+}  // namespace setae::half_space

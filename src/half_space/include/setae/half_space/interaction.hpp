@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "setae/core/arrays.hpp"
+#include "setae/half_space/body.hpp"
+#include "setae/half_space/grid.hpp"
+
+namespace setae::half_space {
+
+/// How two surfaces attract each other across a gap g; they cannot pass through each other, g >= 0.
+///
+///   V(0) = −w, V(∞) = 0, V'(0) = σ = w/ρ, the greatest tension, for all laws
+///
+///   exponential     V = −w exp(−g/ρ)
+///   cubic           V = −w (1 − g/3ρ)³ for g < 3ρ, 0 beyond
+///   dugdale         V = −w (1 − g/ρ) for g < ρ, 0 beyond: constant tension (Maugis)
+///   lennard_jones   V = −w/(1 + g/2ρ)²: falls as the attraction of half-spaces does
+enum class AttractionLaw { exponential, cubic, dugdale, lennard_jones };
+
+/// @throws InvalidArgument that lists the names there are.
+[[nodiscard]] AttractionLaw attraction_law_named(std::string_view name);
+[[nodiscard]] std::string name_of(AttractionLaw law);
+
+/// Attraction across a gap.
+struct Interaction {
+    double work_of_adhesion = 0.0;  ///< w [J/m²], > 0
+    double range = 0.0;             ///< ρ [m], > 0
+    AttractionLaw law = AttractionLaw::exponential;
+
+    [[nodiscard]] double greatest_tension() const { return work_of_adhesion / range; }  ///< σ [Pa]
+};
+
+/// V [J/m²], V' [Pa] and V'' [Pa/m] of gaps, which are >= 0.
+struct Attraction {
+    double energy = 0.0, tension = 0.0, slope = 0.0;
+};
+[[nodiscard]] Attraction attraction(double gap, const Interaction& interaction);
+
+/// The same of a row of gaps; each of the three may be nullptr.
+void attraction(Index points, const double* gaps, const Interaction& interaction, double* energies, double* tensions,
+                double* slopes);
+
+/// How a grid resolves an attraction: μ² = w dx/(E*ρ²), dx the longer side of a pixel along which a map has more than
+/// one point.
+///
+/// A moving edge is caught between pixels where μ² is large: the work to open exceeds that to close by 1e-3 w at μ² =
+/// 0.36, 0.04 at 0.64, 0.16 at 1 (exponential law, straight front).
+struct Resolution {
+    double squared_ratio = 0.0;     ///< μ²
+    double pixel_of_warning = 0.0;  ///< [m] for μ² = 1/2
+    double pixel_of_refusal = 0.0;  ///< [m] for μ² = 1
+};
+[[nodiscard]] Resolution resolution_of(const Interaction& interaction, const Body& body, const Grid& grid);
+
+/// @throws InvalidArgument for μ² > 1, with the grid it takes; for an interaction outside its domain.
+void require(const Interaction& interaction, const Body& body, const Grid& grid);
+
+}  // namespace setae::half_space
