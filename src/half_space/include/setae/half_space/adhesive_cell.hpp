@@ -85,7 +85,8 @@ public:
     /// Continues from gaps that were kept. @throws InvalidArgument for another shape or gaps below 0.
     void begin_with(const ArrayView2D& gaps);
 
-    /// Equilibrium under a control, from where the cell is.
+    /// Equilibrium under a control, from where the cell is. A dead load moves nothing whose attraction is within the
+    /// tolerance: begin where it is felt, some ρ above the highest point.
     /// @throws InvalidArgument for a held gap below 0 or a stage without stiffness.
     AdhesiveState solve(const Control& control);
 
