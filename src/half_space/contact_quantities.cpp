@@ -28,7 +28,7 @@ const char* name_of(MeanDisplacement mean) {
 }
 
 std::vector<Quantity> contact_quantities(const HardWall& problem, const HardWallContact& contact,
-                                         double incremental_stiffness) {
+                                         double contact_stiffness) {
     const auto quantity = [](const char* name, const char* symbol, double value, const char* unit) {
         Quantity made;
         made.quantity = name;
@@ -47,7 +47,7 @@ std::vector<Quantity> contact_quantities(const HardWall& problem, const HardWall
         quantity("largest_pressure", "", contact.pressures.maxCoeff(), "Pa"),
         quantity("mean_gap", "g", contact.mean_gap, "m"),
         quantity("displacement", "d", contact.displacement, "m"),
-        quantity("incremental_stiffness", "dp/dd", incremental_stiffness, "Pa/m"),
+        quantity("contact_stiffness", "K", contact_stiffness, "Pa/m"),
         quantity("stored_energy", "U_el", contact.stored_energy, "J"),
         quantity("stored_energy_per_area", "U_el/A0", contact.stored_energy / problem.grid.area(), "J/m2"),
     };
@@ -58,16 +58,16 @@ std::vector<Quantity> contact_quantities(const HardWall& problem, const HardWall
     return list;
 }
 
-std::string contact_sentence(const HardWall& problem, const HardWallContact& contact, double incremental_stiffness) {
+std::string contact_sentence(const HardWall& problem, const HardWallContact& contact, double contact_stiffness) {
     const char* body = problem.body.layer ? "layer" : "half-space";
     const auto& area = contact.area;
     if (area.patches == 0)
         return fmt::format("The surface does not touch the {}: the mean gap is {}.", body,
                            format_value(contact.mean_gap, "m"));
     const std::string stiffness =
-        std::isinf(incremental_stiffness)
+        std::isinf(contact_stiffness)
             ? "it gives way no further"
-            : fmt::format("{} more bring it 1 nm closer", format_value(incremental_stiffness * 1e-9, "Pa"));
+            : fmt::format("{} more bring it 1 nm closer", format_value(contact_stiffness * 1e-9, "Pa"));
     return fmt::format(
         "The surface touches the {} on {:.4g} % of the map ({:.4g} % with the perimeter's correction) in {} {}, at a "
         "mean pressure of {}. The mean gap is {}; {}.",

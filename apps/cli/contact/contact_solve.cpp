@@ -170,7 +170,7 @@ ExitCode run(const Arguments& arguments) {
     const auto contact =
         half_space::solve(problem, {.tolerance = arguments.tolerance, .threads = threads, .progress = progress});
     if (progress) fmt::print(stderr, "\n");
-    const double stiffness = half_space::incremental_stiffness(problem, contact, threads);
+    const double stiffness = half_space::contact_stiffness(problem, contact, threads);
     if (!arguments.output.empty()) write_maps(arguments.output, problem, contact);
     std::vector<Alert> alerts;
     if (contact.status == half_space::SolveStatus::not_converged)

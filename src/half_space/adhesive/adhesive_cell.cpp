@@ -66,7 +66,7 @@ public:
         has_tangent_ = false;
     }
 
-    AdhesiveState solve(const Control& control);
+    AdhesiveState solve(const AdhesiveControl& control);
     Tangent find_tangent();
     void follow_tangent(double change);
 
@@ -155,10 +155,10 @@ private:
     ElasticOperator elastic_;
     Array2D heights_, rigid_;
     FaceModel model_;
-    RowSums rows_;
+    RowPasses rows_;
     double points_, radius_;
     double conformal_energy_ = 0.0, multiplier_ = 0.0;
-    Control control_;
+    AdhesiveControl control_;
     Place here_, trial_, kept_;
     Array2D gradient_, slopes_, face_, step_, stiff_step_;
     Array2D tangent_, stiff_tangent_, kept_tangent_, kept_stiff_tangent_;
@@ -294,7 +294,7 @@ AdhesiveState AdhesiveCell::Work::state(double residual, int iterations, std::in
     return result;
 }
 
-AdhesiveState AdhesiveCell::Work::solve(const Control& control) {
+AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
     const auto transforms = model_.transforms;
     control_ = control;
     if (const auto* held = std::get_if<HeldGap>(&control)) {
@@ -388,7 +388,7 @@ double AdhesiveCell::conformal_energy() const { return work_->conformal_energy()
 double AdhesiveCell::far_gap() const { return work_->far_gap(); }
 void AdhesiveCell::begin_at(double mean_gap) { work_->begin_at(mean_gap); }
 void AdhesiveCell::begin_with(const ArrayView2D& gaps) { work_->begin_with(gaps); }
-AdhesiveState AdhesiveCell::solve(const Control& control) { return work_->solve(control); }
+AdhesiveState AdhesiveCell::solve(const AdhesiveControl& control) { return work_->solve(control); }
 AdhesiveCell::Tangent AdhesiveCell::find_tangent() { return work_->find_tangent(); }
 void AdhesiveCell::follow_tangent(double mean_gap_change) { work_->follow_tangent(mean_gap_change); }
 void AdhesiveCell::keep() { work_->keep(); }

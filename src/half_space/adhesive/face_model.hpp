@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "adhesive/row_sums.hpp"
+#include "adhesive/row_passes.hpp"
 #include "setae/half_space/elastic_operator.hpp"
 
 namespace setae::half_space {
@@ -52,7 +52,7 @@ private:
 
     ElasticOperator* elastic_;
     fourier::Multiplier stiffness_, preconditioner_;
-    RowSums rows_;
+    RowPasses rows_;
     Array2D residual_, preconditioned_, direction_, stiff_direction_;
     Array1D first_, second_, third_;  ///< sums of rows
     // of the last preconditioning and of the last Hessian

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "adhesive/row_sums.hpp"
+#include "adhesive/row_passes.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::half_space {

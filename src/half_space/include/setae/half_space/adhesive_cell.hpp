@@ -25,7 +25,7 @@ struct DeadLoad {
 struct Stage {
     double position = 0.0, stiffness = 0.0;
 };
-using Control = std::variant<HeldGap, DeadLoad, Stage>;
+using AdhesiveControl = std::variant<HeldGap, DeadLoad, Stage>;
 
 /// What a contact is in equilibrium; energies per area of the cell.
 struct AdhesiveState {
@@ -88,7 +88,7 @@ public:
     /// Equilibrium under a control, from where the cell is. A dead load moves nothing whose attraction is within the
     /// tolerance: begin where it is felt, some ρ above the highest point.
     /// @throws InvalidArgument for a held gap below 0 or a stage without stiffness.
-    AdhesiveState solve(const Control& control);
+    AdhesiveState solve(const AdhesiveControl& control);
 
     /// Slope dT/d⟨g⟩ [Pa/m] and the change of every gap by the mean gap, of the state solved last; kept for
     /// follow_tangent().

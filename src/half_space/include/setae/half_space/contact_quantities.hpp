@@ -10,13 +10,13 @@
 namespace setae::half_space {
 
 /// The numbers of a contact with names, symbols and units, in the order in which they are told.
-/// incremental_stiffness: see there [Pa/m].
+/// contact_stiffness: see there [Pa/m].
 [[nodiscard]] std::vector<Quantity> contact_quantities(const HardWall& problem, const HardWallContact& contact,
-                                                       double incremental_stiffness);
+                                                       double contact_stiffness);
 
 /// The contact in a sentence or two for a reader: area, pressure, gap, stiffness.
 [[nodiscard]] std::string contact_sentence(const HardWall& problem, const HardWallContact& contact,
-                                           double incremental_stiffness);
+                                           double contact_stiffness);
 
 /// "converged", "not_converged".
 [[nodiscard]] const char* name_of(SolveStatus status);

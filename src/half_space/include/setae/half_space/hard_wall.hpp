@@ -109,7 +109,7 @@ struct HardWallContact {
 ///
 /// One linear solution on the set; infinite where a body whose mean displacement is undefined or blocked touches
 /// everywhere.
-[[nodiscard]] double incremental_stiffness(const HardWall& problem, const HardWallContact& contact,
+[[nodiscard]] double contact_stiffness(const HardWall& problem, const HardWallContact& contact,
                                            parallel::Threads threads = {});
 
 }  // namespace setae::half_space

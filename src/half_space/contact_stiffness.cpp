@@ -31,7 +31,7 @@ void apply_on_set(ElasticOperator& elastic, const fourier::Multiplier& multiplie
 
 }  // namespace
 
-double incremental_stiffness(const HardWall& problem, const HardWallContact& contact, parallel::Threads threads) {
+double contact_stiffness(const HardWall& problem, const HardWallContact& contact, parallel::Threads threads) {
     require_shape(contact.pressures, problem.grid, "pressures");
     ElasticOperator response(problem.grid, problem.body, problem.edges, threads);
     std::optional<ElasticOperator> unpadded;

@@ -18,9 +18,9 @@ inline ConstRow row(const Array2D& map, Index i) { return {map.data() + i * map.
 
 /// Passes over a map row by row, on threads where it is large; sums are taken over rows in their order, so that they
 /// do not depend on threads.
-class RowSums {
+class RowPasses {
 public:
-    RowSums(const Array2D& shape, parallel::Threads threads)
+    RowPasses(const Array2D& shape, parallel::Threads threads)
         : rows_(shape.rows()), threads_{shape.size() < least_points ? 1 : threads.resolved()}, sums_(shape.rows()) {}
 
     /// Σ of body(row) over all rows.
