@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// bare_calls MAP.npy: seconds of wall and of processor that the library alone takes for the spectrum of heights in memory,
-// on one thread, the least of three runs; python/benchmarks/calls.py does the same through the package.
+// bare_calls MAP.npy: seconds of wall and of processor that the library alone takes for the spectrum of heights in
+// memory, on one thread, the least of three runs; python/benchmarks/calls.py does the same through the package.
 #include <chrono>
 #include <cstdio>
 #include <ctime>

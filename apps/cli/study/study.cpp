@@ -268,10 +268,14 @@ Action declare(Options& options) {
     arguments->run.add_to(options);
     options.flag("--dry-run", arguments->dry_run,
                  "list the steps, what of them is kept from earlier runs, and what the study leaves open, then stop");
-    options.flag("--next", arguments->next,
-                 "list what one further measurement would leave of a number's ±, the most telling first, then stop; [costs] of "
-                 "the study tells hours");
-    options.add("--target", arguments->target, "the number that --next is about: W_int, a pair such as \"E07 on rough\", or how far two balances differ in W_int, such as \"(7) - (10)\"")
+    options.flag(
+        "--next", arguments->next,
+        "list what one further measurement would leave of a number's ±, the most telling first, then stop; [costs] of "
+        "the study tells hours");
+    options
+        .add("--target", arguments->target,
+             "the number that --next is about: W_int, a pair such as \"E07 on rough\", or how far two balances differ in "
+              "W_int, such as \"(7) - (10)\"")
         .value_named("NUMBER");
     options.add("--documentation", arguments->documentation,
                 "write the pages on keys, alerts and figures of studies to this folder");
