@@ -11,11 +11,11 @@
 #include "convert/heights_output.hpp"
 #include "convert/pipeline_option.hpp"
 #include "files/file_options.hpp"
-#include "files/measurement_files.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/diagnosis.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
@@ -162,7 +162,7 @@ ExitCode run(const Arguments& arguments) {
         .grid = {}, .body = body_of(arguments), .heights = {}, .control = control_of(arguments), .hardness = {}};
     if (!arguments.hardness.empty()) problem.hardness = parse_quantity(arguments.hardness, dimension::pressure);
     const auto processed =
-        processing::apply(arguments.processing.pipeline(), measurements_of(arguments.path, arguments.file).front(),
+        processing::apply(arguments.processing.pipeline(), answers::measurements_of(arguments.path, arguments.file).front(),
                           study::measurement_loader(arguments.file.read_options()));
     take_surface(problem, processed.measurement, arguments);
     const auto threads = arguments.common.workers();
