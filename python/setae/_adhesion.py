@@ -34,6 +34,9 @@ class WorkOfAdhesion(Answer):
         """Whether the soft solid conforms to the roughness by adhesion alone."""
         return bool(self["conforms"])
 
+    def __repr__(self) -> str:
+        return f"WorkOfAdhesion(W_app = {self.estimate}{'' if self.conforms else ', will not conform'})"
+
     def _repr_html_(self) -> str:
         return f"<b>{html.escape(str(self.estimate))}</b>{super()._repr_html_()}"
 

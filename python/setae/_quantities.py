@@ -193,7 +193,9 @@ class Answer(Mapping[str, Any]):
         return alerts_from(data.get("alerts", ())) if isinstance(data, dict) else ()
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{q.symbol} = {q}' for q in self.quantities[:6])})"
+        quantities = self.quantities
+        said = [f"{q.symbol} = {q}" for q in quantities[:6]] if quantities else list(self._data)
+        return f"{type(self).__name__}({', '.join(map(str, said))})"
 
     def _repr_html_(self) -> str:
         rows = "".join(
