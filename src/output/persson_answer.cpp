@@ -27,8 +27,9 @@ std::string plain_sentence(const Table& load, Index i) {
 std::string adhesive_sentence(const Table& load, Index i) {
     const double area = load.at("adhesive_area_fraction")[i];
     if (std::isnan(area)) return "with adhesion the rounds do not converge";
+    const double left = load.at("effective_work")[i];
     return fmt::format("with adhesion {:.3g} % in contact, {} of w left for the longest waves", 100.0 * area,
-                       format_value(load.at("effective_work")[i], "J/m2", 3));
+                       left > 0.0 ? format_value(left, "J/m2", 3) : "nothing");
 }
 
 }  // namespace

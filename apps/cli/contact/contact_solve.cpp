@@ -68,13 +68,13 @@ half_space::Body body_of(const Arguments& arguments) {
     const bool stands = arguments.bonded || arguments.frictionless;
     if (arguments.layer.empty()) {
         if (stands || arguments.poisson_ratio)
-            throw InvalidArgument("--bonded, --frictionless and --poisson are of a layer; expected --layer \"1 um\"");
+            throw InvalidArgument("--bonded, --frictionless and --nu are of a layer; expected --layer \"1 um\"");
         return body;
     }
     if (!stands || !arguments.poisson_ratio)
         throw InvalidArgument(
             "a layer without its base or Poisson ratio; expected --bonded or --frictionless, and "
-            "--poisson");
+            "--nu");
     body.layer =
         half_space::Layer{.thickness = parse_quantity(arguments.layer, dimension::length),
                           .poisson_ratio = *arguments.poisson_ratio,
@@ -216,7 +216,7 @@ Action declare(Options& options) {
         .quantity(positive(dimension::length));
     options.flag("--bonded", arguments->bonded, "the layer sticks to its base");
     options.flag("--frictionless", arguments->frictionless, "the layer slides on its base");
-    options.add("--poisson", arguments->poisson_ratio, "Poisson ratio of the layer, up to 0.5");
+    options.add("--nu,--poisson-ratio", arguments->poisson_ratio, "Poisson ratio of the layer, up to 0.5");
     options.add("--hardness", arguments->hardness, "pressure at which the body flows")
         .quantity(positive(dimension::pressure));
     options.add("--tolerance", arguments->tolerance, "of the duality gap").positive().default_shown();
@@ -226,7 +226,7 @@ Action declare(Options& options) {
         "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"1 GPa\" --pressure \"10 MPa\"",
         "area, gap and stiffness under a mean pressure");
     options.example(
-        "setae contact solve map.ibw --step level_plane --contact-modulus \"2 MPa\" --layer \"20 um\" --bonded --poisson 0.5 --pressure \"10 kPa\" --json",
+        "setae contact solve map.ibw --step level_plane --contact-modulus \"2 MPa\" --layer \"20 um\" --bonded --nu 0.5 --pressure \"10 kPa\" --json",
         "a levelled map on a thin layer of rubber, for a script");
     options.example(
         "setae contact solve tip.npy --size \"100 nm x 100 nm\" --unit nm --free --contact-modulus \"50 GPa\" --displacement \"1 nm\" -o contact.npy",
