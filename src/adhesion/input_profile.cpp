@@ -43,7 +43,8 @@ bool has_one_direction(const std::vector<PairPoint>& pairs, const std::string& i
 Estimate maximum_of(const ProfilePoint& below, const ProfilePoint& middle, const ProfilePoint& above) {
     const double slope = 0.5 * (above.log_likelihood - below.log_likelihood);
     const double curvature = above.log_likelihood - 2.0 * middle.log_likelihood + below.log_likelihood;
-    Estimate found{.value = 0.0, .standard_error = std::numeric_limits<double>::quiet_NaN(), .method = "profile likelihood"};
+    Estimate found{
+        .value = 0.0, .standard_error = std::numeric_limits<double>::quiet_NaN(), .method = "profile likelihood"};
     constexpr double least = 1e-6;  // of ln L: what rounding of the fits leaves
     if (!(curvature < -least)) return found;
     found.value = -slope / curvature;
@@ -57,7 +58,8 @@ InputProfile profile_of(const std::vector<PairPoint>& pairs, const GeneralisedFi
         std::vector<PairPoint> there;
         for (const auto& pair : pairs) there.push_back(held(pair, input, shift));
         const auto found = fit_generalised(there, fit.scatter);
-        profile.points.push_back({shift, found.work_of_adhesion.estimate("generalised least squares"), found.log_likelihood});
+        profile.points.push_back(
+            {shift, found.work_of_adhesion.estimate("generalised least squares"), found.log_likelihood});
     }
     profile.by_pairs = maximum_of(profile.points[1], profile.points[2], profile.points[3]);
     return profile;

@@ -61,16 +61,15 @@ std::vector<NextMeasurement> next_measurements(const Target& target, const std::
     const double now = value_of(target).standard_error();
     std::vector<NextMeasurement> list;
     for (const auto& candidate : candidates) {
-        const double error =
-            target([&](const PairPoint& pair) { return with(pair, candidate); }).standard_error();
+        const double error = target([&](const PairPoint& pair) { return with(pair, candidate); }).standard_error();
         list.push_back({candidate, error, 1.0 - error / now});
     }
-    const bool by_hour = std::all_of(candidates.begin(), candidates.end(), [](const auto& c) { return c.hours.has_value(); });
+    const bool by_hour =
+        std::all_of(candidates.begin(), candidates.end(), [](const auto& c) { return c.hours.has_value(); });
     const auto worth = [by_hour](const NextMeasurement& next) {
         return by_hour ? next.gain / *next.candidate.hours : next.gain;
     };
-    std::stable_sort(list.begin(), list.end(),
-                     [&](const auto& a, const auto& b) { return worth(a) > worth(b); });
+    std::stable_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) { return worth(a) > worth(b); });
     return list;
 }
 

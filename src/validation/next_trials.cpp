@@ -37,8 +37,8 @@ std::vector<StatedQuantity*> named(Recipe& recipe, const std::string& name) {
         for (const auto& [key, quantity] : {std::pair{"youngs_modulus", &elastomer.youngs_modulus},
                                             {"surface_energy", &elastomer.surface_energy},
                                             {"sphere_radius", &elastomer.sphere_radius}})
-            add(*quantity, quantity->input.empty() ? fmt::format("elastomers.{}.{}", elastomer.name, key)
-                                                   : quantity->input);
+            add(*quantity,
+                quantity->input.empty() ? fmt::format("elastomers.{}.{}", elastomer.name, key) : quantity->input);
     return found;
 }
 
@@ -106,9 +106,10 @@ std::vector<Candidate> chosen(const std::vector<adhesion::NextMeasurement>& next
         const auto at = std::find(known.begin(), known.end(), name);
         if (at == known.end()) {
             const auto nearest = nearest_match(name, known);
-            throw InvalidArgument(fmt::format("'{}' is nothing that could be measured next; expected an input, a surface "
-                                              "or a pair such as 'E02 on A'{}",
-                                              name, nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+            throw InvalidArgument(
+                fmt::format("'{}' is nothing that could be measured next; expected an input, a surface "
+                            "or a pair such as 'E02 on A'{}",
+                            name, nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
         }
         list.push_back(next[static_cast<std::size_t>(at - known.begin())].candidate);
     }
@@ -174,8 +175,8 @@ Recipe recipe_with(Recipe recipe, const Candidate& candidate) {
     }
     const auto quantities = named(recipe, candidate.name);
     if (quantities.empty())
-        throw InvalidArgument(fmt::format("the recipe tells no '{}' with a ±, so it cannot be known better",
-                                          candidate.name));
+        throw InvalidArgument(
+            fmt::format("the recipe tells no '{}' with a ±, so it cannot be known better", candidate.name));
     for (auto* quantity : quantities) halve(*quantity);
     for (auto& rough : recipe.surfaces) {
         if (rough.stylus && recipe.stylus_tip) rough.stylus->shared_tip_radius = recipe.stylus_tip->value;
@@ -221,9 +222,8 @@ NextTrials next_trials(const std::string& recipe, const NextTrialOptions& option
 std::vector<NextSummary> summary(const std::vector<NextTrial>& trials) {
     std::vector<std::vector<NextTrial>> groups;
     for (const auto& trial : trials) {
-        const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& known) {
-            return known.front().measured == trial.measured;
-        });
+        const auto group = std::find_if(groups.begin(), groups.end(),
+                                        [&](const auto& known) { return known.front().measured == trial.measured; });
         (group == groups.end() ? groups.emplace_back() : *group).push_back(trial);
     }
     std::vector<NextSummary> rows;

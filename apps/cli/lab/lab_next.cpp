@@ -85,8 +85,10 @@ Action declare(Options& options) {
     arguments->output = "next";
     arguments->runs = 25;
     add_options(options, *arguments);
-    options.add("--measure", arguments->measured,
-                "what is measured: an input, a surface, or a pair such as \"E02 on A\"; default: the three that promise most")
+    options
+        .add(
+            "--measure", arguments->measured,
+            "what is measured: an input, a surface, or a pair such as \"E02 on A\"; default: the three that promise most")
         .value_named("NAME");
     options.add("--target", arguments->target, "the number that they are to improve, as of setae study --next")
         .value_named("NUMBER");

@@ -12,7 +12,8 @@ namespace {
 
 Components one(const std::string& name, double size) { return {{name, {Array1D::Constant(1, size)}}}; }
 
-/// Pairs of one elastomer on rougher and rougher surfaces, W = 37 mJ/m² and γ1 as given; the study is told 25 ± 5 mJ/m².
+/// Pairs of one elastomer on rougher and rougher surfaces, W = 37 mJ/m² and γ1 as given; the study is told 25 ± 5
+/// mJ/m².
 std::vector<PairPoint> pairs_of(double surface_energy, double noise) {
     std::vector<PairPoint> list;
     for (const double r : {1.0, 1.1, 1.2, 1.4, 1.6}) {
@@ -67,7 +68,8 @@ TEST(InputProfile, OfWhatThePairsDoNotTellHasNoMaximum) {
         p.measured.value = 0.037 * p.slope;
         p.measured_inputs = one("lens", 0.01 * p.measured.value);
     }
-    const auto profiles = profile_inputs(pairs, fit_generalised(pairs, ModelScatter{}), {"lens", "spectrum", "nothing"});
+    const auto profiles =
+        profile_inputs(pairs, fit_generalised(pairs, ModelScatter{}), {"lens", "spectrum", "nothing"});
     ASSERT_EQ(profiles.size(), 1U);  // several directions, or none, have no profile
     EXPECT_TRUE(std::isnan(profiles[0].by_pairs.standard_error));
     EXPECT_NEAR(profiles[0].points.back().work_of_adhesion.value, 1.02 * 0.037, 1e-6);

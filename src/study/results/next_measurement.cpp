@@ -77,16 +77,18 @@ adhesion::Target target_of(const StudyResult& result, const std::string& text) {
         if (known.back() == text) return adhesion::prediction_target(fit.pairs, fit.generalised, *pair.line);
     }
     const auto nearest = nearest_match(text, known);
-    throw InvalidArgument(fmt::format("'{}' is no number to be improved; expected W_int, a difference such as '(7) - (10)' "
-                                      "or a pair such as '{}'{}",
-                                      text, known.back(), nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    throw InvalidArgument(
+        fmt::format("'{}' is no number to be improved; expected W_int, a difference such as '(7) - (10)' "
+                    "or a pair such as '{}'{}",
+                    text, known.back(), nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
 std::vector<Candidate> candidates_of(const StudyResult& result) {
     using Kind = Candidate::Kind;
     if (!result.modified) throw UndefinedDataError("no W_int is fitted: " + result.modified.reason);
     std::vector<Candidate> list;
-    for (const auto& name : stated_inputs(result, result)) list.push_back({Kind::input, name, "", 1, hours_of(result, name)});
+    for (const auto& name : stated_inputs(result, result))
+        list.push_back({Kind::input, name, "", 1, hours_of(result, name)});
     for (const auto& pair : result.pairs)
         if (pair.experiments > 0)
             list.push_back({Kind::loop, pair.surface, pair.elastomer, pair.experiments, hours_of(result, "loop")});

@@ -18,7 +18,8 @@ using adhesion::Candidate;
 using Kind = Candidate::Kind;
 
 simulation::Recipe recipe() {
-    const auto path = std::filesystem::path(testing::TempDir()) / ("setae_next_" + std::to_string(::getpid()) + ".toml");
+    const auto path =
+        std::filesystem::path(testing::TempDir()) / ("setae_next_" + std::to_string(::getpid()) + ".toml");
     std::ofstream(path) << R"(
 work_of_adhesion = "37 mJ/m2"
 shared_tips = true
@@ -84,8 +85,8 @@ TEST(RecipeWith, ASurfaceMeasuredAgainHasEverythingTwice) {
 // The further loop has a file and noise of its own; every other loop stays what it was.
 TEST(RecipeWith, AnotherLoopIsOneOfTheSamePair) {
     const auto before = simulation::planted_loops(recipe());
-    const auto after = simulation::planted_loops(
-        recipe_with(recipe(), {.kind = Kind::loop, .name = "A", .elastomer = "E07"}));
+    const auto after =
+        simulation::planted_loops(recipe_with(recipe(), {.kind = Kind::loop, .name = "A", .elastomer = "E07"}));
     ASSERT_EQ(after.size(), before.size() + 1);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[i].file, before[i].file);
     EXPECT_EQ(after.back().file, "loops/A_E07_2.csv");
@@ -94,7 +95,8 @@ TEST(RecipeWith, AnotherLoopIsOneOfTheSamePair) {
 }
 
 TEST(NextSummary, ComparesWhatWasPromisedWithWhatWasFound) {
-    const std::vector<NextTrial> trials{{0, "lens", 3e-3, 1e-3, 4e-3, 2e-3, 2e-3}, {1, "lens", -4e-3, 2e-3, 4e-3, 2e-3, 1e-3},
+    const std::vector<NextTrial> trials{{0, "lens", 3e-3, 1e-3, 4e-3, 2e-3, 2e-3},
+                                        {1, "lens", -4e-3, 2e-3, 4e-3, 2e-3, 1e-3},
                                         {0, "A", 1e-3, 1e-3, 4e-3, 3e-3, 3e-3}};
     const auto rows = summary(trials);
     ASSERT_EQ(rows.size(), 2U);
@@ -111,7 +113,8 @@ TEST(NextSummary, ComparesWhatWasPromisedWithWhatWasFound) {
 
 TEST(NextTrials, RefuseWhatCannotBeMeasured) {
     const auto folder = std::filesystem::path(testing::TempDir()) / ("setae_next_trials_" + std::to_string(::getpid()));
-    const auto path = std::filesystem::path(testing::TempDir()) / ("setae_next_" + std::to_string(::getpid()) + ".toml");
+    const auto path =
+        std::filesystem::path(testing::TempDir()) / ("setae_next_" + std::to_string(::getpid()) + ".toml");
     (void)recipe();
     try {
         (void)next_trials(path.string(), {.runs = 5, .measured = {"lense"}, .folder = folder.string()});

@@ -16,10 +16,11 @@ namespace setae::validation {
 
 struct NextTrialOptions {
     int runs = 100;
-    std::uint64_t first_seed = 1;       ///< as ValidationOptions
-    std::string target = "W_int";       ///< as study::target_of()
-    std::vector<std::string> measured;  ///< names of candidates that are done; none: the three that promise most in run 0
-    std::string folder;                 ///< where data sets are made; each is removed when it is analysed
+    std::uint64_t first_seed = 1;  ///< as ValidationOptions
+    std::string target = "W_int";  ///< as study::target_of()
+    std::vector<std::string>
+        measured;        ///< names of candidates that are done; none: the three that promise most in run 0
+    std::string folder;  ///< where data sets are made; each is removed when it is analysed
     parallel::Threads threads;
     std::function<void(int done)> progress;  ///< called after each run, from any thread, one call at a time
 };
@@ -40,8 +41,8 @@ struct NextSummary {
     int n = 0;
     double stated = 0.0, promised = 0.0, stated_later = 0.0;  ///< standard errors
     double off = 0.0, off_later = 0.0;                        ///< found − planted
-    double ratio = 0.0;        ///< off_later/off
-    double ratio_error = 0.0;  ///< its standard error, by leaving runs out one at a time
+    double ratio = 0.0;                                       ///< off_later/off
+    double ratio_error = 0.0;                                 ///< its standard error, by leaving runs out one at a time
 };
 
 struct NextTrials {
@@ -54,7 +55,8 @@ struct NextTrials {
 [[nodiscard]] std::string name_of(const adhesion::Candidate& candidate);
 
 /// The recipe with a candidate measured: an input known to half its ±, the true one half as far off; another loop on
-/// the pair; all scans, maps and contours of the surface once more, at other places. Everything else is drawn as before.
+/// the pair; all scans, maps and contours of the surface once more, at other places. Everything else is drawn as
+/// before.
 /// @throws InvalidArgument for an input that the recipe does not tell with a ±.
 [[nodiscard]] simulation::Recipe recipe_with(simulation::Recipe recipe, const adhesion::Candidate& candidate);
 
