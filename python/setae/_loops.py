@@ -39,6 +39,10 @@ class LoopFit(Answer):
         loop = self["loop"]
         return None if loop is None else loop["energy"]
 
+    def __repr__(self) -> str:
+        lost = "" if self.loss is None else f", E_loss = {self.loss}"
+        return f"LoopFit(E* = {self.E_star}, W = {self.W}{lost})"
+
 
 class LoopEnergy(Answer):
     """Where the energy of a loop goes, as ``setae jkr energy --json`` prints it."""

@@ -76,6 +76,11 @@ def test_a_notebook_shows_them(scan):
     assert repr(work) == f"WorkOfAdhesion(W_app = {work.estimate})" and "mJ/m²" in repr(work)
 
 
+def test_a_fit_says_its_numbers_first(data):
+    fit = setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm").fit()
+    assert repr(fit) == f"LoopFit(E* = {fit.E_star}, W = {fit.W}, E_loss = {fit.loss})"
+
+
 def test_other_packages_take_them(scan):
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
     psd = setae.power_spectrum(scan)
