@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/adhesion/input_profile.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "refitted.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -55,9 +56,8 @@ Estimate maximum_of(const ProfilePoint& below, const ProfilePoint& middle, const
 InputProfile profile_of(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit, const std::string& input) {
     InputProfile profile{.input = input};
     for (const double shift : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
-        std::vector<PairPoint> there;
-        for (const auto& pair : pairs) there.push_back(held(pair, input, shift));
-        const auto found = fit_generalised(there, fit.scatter);
+        const auto found =
+            refitted(pairs, fit.scatter, [&](const PairPoint& pair) { return held(pair, input, shift); });
         profile.points.push_back(
             {shift, found.work_of_adhesion.estimate("generalised least squares"), found.log_likelihood});
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "refitted.hpp"
 #include "setae/roughness/parameter_spread.hpp"
 
 namespace setae::adhesion {
@@ -34,9 +35,7 @@ PairPoint with(PairPoint pair, const Candidate& candidate) {
 
 Target work_target(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit) {
     return [pairs, scatter = fit.scatter](const Change& change) {
-        std::vector<PairPoint> there;
-        for (const auto& pair : pairs) there.push_back(change(pair));
-        return fit_generalised(there, scatter).work_of_adhesion;
+        return refitted(pairs, scatter, change).work_of_adhesion;
     };
 }
 

@@ -156,17 +156,24 @@ void MapFilter::scatter(Index index, const Complex* columns) {
         for (Index m = 0; m < columns_per_block; ++m) to[i * columns_per_block + m] = columns[m * column_stride_ + i];
 }
 
+template <class Visit>
+void MapFilter::each_column(Index block, Room& room, const Visit& visit) {
+    const Index first = block * columns_per_block, lines = std::min(columns_per_block, modes_y_ - first);
+    gather(block, room.columns.data());
+    for (Index m = 0; m < lines; ++m) {
+        Complex* column = room.columns.data() + m * column_stride_;
+        along_x_.apply(column);
+        visit(column, first + m);
+    }
+}
+
 void MapFilter::apply(const Multiplier& multiplier, const LoadRow& load, const StoreRow& store) {
     forward_rows(load);
     with_rooms(blocks_of(modes_y_, columns_per_block), [&](Index block, Room& room) {
-        const Index first = block * columns_per_block, lines = std::min(columns_per_block, modes_y_ - first);
-        gather(block, room.columns.data());
-        for (Index m = 0; m < lines; ++m) {
-            Complex* column = room.columns.data() + m * column_stride_;
-            along_x_.apply(column);
-            multiply(column, period_x(), multiplier.line(first + m));
+        each_column(block, room, [&](Complex* column, Index line) {
+            multiply(column, period_x(), multiplier.line(line));
             back_along_x_.apply(column);
-        }
+        });
         scatter(block, room.columns.data());
     });
     with_rooms(blocks_of(nx_, rows_per_task), [&](Index task, Room& room) {
@@ -185,15 +192,10 @@ double MapFilter::quadratic_form(const Multiplier& multiplier, const LoadRow& lo
     forward_rows(load);
     Array1D sums(multiplier.modes_y);
     with_rooms(blocks_of(modes_y_, columns_per_block), [&](Index block, Room& room) {
-        const Index first = block * columns_per_block, lines = std::min(columns_per_block, modes_y_ - first);
-        gather(block, room.columns.data());
-        for (Index m = 0; m < lines; ++m) {
-            Complex* column = room.columns.data() + m * column_stride_;
-            along_x_.apply(column);
-            const Index line = first + m;
+        each_column(block, room, [&](const Complex* column, Index line) {
             const bool twice = line > 0 && 2 * line != period_y();  // the other half of the spectrum
             sums[line] = (twice ? 2.0 : 1.0) * weighted_power(column, period_x(), multiplier.line(line));
-        }
+        });
     });
     return pairwise_sum(sums);
 }

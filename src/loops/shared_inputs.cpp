@@ -35,7 +35,7 @@ double* constant_of(Start& start, SharedInput input) {
     const auto known = [](std::optional<double>& value) { return value ? &*value : nullptr; };
     switch (input) {
         case SharedInput::sphere_radius: return &start.bodies.radius;
-        case SharedInput::sphere_height: 
+        case SharedInput::sphere_height:
             return known(start.bodies.layer_thickness ? start.bodies.layer_thickness : start.bodies.lens_height);
         case SharedInput::poisson_ratio: return &start.bodies.lens_poisson_ratio;
         case SharedInput::machine_stiffness: return known(start.options.machine_stiffness);

@@ -77,21 +77,18 @@ void measure_again(simulation::SurfaceRecipe& rough) {
     if (auto& tem = rough.tem) double_list(tem->lengths);
 }
 
-/// What a run of the study says of the target, and what it promises.
-struct Answer {
-    TracedValue value;
-    std::vector<adhesion::NextMeasurement> next;
-};
+study::StudyResult result_of(const std::string& folder) {
+    return study::run_study(study_of_data_set(folder), {parallel::Threads{1}});
+}
 
-Answer answer_of(const std::string& folder, const std::string& target) {
-    const auto result = study::run_study(study_of_data_set(folder), {parallel::Threads{1}});
-    return {adhesion::value_of(study::target_of(result, target)), study::next_measurements(result, target)};
+TracedValue value_in(const study::StudyResult& result, const std::string& target) {
+    return adhesion::value_of(study::target_of(result, target));
 }
 
 double planted_value(const Recipe& recipe, const std::string& target) {
     if (target == "W_int") return recipe.work_of_adhesion;
     for (const auto& loop : simulation::planted_loops(recipe))
-        if (fmt::format("{} on {}", loop.elastomer, loop.surface) == target) return loop.specimen.work_approach;
+        if (study::pair_target(loop.elastomer, loop.surface) == target) return loop.specimen.work_approach;
     return 0.0;  // two balances of one W_int
 }
 
@@ -121,7 +118,7 @@ std::vector<Candidate> first_candidates(const std::string& recipe, const NextTri
     DataSets one{.recipe = recipe, .folder = options.folder, .runs = 1, .first_seed = options.first_seed};
     std::vector<Candidate> list;
     const auto failures = for_each_data_set(one, [&](int, const Recipe&, const std::string& folder) {
-        list = chosen(answer_of(folder, options.target).next, options.measured);
+        list = chosen(study::next_measurements(result_of(folder), options.target), options.measured);
     });
     if (!failures.front().empty()) throw InvalidArgument(failures.front());
     return list;
@@ -158,7 +155,7 @@ NextSummary summary_of(const std::vector<NextTrial>& trials) {
 }  // namespace
 
 std::string name_of(const Candidate& candidate) {
-    return candidate.kind == Candidate::Kind::loop ? fmt::format("{} on {}", candidate.elastomer, candidate.name)
+    return candidate.kind == Candidate::Kind::loop ? study::pair_target(candidate.elastomer, candidate.name)
                                                    : candidate.name;
 }
 
@@ -191,21 +188,23 @@ NextTrials next_trials(const std::string& recipe, const NextTrialOptions& option
                         false,  options.threads, options.progress};
     std::vector<std::vector<NextTrial>> found(static_cast<std::size_t>(std::max(options.runs, 0)));
     auto failures = for_each_data_set(sets, [&](int run, const Recipe& made, const std::string& folder) {
-        const auto now = answer_of(folder, options.target);
+        const auto result = result_of(folder);
+        const auto promises = study::next_measurements(result, options.target);
+        const auto now = value_in(result, options.target);
         for (const auto& candidate : candidates) {
             const auto name = name_of(candidate);
-            const auto promise = std::find_if(now.next.begin(), now.next.end(),
+            const auto promise = std::find_if(promises.begin(), promises.end(),
                                               [&](const auto& next) { return name_of(next.candidate) == name; });
-            if (promise == now.next.end()) continue;  // a pair that does not conform in this run
+            if (promise == promises.end()) continue;  // a pair that does not conform in this run
             const auto changed = recipe_with(made, candidate);
             with_data_set(changed, folder + "_next", false, [&] {
-                const auto later = answer_of(folder + "_next", options.target).value;
+                const auto later = value_in(result_of(folder + "_next"), options.target);
                 found[static_cast<std::size_t>(run)].push_back(
                     {.run = run,
                      .measured = name,
-                     .off = now.value.value - planted_value(made, options.target),
+                     .off = now.value - planted_value(made, options.target),
                      .off_later = later.value - planted_value(changed, options.target),
-                     .stated = now.value.standard_error(),
+                     .stated = now.standard_error(),
                      .promised = promise->standard_error,
                      .stated_later = later.standard_error()});
             });

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-
 #include "setae/core/arrays.hpp"
-#include "setae/core/extent.hpp"
 #include "setae/core/summation.hpp"
+#include "setae/numerics/row_blocks.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::half_space {
@@ -21,7 +19,9 @@ inline ConstRow row(const Array2D& map, Index i) { return {map.data() + i * map.
 class RowPasses {
 public:
     RowPasses(const Array2D& shape, parallel::Threads threads)
-        : rows_(shape.rows()), threads_{shape.size() < least_points ? 1 : threads.resolved()}, sums_(shape.rows()) {}
+        : points_per_row_(shape.cols()),
+          threads_{shape.size() < least_points ? 1 : threads.resolved()},
+          sums_(shape.rows()) {}
 
     /// Σ of body(row) over all rows.
     template <class Body>
@@ -36,17 +36,12 @@ public:
     }
     template <class Body>
     void each(Body&& body) const {
-        const Index blocks = (rows_ + rows_per_block - 1) / rows_per_block;
-        parallel::for_each_index(extent(blocks), threads_, [&](std::size_t block) {
-            const Index first = static_cast<Index>(block) * rows_per_block;
-            for (Index i = first; i < std::min(rows_, first + rows_per_block); ++i) body(i);
-        });
+        numerics::for_each_row(sums_.size(), points_per_row_, threads_, body);
     }
 
 private:
-    static constexpr Index rows_per_block = 32;
     static constexpr Index least_points = 1 << 17;
-    Index rows_;
+    Index points_per_row_;
     parallel::Threads threads_;
     Array1D sums_;
 };

@@ -19,8 +19,6 @@ std::optional<double> hours_of(const StudyResult& result, const std::string& key
     return found == result.study.costs.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string name_of(const PairResult& pair) { return fmt::format("{} on {}", pair.elastomer, pair.surface); }
-
 /// W_int of one balance.
 struct BalanceTarget {
     std::string name;
@@ -65,6 +63,10 @@ std::vector<std::string> stated_inputs(const StudyResult& result, const Conclusi
     return {names.begin(), names.end()};
 }
 
+std::string pair_target(const std::string& elastomer, const std::string& surface) {
+    return fmt::format("{} on {}", elastomer, surface);
+}
+
 adhesion::Target target_of(const StudyResult& result, const std::string& text) {
     if (!result.modified) throw UndefinedDataError("no W_int is fitted: " + result.modified.reason);
     const auto& fit = *result.modified;
@@ -73,7 +75,7 @@ adhesion::Target target_of(const StudyResult& result, const std::string& text) {
     std::vector<std::string> known{"W_int", "(7) - (S13)", "(7) - (2)", "(7) - (10)"};
     for (const auto& pair : result.pairs) {
         if (!pair.line) continue;
-        known.push_back(name_of(pair));
+        known.push_back(pair_target(pair.elastomer, pair.surface));
         if (known.back() == text) return adhesion::prediction_target(fit.pairs, fit.generalised, *pair.line);
     }
     const auto nearest = nearest_match(text, known);

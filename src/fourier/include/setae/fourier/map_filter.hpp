@@ -72,6 +72,9 @@ private:
     void forward_rows(const LoadRow& load);
     void gather(Index index, Complex* columns);
     void scatter(Index index, const Complex* columns);
+    /// visit(column, line) of every line of a block, transformed along x in the room.
+    template <class Visit>
+    void each_column(Index block, Room& room, const Visit& visit);
     void with_rooms(Index tasks, const std::function<void(Index task, Room& room)>& body);
 
     Index nx_, ny_, modes_y_, block_stride_, column_stride_;

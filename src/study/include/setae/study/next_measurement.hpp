@@ -17,6 +17,9 @@ namespace setae::study {
 /// measured surface's measurements once more; with hours where the study tells what it costs.
 [[nodiscard]] std::vector<adhesion::Candidate> candidates_of(const StudyResult& result);
 
+/// How a target names a pair: "E07 on rough".
+[[nodiscard]] std::string pair_target(const std::string& elastomer, const std::string& surface);
+
 /// The number that a text names: "W_int"; W_app by (7) of a pair, "E07 on rough"; what W_int of one balance is more than
 /// that of another, "(7) - (S13)", of (7), (2), (S13) and (10), W_int from losses.
 /// @throws UndefinedDataError where the study fits no W_int, or not that of a balance; InvalidArgument for other texts.
