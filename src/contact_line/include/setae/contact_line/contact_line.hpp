@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::contact_line {
+
+/// The edge of a contact in time: r(θ, t) about a centre that stays, one place a direction.
+///
+/// Shapes: M frames, N equal angles θ_j = 2πj/N. Not for a contact of several parts, nor where a ray meets the edge
+/// more than once.
+struct ContactLine {
+    Array1D time;              ///< M times [s], increasing
+    Array2D radius;            ///< r (M, N) [m], > 0
+    double place_error = 0.0;  ///< standard deviation of the noise of one place [m], independent between places
+
+    [[nodiscard]] Index frames() const { return radius.rows(); }
+    [[nodiscard]] Index angles() const { return radius.cols(); }
+};
+
+/// @throws InvalidArgument unless M >= 1 times increase, N >= 16, every r is finite and > 0 and the error is >= 0; the
+/// message says which frame.
+void require_valid(const ContactLine& line);
+
+/// Geometry of the edge in every frame.
+struct LineShape {
+    Array1D mean_radius;  ///< ⟨r⟩ over angles [m]
+    Array1D area;         ///< ½ ∫ r² dθ [m²]
+    Array1D perimeter;    ///< ∫ √(r² + r'²) dθ [m], of the polygon through the places: noise lengthens it
+    Array1D deviation;    ///< rms of r without its first and second harmonics, which are the centre's and an ellipse's
+                          ///< [m]; with the noise of the places
+};
+
+/// @throws InvalidArgument as require_valid.
+[[nodiscard]] LineShape line_shape(const ContactLine& line);
+
+}  // namespace setae::contact_line
