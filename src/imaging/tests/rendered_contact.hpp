@@ -25,6 +25,9 @@ struct RenderedContact {
     bool quantised = true;
     unsigned seed = 1;
     std::function<double(double)> outside;  ///< brightness in [0, 1] by the distance from the edge [px]; none: 1
+    std::function<double(double)> ripple;   ///< of a circle by the angle, what the edge lies further out [px]; none: 0
+    double largest_ripple = 0;              ///< [px]
+    double void_x = 0, void_y = 0, void_radius = 0;  ///< a hole in the contact
     static constexpr int finer = 6;
 
     [[nodiscard]] FramePixels make() const {
@@ -61,14 +64,16 @@ private:
         const double dx = x - centre_x, dy = y - centre_y;
         const double u = (std::cos(angle) * dx + std::sin(angle) * dy) / semi_major,
                      v = (std::cos(angle) * dy - std::sin(angle) * dx) / b;
-        const double level = std::hypot(u, v);
+        if (void_radius > 0 && std::hypot(x - void_x, y - void_y) < void_radius) return inside + contrast;
+        const double level = std::hypot(u, v) / (ripple ? 1 + ripple(std::atan2(dy, dx)) / semi_major : 1.0);
         if (level <= 1) return inside;
         return inside + contrast * (outside ? outside((level - 1) * semi_major) : 1.0);
     }
     [[nodiscard]] double pixel(double x, double y, double b) const {
-        const double far =
-            std::abs(std::hypot(x - centre_x, y - centre_y) - 0.5 * (semi_major + b)) - std::abs(semi_major - b);
-        if (far > 2 && (!outside || std::hypot(x - centre_x, y - centre_y) < std::min(semi_major, b)))
+        const double far = std::abs(std::hypot(x - centre_x, y - centre_y) - 0.5 * (semi_major + b)) -
+                           std::abs(semi_major - b) - largest_ripple;
+        if (far > 2 && std::abs(std::hypot(x - void_x, y - void_y) - void_radius) > 2 &&
+            (!outside || std::hypot(x - centre_x, y - centre_y) < std::min(semi_major, b)))
             return level(x, y, b);
         double sum = 0;
         for (int i = 0; i < finer; ++i)
