@@ -5,8 +5,8 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "setae/answers/words.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
@@ -15,16 +15,6 @@
 #include "setae/tables/power_spectrum_table.hpp"
 
 namespace setae::answers {
-namespace {
-
-/// @throws InvalidArgument for another word than these.
-void require_word(const char* what, const std::string& word, const std::vector<std::string>& words) {
-    if (word.empty() || std::find(words.begin(), words.end(), word) != words.end()) return;
-    throw InvalidArgument(fmt::format("{} '{}'; expected {}", what, word, fmt::join(words, ", ")));
-}
-
-}  // namespace
-
 std::vector<double> lengths_of(const std::string& text) {
     std::vector<double> lengths;
     std::string rest = text;

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <memory>
-#include <optional>
+#include <string>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "contact/pressures.hpp"
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
-#include "setae/answers/surface_request.hpp"
-#include "setae/core/errors.hpp"
+#include "setae/answers/persson_contact.hpp"
+#include "setae/answers/pressures.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/persson_figure.hpp"
-#include "setae/output/json.hpp"
 #include "setae/output/persson_answer.hpp"
-#include "setae/persson/load_curve.hpp"
 
 namespace setae::cli::contact_persson_command {
 namespace {
@@ -38,74 +33,32 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     SurfaceOptions surface;
-    std::string modulus, pressure, work, layer, output;
-    double poisson_ratio = 0.5, energy_factor = persson::usual_energy_factor;
-    bool frictionless = false;
+    answers::PerssonRequest request;
+    std::string output;
     FigureOption figure;
 };
 
-half_space::Body body_of(const Arguments& arguments) {
-    half_space::Body body{.contact_modulus = parse_quantity(arguments.modulus, positive(dimension::pressure))};
-    if (!arguments.layer.empty())
-        body.layer = {.thickness = parse_quantity(arguments.layer, positive(dimension::length)),
-                      .poisson_ratio = arguments.poisson_ratio,
-                      .base = arguments.frictionless ? half_space::Base::frictionless : half_space::Base::bonded};
-    return body;
-}
-
-output::Json columns_json(const Table& table) {
-    output::Json json, units;
-    for (const auto& column : table.columns) {
-        json[column.name] = output::numbers(column.values);
-        units[column.name] = column.unit;
-    }
-    json["units"] = units;
-    return json;
-}
-
-output::Json as_json(const Table& load, const Table* along_scales, const persson::Scales& scales,
-                     const Arguments& arguments, double modulus) {
-    const Index last = scales.wavevector.size() - 1;
-    auto json = columns_json(load);
-    if (along_scales) json["scales"] = columns_json(*along_scales);
-    json["contact_modulus"] = modulus;
-    json["energy_factor"] = arguments.energy_factor;
-    json["rms_pressure"] = std::sqrt(scales.pressure_variance[last]);
-    json["full_contact_energy"] = scales.stored_energy[last];
-    json["band"] = {{"lower", scales.wavevector[0]}, {"upper", scales.wavevector[last]}, {"unit", "1/m"}};
-    return json;
-}
-
 ExitCode run(const Arguments& arguments) {
-    if (arguments.modulus.empty() || arguments.pressure.empty())
-        throw InvalidArgument(
-            "expected --contact-modulus and --pressure, such as --contact-modulus 1GPa --pressure 10MPa");
+    (void)arguments.request.body();  // what is missing is said before files are read
     require_table_or_figure(arguments.output);
-    const auto body = body_of(arguments);
-    const auto pressures = pressures_of(arguments.pressure);
-    persson::LoadOptions options{.energy_factor = arguments.energy_factor};
-    if (!arguments.work.empty())
-        options.work_of_adhesion = parse_quantity(arguments.work, non_negative(dimension::surface_energy));
     auto analysis = arguments.surface.analysis();
     analysis.bootstrap_resamples = 0;
     const auto found = study::analyse_surface(arguments.surface.surface(), analysis,
                                               {.previews = false, .parameters = false}, arguments.common.workers());
-    const auto& surface = found.surface;
-    const auto code = report_failures(surface);
+    const auto code = report_failures(found.surface);
     if (code == ExitCode::nothing_done) return code;
-    const auto scales = persson::scales_of(surface.used().curve, body);
-    const auto load = persson::load_table(pressures, scales, options);
-    std::optional<Table> along_scales;
-    if (pressures.size() == 1) along_scales = persson::scale_table(pressures[0], scales, options);
-    const Table& table = along_scales ? *along_scales : load;
+    const auto contact = answers::persson_contact(found.surface, arguments.request);
+    const Table& table = contact.table();
     write_table_or_figure(
         arguments.output, table,
         [&] { return file_figures::persson_figure(table, arguments.surface.files.front(), arguments.figure.look()); },
         arguments.common.json);
-    if (arguments.common.json)
-        print_json(as_json(load, along_scales ? &*along_scales : nullptr, scales, arguments, body.contact_modulus));
-    else print(output::persson_answer(load, scales, body.contact_modulus, output_size().width));
-    if (!arguments.common.json) show(answers::alerts_of(surface));
+    if (arguments.common.json) {
+        print_json(answers::to_json(contact));
+        return code;
+    }
+    print(output::persson_answer(contact.load, contact.scales, contact.contact_modulus, output_size().width));
+    show(contact.alerts);
     return code;
 }
 
@@ -114,19 +67,20 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
-    options.add("--contact-modulus", arguments->modulus, "E* = E/(1 - nu^2) of the soft body")
+    auto& request = arguments->request;
+    options.add("--contact-modulus", request.modulus, "E* = E/(1 - nu^2) of the soft body")
         .quantity(positive(dimension::pressure));
     options
-        .add("--pressure", arguments->pressure,
+        .add("--pressure", request.pressure,
              "mean pressure: one, several as 1MPa,10MPa, or ten a decade as 1MPa:100MPa; below 0 with --w")
-        .read_by([](const std::string& text) { (void)pressures_of(text); });
-    options.add("--w,--work-of-adhesion", arguments->work, "work of adhesion, such as 50mJ/m2; default none")
+        .read_by([](const std::string& text) { (void)answers::pressures_of(text); });
+    options.add("--w,--work-of-adhesion", request.work, "work of adhesion, such as 50mJ/m2; default none")
         .quantity(non_negative(dimension::surface_energy));
-    options.add("--layer", arguments->layer, "thickness of the soft body on a rigid base; default a half-space")
+    options.add("--layer", request.layer, "thickness of the soft body on a rigid base; default a half-space")
         .quantity(positive(dimension::length));
-    options.add("--nu,--poisson-ratio", arguments->poisson_ratio, "of the layer").within(domain::poisson_ratio);
-    options.flag("--frictionless", arguments->frictionless, "the layer slides on its base; default bonded");
-    options.add("--energy-factor", arguments->energy_factor, "of the stored energy of partial contact, in (0, 1]")
+    options.add("--nu,--poisson-ratio", request.poisson_ratio, "of the layer").within(domain::poisson_ratio);
+    options.flag("--frictionless", request.frictionless, "the layer slides on its base; default bonded");
+    options.add("--energy-factor", request.energy_factor, "of the stored energy of partial contact, in (0, 1]")
         .within(domain::positive)
         .default_shown();
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");

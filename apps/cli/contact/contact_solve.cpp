@@ -16,6 +16,7 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "setae/answers/diagnosis.hpp"
+#include "setae/answers/hard_wall.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
@@ -39,68 +40,12 @@ constexpr const char* explanation =
     "duality_gap     bound of the energy above the least, over twice the stored energy; converged: <= --tolerance\n"
     "docs/theory/half-space.md\n";
 
-struct Arguments {
+struct Arguments : answers::HardWallRequest {
     Common common;
     FileOptions file;
     PipelineOption processing;
-    std::string path, contact_modulus, pressure, displacement, mean_gap, layer, hardness, output;
-    std::optional<double> poisson_ratio;
-    bool free = false, bonded = false, frictionless = false;
-    double tolerance = 1e-8;
+    std::string path, output;
 };
-
-half_space::Control control_of(const Arguments& arguments) {
-    const int given = (arguments.pressure.empty() ? 0 : 1) + (arguments.displacement.empty() ? 0 : 1) +
-                      (arguments.mean_gap.empty() ? 0 : 1);
-    if (given != 1)
-        throw InvalidArgument(
-            fmt::format("{} of --pressure, --displacement and --mean-gap were given; expected one", given));
-    if (!arguments.pressure.empty())
-        return half_space::MeanPressure{parse_quantity(arguments.pressure, dimension::pressure)};
-    if (!arguments.mean_gap.empty()) return half_space::MeanGap{parse_quantity(arguments.mean_gap, dimension::length)};
-    return half_space::Displacement{parse_quantity(arguments.displacement, dimension::length)};
-}
-
-half_space::Body body_of(const Arguments& arguments) {
-    if (arguments.contact_modulus.empty()) throw InvalidArgument("no modulus; expected --contact-modulus \"1 GPa\"");
-    half_space::Body body{.contact_modulus = parse_quantity(arguments.contact_modulus, dimension::pressure),
-                          .layer = {}};
-    const bool stands = arguments.bonded || arguments.frictionless;
-    if (arguments.layer.empty()) {
-        if (stands || arguments.poisson_ratio)
-            throw InvalidArgument("--bonded, --frictionless and --nu are of a layer; expected --layer \"1 um\"");
-        return body;
-    }
-    if (!stands || !arguments.poisson_ratio)
-        throw InvalidArgument(
-            "a layer without its base or Poisson ratio; expected --bonded or --frictionless, and "
-            "--nu");
-    body.layer =
-        half_space::Layer{.thickness = parse_quantity(arguments.layer, dimension::length),
-                          .poisson_ratio = *arguments.poisson_ratio,
-                          .base = arguments.bonded ? half_space::Base::bonded : half_space::Base::frictionless};
-    return body;
-}
-
-/// Grid, heights and edges of a map or, as a contact 1 m long, of a line.
-void take_surface(half_space::HardWall& problem, const topography::Measurement& measurement,
-                  const Arguments& arguments) {
-    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
-        problem.grid = {map->heights.rows(), map->heights.cols(), map->size[0], map->size[1]};
-        problem.heights = map->heights;
-        problem.edges = arguments.free ? half_space::Edges::free : half_space::Edges::periodic;
-    } else if (const auto* line = std::get_if<topography::LineScan>(&measurement)) {
-        problem.grid = {1, line->heights.size(), 1.0, line->size};
-        problem.heights = line->heights.transpose();
-        problem.edges = arguments.free ? half_space::Edges::periodic_along_x : half_space::Edges::periodic;
-    } else {
-        throw InvalidArgument(
-            fmt::format("{}: a profile's points are not equally far apart; expected a map or a line", arguments.path));
-    }
-    if (problem.heights.isNaN().any())
-        throw InvalidArgument(fmt::format("{}: {} of {} heights are undefined; fill them with --step fill_undefined",
-                                          arguments.path, problem.heights.isNaN().count(), problem.heights.size()));
-}
 
 std::function<void(const half_space::SolveProgress&)> progress_line() {
     if (isatty(STDERR_FILENO) == 0) return {};
@@ -129,62 +74,21 @@ void write_maps(const std::string& output, const half_space::HardWall& problem,
     write_heights(map_path(output, "gap"), topography::HeightMap{contact.gaps, size, periodic, {}});
 }
 
-output::Json json_of(const half_space::HardWall& problem, const half_space::HardWallContact& contact,
-                     const std::vector<Quantity>& quantities) {
-    output::Json json, units;
-    for (const auto& q : quantities) {
-        json[q.quantity] = output::number(q.estimate.value);
-        units[q.quantity] = q.unit;
-    }
-    const auto& certificate = contact.certificate;
-    units["penetration"] = "m";
-    json["status"] = half_space::name_of(contact.status);
-    json["duality_gap"] = certificate.duality_gap;
-    json["penetration"] = certificate.penetration;
-    json["level_error"] = certificate.level_error;
-    json["load_error"] = certificate.load_error;
-    json["iterations"] = contact.iterations;
-    json["transform_pairs"] = contact.transform_pairs;
-    json["mean_displacement"] = half_space::name_of(contact.mean_displacement);
-    json["points"] = {problem.grid.nx, problem.grid.ny};
-    json["size"] = {problem.grid.size_x, problem.grid.size_y};
-    json["contact_modulus"] = problem.body.contact_modulus;
-    units["size"] = "m";
-    units["contact_modulus"] = "Pa";
-    json["units"] = units;
-    return json;
-}
-
 ExitCode run(const Arguments& arguments) {
     if (arguments.path.empty()) throw InvalidArgument("no file; expected a map");
     require_map_ending(arguments.output);
-    half_space::HardWall problem{
-        .grid = {}, .body = body_of(arguments), .heights = {}, .control = control_of(arguments), .hardness = {}};
-    if (!arguments.hardness.empty()) problem.hardness = parse_quantity(arguments.hardness, dimension::pressure);
-    const auto processed =
-        processing::apply(arguments.processing.pipeline(), answers::measurements_of(arguments.path, arguments.file).front(),
-                          study::measurement_loader(arguments.file.read_options()));
-    take_surface(problem, processed.measurement, arguments);
-    const auto threads = arguments.common.workers();
+    arguments.require_complete();
+    const auto processed = processing::apply(arguments.processing.pipeline(),
+                                             answers::measurements_of(arguments.path, arguments.file).front(),
+                                             study::measurement_loader(arguments.file.read_options()));
     const auto progress = progress_line();
-    const auto contact =
-        half_space::solve(problem, {.tolerance = arguments.tolerance, .threads = threads, .progress = progress});
+    const auto solved =
+        answers::hard_wall(arguments.path, processed.measurement, arguments, arguments.common.workers(), progress);
+    const auto& [file, problem, contact, stiffness, quantities, alerts] = solved;
     if (progress) fmt::print(stderr, "\n");
-    const double stiffness = half_space::contact_stiffness(problem, contact, threads);
     if (!arguments.output.empty()) write_maps(arguments.output, problem, contact);
-    std::vector<Alert> alerts;
-    if (contact.status == half_space::SolveStatus::not_converged)
-        alerts.push_back({"CONTACT_NOT_CONVERGED", arguments.path,
-                          fmt::format("pressures may be off: the duality gap is {:.1e}, wanted was {:.1e}",
-                                      contact.certificate.duality_gap, arguments.tolerance),
-                          "raise --tolerance, or resolve the surface's shortest waves with more points"});
-    const auto quantities = half_space::contact_quantities(problem, contact, stiffness);
     if (arguments.common.json) {
-        auto json = json_of(problem, contact, quantities);
-        json["file"] = arguments.path;
-        json["processing"] = output::to_json(processed.records);
-        json["alerts"] = output::to_json(alerts);
-        print_json(json);
+        print_json(answers::to_json(solved, processed.records));
         return ExitCode::done;
     }
     const auto width = output_size().width;

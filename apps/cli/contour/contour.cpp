@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "contour/region_argument.hpp"
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/contour.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
@@ -37,48 +37,13 @@ constexpr const char* explanation =
     "Rq              sqrt(mean h^2 - mean squared standard error)\n"
     "pixel size      given, else the file's, else the scale bar's: bar in pixels, label read or confirmed by --scale-bar\n";
 
-struct Arguments {
+struct Arguments : answers::ContourRequest {
     Common common;
     std::vector<std::string> pictures;
-    std::string output, anchors, segment = "1", vacuum = "automatic", shape = "envelope", pixel, scale_bar, calibration,
-                                 save_calibration, foil_thickness;
-    std::vector<std::string> hidden;
-    std::optional<double> smoothing, least_length;
-    double denoise = 0;
-    std::size_t image = 1;
+    std::string output, anchors, segment = "1", save_calibration;
     FigureOption figure;
-    bool ignore_stated = false, no_overlay = false, whole_picture = false;
+    bool no_overlay = false;
 };
-
-/// "0.05 nm" or "0.05 nm x 0.1 nm".
-imaging::PixelSize pixel_size_of(const std::string& text) {
-    const auto cross = text.find(" x ");
-    const double x = parse_quantity(text.substr(0, cross), dimension::length);
-    return {x, cross == std::string::npos ? x : parse_quantity(text.substr(cross + 3), dimension::length)};
-}
-
-study::ContourOptions options_of(const Arguments& a) {
-    study::ContourOptions options;
-    if (a.image == 0) throw InvalidArgument("--image 0; images of a file are counted from 1");
-    options.micrograph.image = a.image - 1;
-    options.trace.vacuum = output::vacuum_from_name(a.vacuum);
-    options.trace.smoothing_length = a.smoothing;
-    options.trace.denoise = a.denoise;
-    options.trace.least_length = a.least_length;
-    for (const auto& text : a.hidden) options.trace.hidden.push_back(parse_region("--hide", text));
-    options.hide_annotations = !a.whole_picture;
-    options.shape = output::shape_from_name(a.shape);
-    if (!a.foil_thickness.empty()) options.foil_thickness = parse_quantity(a.foil_thickness, dimension::length);
-    if (!a.pixel.empty()) options.calibration.pixel_size = pixel_size_of(a.pixel);
-    if (!a.scale_bar.empty()) options.calibration.scale_bar_length = parse_quantity(a.scale_bar, dimension::length);
-    options.calibration.ignore_stated_pixel_size = a.ignore_stated;
-    if (!a.calibration.empty()) {
-        if (!a.pixel.empty() || !a.scale_bar.empty())
-            throw InvalidArgument("--calibration with --pixel or --scale-bar; give one");
-        options.shared_calibration = imaging::read_calibration(a.calibration).calibration;
-    }
-    return options;
-}
 
 /// Where the files of one picture go.
 struct Outputs {
@@ -211,7 +176,7 @@ ExitCode run(const Arguments& a) {
     if (batch && !a.save_calibration.empty())
         throw InvalidArgument("--save-calibration keeps that of one picture; trace it by itself first");
     std::optional<std::string> digest;
-    const auto options = with_anchors(a, options_of(a), digest);
+    const auto options = with_anchors(a, a.options(), digest);
     if (batch) {
         require_different_stems(pictures);
         if (!a.output.empty()) fs::create_directories(a.output);
@@ -271,7 +236,7 @@ Action declare(Options& options) {
         .add("--shape", arguments->shape, "re-entrant stretches: highest point over each x, cut, or the curve itself")
         .one_of({"envelope", "cut", "parametric"});
     options.add("--pixel", arguments->pixel, "size of a pixel, such as \"0.055 nm\" or \"1 nm x 0.2 nm\"")
-        .read_by([](const std::string& text) { (void)pixel_size_of(text); });
+        .read_by([](const std::string& text) { (void)answers::pixel_size_of(text); });
     options.add("--scale-bar", arguments->scale_bar, "what the scale bar in the picture stands for, such as \"5 nm\"")
         .quantity(positive(dimension::length));
     options.add("--calibration", arguments->calibration, "a calibration kept by --save-calibration");

@@ -10,6 +10,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/containers.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/formats/channel.hpp"
@@ -30,42 +31,6 @@ struct Arguments {
     Common common;
     std::vector<std::string> files;
 };
-
-bool is_fault(const Alert& alert) { return alert.code == "UNREADABLE_MEMBER" || alert.code == "COPY_DIFFERS"; }
-
-output::Json surface_json(const formats::ContainerSurface& surface, std::size_t& index,
-                          const std::vector<formats::ChannelInfo>& channels) {
-    auto measurements = output::Json::array();
-    for (const auto& topography : surface.topographies) {
-        const auto& info = channels[index];
-        measurements.push_back({{"channel", index++},
-                                {"name", topography.name},
-                                {"format", info.format},
-                                {"shape", info.shape},
-                                {"size", info.size},
-                                {"unit", info.unit},
-                                {"original", topography.datafile.original},
-                                {"processed_copy", topography.datafile.squeezed},
-                                {"detrend_mode", topography.detrend_mode},
-                                {"measurement_date", topography.measurement_date},
-                                {"readable", info.is_height}});
-    }
-    return {
-        {"name", surface.name}, {"category", surface.category}, {"tags", surface.tags}, {"measurements", measurements}};
-}
-
-output::Json report_json(const std::string& file, const formats::ContainerReport& report) {
-    auto surfaces = output::Json::array();
-    std::size_t index = 0;
-    for (const auto& surface : report.file.container.surfaces)
-        surfaces.push_back(surface_json(surface, index, report.channels));
-    return {{"file", file},
-            {"generation", formats::describe(report.file.generation)},
-            {"created_at", report.file.container.created_at},
-            {"surfaces", surfaces},
-            {"alerts", output::to_json(report.alerts)},
-            {"differences", report.differences}};
-}
 
 std::string report_text(const std::string& file, const formats::ContainerReport& report, std::size_t width) {
     const auto& container = report.file.container;
@@ -96,9 +61,8 @@ ExitCode run(const Arguments& arguments) {
     bool fault = false;
     const auto code = for_each_item(arguments.files, [&](const std::string& file) {
         const auto report = formats::check_container(bytes::file_source(file));
-        for (const auto& alert : report.alerts) fault = fault || is_fault(alert);
-        fault = fault || !report.differences.empty();
-        if (arguments.common.json) containers.push_back(report_json(file, report));
+        fault = fault || answers::at_fault(report);
+        if (arguments.common.json) containers.push_back(answers::to_json(file, report));
         else print(report_text(file, report, output_size().width));
     });
     if (arguments.common.json && code != ExitCode::nothing_done) print_json({{"containers", containers}});

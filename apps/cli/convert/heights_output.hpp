@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
-#include "setae/topography/measurement.hpp"
+#include "setae/answers/heights_file.hpp"
 
 namespace setae::cli {
 
-/// Writes the heights [m] of a measurement in the format its path ends with: one of the table of formats, or
-///
-/// .csv: a map as a matrix, one line for each x, no header; a line with columns x [m], h [m]. NaN is undefined.
-/// @throws InvalidArgument for another ending and for what the format cannot hold; FileError.
-void write_heights(const std::string& path, const topography::Measurement& measurement);
+using answers::endings_of_heights;
+using answers::require_heights_ending;
+using answers::write_heights;
 
-/// @throws InvalidArgument where write_heights would for the path's ending, before heights are dear to make.
-/// others: what else the verb writes, for the message.
-void require_heights_ending(const std::string& path, const std::string& others = {});
-
-/// ".x3p, … or .csv", for messages.
-[[nodiscard]] std::string endings_of_heights();
-
-/// What they look like, for --explain.
+/// What files of heights look like, for --explain.
 inline constexpr const char* heights_output_explanation =
     ".x3p  ISO 25178-72: float64 heights [m], checksums; maps, lines and profiles\n"
     ".sdf  ISO 25178-71, binary: float64 heights [m]; maps and lines of at most 65535 points along a direction\n"

@@ -10,6 +10,7 @@
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/format_list.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/imaging/micrograph.hpp"
 #include "setae/tables/force_curve.hpp"
@@ -17,20 +18,6 @@
 
 namespace setae::cli::formats_command {
 namespace {
-
-/// Formats that are read alone.
-template <class Formats>
-output::Json as_json(const Formats& formats) {
-    output::Json list = output::Json::array();
-    for (const auto& f : formats)
-        list.push_back({{"identifier", f.identifier},
-                        {"name", f.name},
-                        {"extensions", f.extensions},
-                        {"description", f.description},
-                        {"reference", f.reference},
-                        {"tested_on_real_files", f.tested_on_real_files}});
-    return list;
-}
 
 std::string yes(bool value) { return value ? "yes" : "no"; }
 
@@ -58,23 +45,6 @@ std::string explanation() {
     return text;
 }
 
-output::Json topographies_json() {
-    auto list = output::Json::array();
-    for (const auto& f : formats::formats())
-        list.push_back({{"identifier", f.identifier},
-                        {"name", f.name},
-                        {"extensions", f.extensions},
-                        {"description", f.description},
-                        {"heights", f.heights},
-                        {"orientation", f.orientation},
-                        {"not_read", f.not_read},
-                        {"reference", f.reference},
-                        {"reads", true},
-                        {"writes", f.writes()},
-                        {"tested_on_real_files", f.tested_on_real_files}});
-    return list;
-}
-
 /// Formats of topographies; those that no file of an instrument was read of stand out.
 tables::TidyTable topographies_table() {
     tables::TidyTable table{"", {"format", "name", "extensions", "reads", "writes", "real files", "description"}, {}};
@@ -90,9 +60,7 @@ ExitCode run(const Arguments& arguments) {
         return ExitCode::done;
     }
     if (arguments.common.json) {
-        print_json({{"formats", topographies_json()},
-                    {"force_curves", as_json(tables::force_curve_formats())},
-                    {"micrographs", as_json(imaging::micrograph_formats())}});
+        print_json(answers::formats_json());
         return ExitCode::done;
     }
     const auto curves = as_table("force curves, for setae jkr", tables::force_curve_formats());

@@ -9,11 +9,9 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
-#include "setae/core/errors.hpp"
+#include "setae/answers/camera_scale.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
-#include "setae/imaging/stage_micrometer.hpp"
-#include "setae/output/json.hpp"
 
 namespace setae::cli::jkr_camera_command {
 namespace {
@@ -30,25 +28,6 @@ struct Arguments {
     std::vector<std::string> files;
     std::string pitch;
 };
-
-output::Json ruling_json(const imaging::RulingFit& fit) {
-    output::Json json{{"lines", fit.lines}, {"places", fit.places}, {"probability", output::number(fit.probability)}};
-    json["pixel_size"] = output::to_json(output::quantity("pixel_size", "s", fit.pixel_size, "m"));
-    json["angle"] = output::to_json(output::quantity("angle", "", fit.angle, "rad"));
-    json["distortion"] = output::to_json(output::quantity("distortion", "d", fit.distortion, "1"));
-    json["rms_residual"] = output::to_json(output::quantity("rms_residual", "", fit.rms_residual, "m"));
-    return json;
-}
-
-output::Json as_json(const imaging::CameraScale& scale) {
-    output::Json json{{"width", scale.width}, {"height", scale.height}, {"notes", scale.notes}};
-    json["pixel_size"] = output::to_json(output::quantity("pixel_size", "s", scale.pixel_size, "m"));
-    json["aspect"] =
-        scale.aspect ? output::to_json(output::quantity("aspect", "h/w", *scale.aspect, "1")) : output::Json(nullptr);
-    json["upright_lines"] = scale.across_x ? ruling_json(*scale.across_x) : output::Json(nullptr);
-    json["lying_lines"] = scale.across_y ? ruling_json(*scale.across_y) : output::Json(nullptr);
-    return json;
-}
 
 std::string as_text(const imaging::CameraScale& scale) {
     std::string text = fmt::format("pixel size {}\n", format_uncertain(scale.pixel_size, "m"));
@@ -69,13 +48,8 @@ std::string as_text(const imaging::CameraScale& scale) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.files.empty() || arguments.pitch.empty())
-        throw InvalidArgument(
-            "pictures of a stage micrometer and the distance of its lines are wanted: "
-            "setae jkr camera RULING.png --pitch \"10 um\"");
-    const auto scale =
-        imaging::camera_scale(arguments.files, parse_uncertain_quantity(arguments.pitch, dimension::length));
-    if (arguments.common.json) print_json(as_json(scale));
+    const auto scale = answers::camera_scale(arguments.files, arguments.pitch);
+    if (arguments.common.json) print_json(answers::to_json(scale));
     else print(as_text(scale));
     return ExitCode::done;
 }

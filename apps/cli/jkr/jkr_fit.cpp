@@ -164,8 +164,8 @@ private:
 
 /// All curves of a file of several.
 void fit_curves_of(const std::string& file, const std::string& name, const Arguments& arguments, output::Json& list) {
-    const auto map =
-        fit_map(file, arguments.request.loops, arguments.request.bodies, arguments.curve, arguments.common.workers());
+    const auto map = answers::fit_map(file, arguments.request.loops, arguments.request.bodies, arguments.curve,
+                                      arguments.common.workers());
     const auto written =
         arguments.output.empty() ? std::vector<std::string>{} : output::write_force_map(map, arguments.output, name);
     if (arguments.common.json) {
@@ -189,11 +189,9 @@ ExitCode fit_curves(const Arguments& arguments, const std::vector<std::string>& 
             fit_curves_of(file, name, arguments, list);
             return;
         }
-        const auto analysis = fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
-        if (arguments.common.json)
-            list.push_back({{"file", file},
-                            {"segments", output::to_json(analysis.segments)},
-                            {"summary", output::to_json(analysis.summary)}});
+        const auto analysis =
+            answers::fit_curve(file, arguments.request.loops, arguments.request.bodies, arguments.curve);
+        if (arguments.common.json) list.push_back(answers::to_json(file, analysis));
         else print_curve(file, analysis);
     });
 }

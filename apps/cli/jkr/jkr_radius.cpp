@@ -2,19 +2,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "contour/region_argument.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/contact_radii.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/imaging/contact_radius.hpp"
 
 namespace setae::cli::jkr_radius_command {
 namespace {
@@ -28,46 +26,12 @@ constexpr const char* explanation =
     "not found           a undefined: something is there, but no disc whose rays agree\n"
     "time                (number - first number)/frame rate; numbers of files' names, else 1, 2, 3 ...\n";
 
-struct Arguments {
+struct Arguments : answers::RadiusRequest {
     Common common;
     std::vector<std::string> frames;
-    std::string pixel, region, polarity = "automatic", reason, output, overlay;
-    std::optional<double> micrometres_a_pixel, frame_rate;
-    std::optional<long> first, last;
-    std::vector<long> exclude, overlay_frames;
-    double smallest_radius = imaging::ContactFrameOptions{}.smallest_radius,
-           least_confidence = imaging::ContactFrameOptions{}.least_confidence;
-    bool fringes = false, ignore_stated_pixel_size = false;
+    std::string output, overlay;
+    std::vector<long> overlay_frames;
 };
-
-imaging::FrameOptions frame_options(const Arguments& a) {
-    imaging::FrameOptions options;
-    if (a.micrometres_a_pixel && !a.pixel.empty())
-        throw InvalidArgument("--um-per-px and --pixel say the same; give one");
-    if (a.micrometres_a_pixel) options.pixel_size = 1e-6 * *a.micrometres_a_pixel;
-    if (!a.pixel.empty()) options.pixel_size = parse_quantity(a.pixel, dimension::length);
-    options.frame_rate = a.frame_rate;
-    options.ignore_stated_pixel_size = a.ignore_stated_pixel_size;
-    if (!a.region.empty()) options.region = parse_region("--region", a.region);
-    options.first = a.first;
-    options.last = a.last;
-    return options;
-}
-
-imaging::RadiusOptions radius_options(const Arguments& a) {
-    imaging::RadiusOptions options;
-    options.frame.polarity = a.polarity == "dark"     ? imaging::Polarity::dark
-                             : a.polarity == "bright" ? imaging::Polarity::bright
-                                                      : imaging::Polarity::automatic;
-    options.frame.fringes = a.fringes;
-    options.frame.smallest_radius = a.smallest_radius;
-    options.frame.least_confidence = a.least_confidence;
-    options.threads = a.common.workers();
-    if (!a.exclude.empty() && a.reason.empty())
-        throw InvalidArgument("--exclude without --reason; say why these frames are left out, such as --reason glare");
-    for (const long number : a.exclude) options.excluded.push_back({number, a.reason});
-    return options;
-}
 
 void write_overlays(const Arguments& a, const imaging::FrameSource& source, const imaging::ContactRadii& radii) {
     std::error_code error;
@@ -85,56 +49,6 @@ void write_overlays(const Arguments& a, const imaging::FrameSource& source, cons
             (std::filesystem::path(a.overlay) / fmt::format("frame_{:06}.png", frame.number)).string(), source, i,
             frame);
     });
-}
-
-output::Json as_json(const imaging::ContactRadii& radii) {
-    const auto quantity = [](const char* name, const char* symbol, double value, double standard_error,
-                             const char* unit) {
-        output::Json json{{"quantity", name}, {"symbol", symbol}, {"value", value}, {"unit", unit}};
-        json["standard_error"] = standard_error;
-        return json;
-    };
-    const auto& s = radii.summary;
-    output::Json json;
-    json["pixel_size"] = {{"value", radii.pixel_size}, {"unit", "m"}};
-    json["frame_rate"] = {{"value", radii.frame_rate}, {"unit", "1/s"}};
-    json["polarity"] = to_string(radii.polarity);
-    json["summary"] = {{"frames", s.frames},       {"measured", s.measured}, {"no_contact", s.no_contact},
-                       {"not_found", s.not_found}, {"bad", s.bad},           {"excluded", s.excluded},
-                       {"partial", s.partial},     {"missing", s.missing}};
-    json["notes"] = radii.notes;
-    json["frames"] = output::Json::array();
-    for (const auto& f : radii.frames) {
-        const auto& c = f.contact;
-        output::Json frame{{"frame", f.number},
-                           {"name", f.name},
-                           {"time", f.time},
-                           {"state", to_string(c.state)},
-                           {"remark", c.reason}};
-        frame["contact_radius"] = quantity("contact radius", "a", f.radius, f.standard_error, "m");
-        if (c.state == imaging::FrameState::measured) {
-            const double pixel = radii.pixel_size;
-            frame["semi_major"] = quantity("semi-major axis", "a1", pixel * c.ellipse.semi_major,
-                                           pixel * c.ellipse.semi_major_standard_error, "m");
-            frame["semi_minor"] = quantity("semi-minor axis", "a2", pixel * c.ellipse.semi_minor,
-                                           pixel * c.ellipse.semi_minor_standard_error, "m");
-            frame["angle"] = {{"value", c.ellipse.angle}, {"unit", "rad"}};
-            frame["roundness"] = quantity("roundness", "a2/a1", c.roundness, c.roundness_standard_error, "1");
-            frame["centre"] = {{"x", pixel * c.ellipse.centre_x},
-                               {"y", pixel * c.ellipse.centre_y},
-                               {"standard_error", pixel * c.ellipse.centre_standard_error},
-                               {"unit", "m"}};
-            frame["confidence"] = c.confidence;
-            frame["agreeing_rays"] = c.agreeing_rays;
-            frame["visible_share"] = c.visible_share;
-            frame["contrast_to_noise"] = c.contrast_to_noise;
-            frame["edge_width"] = {{"value", pixel * c.edge_width}, {"unit", "m"}};
-            frame["polarity"] = to_string(c.polarity);
-            frame["partial"] = c.partial;
-        }
-        json["frames"].push_back(std::move(frame));
-    }
-    return json;
 }
 
 /// Frames without a radius, and what the whole gave, for the user.
@@ -159,12 +73,12 @@ void tell(const imaging::ContactRadii& radii) {
 ExitCode run(const Arguments& arguments) {
     if (!arguments.overlay_frames.empty() && arguments.overlay.empty())
         throw InvalidArgument("--overlay-frames without --overlay, the folder the pictures go to");
-    const auto options = radius_options(arguments);
-    const imaging::FrameSource source(arguments.frames, frame_options(arguments));
+    const auto options = arguments.radius_options(arguments.common.workers());
+    const imaging::FrameSource source(arguments.frames, arguments.frame_options());
     const auto radii = imaging::measure_contact_radii(source, options);
     if (!arguments.output.empty()) bytes::write_whole_file(arguments.output, imaging::as_csv(radii));
     if (!arguments.overlay.empty()) write_overlays(arguments, source, radii);
-    if (arguments.common.json) print_json(as_json(radii));
+    if (arguments.common.json) print_json(answers::to_json(radii));
     else if (arguments.output.empty()) print(imaging::as_csv(radii));
     tell(radii);
     const auto& s = radii.summary;

@@ -11,13 +11,9 @@
 #include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/answers/machine_stiffness.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
-#include "setae/core/units.hpp"
-#include "setae/loops/machine_stiffness.hpp"
-#include "setae/output/json.hpp"
-#include "setae/study/open_loop.hpp"
-#include "setae/tables/mapping_folder.hpp"
 
 namespace setae::cli::jkr_stiffness_command {
 namespace {
@@ -34,21 +30,6 @@ struct Arguments {
     std::string map;
 };
 
-output::Json as_json(const std::string& file, const loops::MachineStiffness& found) {
-    output::Json json{{"file", file},
-                      {"n", found.n},
-                      {"hysteresis", output::number(found.hysteresis)},
-                      {"nonlinearity", output::number(found.nonlinearity)}};
-    const auto add = [&](const char* name, const Estimate& value) {
-        json[name] = output::to_json(output::quantity(name, "k", value, "N/m"));
-    };
-    add("machine_stiffness", found.stiffness);
-    add("loading", found.loading);
-    if (std::isfinite(found.unloading.value)) add("unloading", found.unloading);
-    else json["unloading"] = nullptr;
-    return json;
-}
-
 std::string as_text(const std::string& file, const loops::MachineStiffness& found) {
     const auto shown = [](const Estimate& e) { return format_uncertain(e, "N/m"); };
     std::string text =
@@ -62,13 +43,13 @@ std::string as_text(const std::string& file, const loops::MachineStiffness& foun
 ExitCode run(const Arguments& arguments) {
     if (arguments.files.empty())
         throw InvalidArgument("a loop on something rigid is wanted: setae jkr stiffness RIGID.csv");
+    answers::LoopFiles loops;
+    loops.map = arguments.map;
+    loops.mapping_folder = mapping_folder();
     output::Json all = output::Json::array();
     const ExitCode code = for_each_item(arguments.files, [&](const std::string& file) {
-        study::LoopSource source{.file = file};
-        if (!arguments.map.empty()) source.mapping = tables::mapping_path(arguments.map, mapping_folder());
-        const auto loop = study::open_loop(source);
-        const auto found = loops::machine_stiffness_from_rigid_contact(loops::loop_from_table(loop.table));
-        if (arguments.common.json) all.push_back(as_json(file, found));
+        const auto found = answers::machine_stiffness(loops.open(file));
+        if (arguments.common.json) all.push_back(answers::to_json(file, found));
         else print(as_text(file, found));
     });
     if (arguments.common.json) print_json(arguments.files.size() == 1 && all.size() == 1 ? all.front() : all);

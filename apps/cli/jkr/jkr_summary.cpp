@@ -11,11 +11,11 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/answers/replicates.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
 #include "setae/output/replicate_report.hpp"
-#include "setae/study/replicate_reader.hpp"
 #include "setae/study_figures/forest_plot.hpp"
 
 namespace setae::cli::jkr_summary_command {
@@ -34,21 +34,9 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    std::vector<std::string> files, exclude;
-    std::string group_by, crossed, exclusions, output, figure;
-    study::ReplicateColumns columns;
-    bool each_surface = false;
+    answers::ReplicateRequest request;
+    std::string output, figure;
 };
-
-std::vector<std::string> words_of(const std::string& list) {
-    std::vector<std::string> words;
-    for (std::size_t at = 0; at < list.size();) {
-        const auto end = std::min(list.find(',', at), list.size());
-        if (end > at) words.push_back(list.substr(at, end - at));
-        at = end + 1;
-    }
-    return words;
-}
 
 void write_figure(const std::string& path, const study::ReplicateTables& tables, const figures::Figure& figure) {
     auto ending = fs::path(path).extension().string();
@@ -75,22 +63,12 @@ void write_folder(const fs::path& folder, const study::ReplicateTables& tables, 
 }
 
 ExitCode run(const Arguments& arguments) {
-    auto columns = arguments.columns;
-    columns.group_by = words_of(arguments.group_by);
-    std::vector<study::ExclusionRule> rules;
-    if (!arguments.exclusions.empty()) rules = study::read_exclusions(arguments.exclusions);
-    for (const auto& text : arguments.exclude) rules.push_back(study::parse_exclusion(text));
-    auto tables = study::read_replicates(arguments.files, columns, rules);
-    tables.data.crossed = words_of(arguments.crossed);
-    const auto model = statistics::mixed_model(
-        tables.data, {.pooling = arguments.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
+    const auto summary = answers::replicate_summary(arguments.request);
+    const auto& [tables, model] = summary;
     const auto figure = study_figures::forest_plot(tables.data, model, {.quantity = tables.data.quantity});
-    auto json = output::to_json(tables.data, model);
-    json["bad_rows"] = output::Json::array();
-    for (const auto& bad : tables.bad_rows) {
-        json["bad_rows"].push_back({{"place", bad.place}, {"reason", bad.reason}});
+    const auto json = answers::to_json(summary);
+    for (const auto& bad : tables.bad_rows)
         complain(fmt::format("{}: {}; left out, the rest is analysed", bad.place, bad.reason));
-    }
     if (!arguments.figure.empty()) write_figure(arguments.figure, tables, figure);
     if (!arguments.output.empty()) write_folder(arguments.output, tables, model, json, figure);
     if (arguments.common.json) print_json(json);
@@ -102,16 +80,17 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    auto& columns = arguments->columns;
+    auto& request = arguments->request;
+    auto& columns = request.columns;
     options
-        .add("files", arguments->files,
+        .add("files", request.files,
              "tables with a row for each fit: those of `setae jkr fit --tidy`, or any CSV with units in the header")
         .of_inputs();
     options.add("--quantity", columns.quantity, "what is summarised: W, E*, E_loss, F_po, or a column's name")
         .default_shown();
-    options.add("--group-by", arguments->group_by,
+    options.add("--group-by", request.group_by,
                 "columns of the groups, outermost first; default: those of surface,lens,spot that there are");
-    options.add("--crossed", arguments->crossed,
+    options.add("--crossed", request.crossed,
                 "of these the ones whose labels name the same thing on every surface, such as lens where each lens was "
                 "pressed on all of them");
     options.add("--value", columns.value_column, "column of the values, where --quantity does not find it");
@@ -122,12 +101,12 @@ Action declare(Options& options) {
     options.add("--branch", columns.branch, "branch wanted, where the tables have several, such as loading");
     options.add("--elastomer", columns.elastomer, "elastomer wanted, where the tables have several; or group by it");
     options
-        .add("--exclude", arguments->exclude,
+        .add("--exclude", request.exclude,
              "rows to leave out and why, such as \"file=a.csv;reason=dust on the lens\"; may be repeated")
         .one_at_a_time();
-    options.add("--exclusions", arguments->exclusions,
+    options.add("--exclusions", request.exclusions,
                 "file of exclusions: TOML with [[exclude]], or CSV with a column reason");
-    options.flag("--each-surface", arguments->each_surface, "variances of each surface by itself, not pooled");
+    options.flag("--each-surface", request.each_surface, "variances of each surface by itself, not pooled");
     options.add("--figure", arguments->figure, "forest plot, by its ending .svg, .pdf, .png or .csv");
     options.add("-o,--output", arguments->output, "folder for summary.json, tables and the forest plot");
     options.example("setae jkr summary fits.csv --group-by surface,lens --figure forest.svg",

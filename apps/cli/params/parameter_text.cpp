@@ -5,17 +5,16 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
-#include "setae/output/json.hpp"
 #include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli {
 namespace {
 
+using answers::MeasuredTexture;
 using texture::Standard;
 using texture::TextureParameter;
 
@@ -152,20 +151,6 @@ std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::
                 : format == "latex" ? as_latex(measured)
                                     : as_text(measured, width);
     return text;
-}
-
-output::Json parameter_json(const std::vector<MeasuredTexture>& list) {
-    output::Json json = output::Json::array();
-    for (const auto& measured : list)
-        for (const auto& row : measured.parameters) {
-            auto entry = output::to_json(row.quantity);
-            entry["filter"] = row.filter;
-            entry["status"] = row.ok() ? "ok" : "warn";
-            entry["file"] = measured.file;
-            entry["measurement"] = measured.measurement;
-            json.push_back(std::move(entry));
-        }
-    return json;
 }
 
 std::string parameter_page() {

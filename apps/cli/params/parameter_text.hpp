@@ -5,24 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "setae/output/json.hpp"
-#include "setae/texture/texture_parameter.hpp"
+#include "setae/answers/texture.hpp"
 
 namespace setae::cli {
 
-/// Parameters of one measurement.
-struct MeasuredTexture {
-    std::string file;
-    std::string measurement;
-    std::vector<texture::TextureParameter> parameters;
-};
-
 /// "md", "tsv", "latex" or "text", whose lines have at most `width` characters. TSV holds SI numbers, the others
 /// numbers with prefixes for readers.
-[[nodiscard]] std::string parameter_text(const std::vector<MeasuredTexture>& list, const std::string& format,
+[[nodiscard]] std::string parameter_text(const std::vector<answers::MeasuredTexture>& list, const std::string& format,
                                          std::size_t width);
-
-[[nodiscard]] output::Json parameter_json(const std::vector<MeasuredTexture>& list);
 
 /// The page docs/reference/parameters.md from the table of parameters, up to its marker.
 [[nodiscard]] std::string parameter_page();

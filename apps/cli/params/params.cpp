@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -79,31 +78,13 @@ std::string tables_of(const std::string& title, const std::vector<Quantity>& lis
 
 /// Parameters of a standard, measurement by measurement.
 ExitCode run_standard(const Arguments& arguments) {
-    std::vector<MeasuredTexture> list;
-    std::vector<Alert> alerts;
-    std::size_t failed = 0;
-    for (const auto& input : arguments.surface.surface().measurements) {
-        try {
-            for (const auto& source : study::measurement_sources(input)) {
-                const auto prepared = source.prepare();
-                list.push_back({input.file, topography::metadata(prepared.measurement).name,
-                                arguments.texture.parameters_of(prepared.measurement, arguments.common.workers())});
-                alerts.insert(alerts.end(), prepared.alerts.begin(), prepared.alerts.end());
-            }
-        } catch (const std::exception& error) {
-            complain(reason_of(error));
-            ++failed;
-        }
-    }
-    if (list.empty()) return ExitCode::nothing_done;
-    if (arguments.common.json || arguments.texture.format == "json") print_json(parameter_json(list));
-    else print(parameter_text(list, arguments.texture.format, output_size().width));
-    for (const auto& measured : list)
-        for (const auto& row : measured.parameters)
-            for (const auto& alert : row.quantity.alerts)
-                if (std::find(alerts.begin(), alerts.end(), alert) == alerts.end()) alerts.push_back(alert);
-    show(alerts);
-    return failed > 0 ? ExitCode::some_failed : ExitCode::done;
+    const auto answer = answers::texture_of(arguments.surface.surface(), arguments.texture, arguments.common.workers());
+    for (const auto& failure : answer.failures) complain(failure);
+    if (answer.list.empty()) return ExitCode::nothing_done;
+    if (arguments.common.json || arguments.texture.format == "json") print_json(answers::to_json(answer));
+    else print(parameter_text(answer.list, arguments.texture.format, output_size().width));
+    show(answer.alerts);
+    return answer.failures.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 
 ExitCode write_documentation(const std::string& path) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -10,11 +9,8 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/summation.hpp"
 #include "setae/output/quantity_table.hpp"
-#include "setae/synthesis/random_surface.hpp"
 #include "synthesize/synthesis_options.hpp"
 
 namespace setae::cli::synthesize_command {
@@ -36,65 +32,19 @@ struct Arguments {
     std::string output;
 };
 
-/// Root mean square of heights about their mean and of forward differences over a pixel.
-struct MadeRoughness {
-    double rms_height, rms_slope;
-};
-
-MadeRoughness measured(const topography::HeightMap& map) {
-    const auto [nx, ny] = map.shape();
-    const auto pixel = map.pixel_size();
-    const auto mean_over_rows = [](Index rows, const auto& of_row) {
-        Array1D means(rows);
-        for (Index i = 0; i < rows; ++i) means[i] = of_row(i);
-        return pairwise_sum(means) / static_cast<double>(rows);
-    };
-    const auto& h = map.heights;
-    const double mean = mean_over_rows(nx, [&](Index i) { return h.row(i).mean(); });
-    const double square = mean_over_rows(nx, [&](Index i) { return (h.row(i) - mean).square().mean(); });
-    const double along_x = mean_over_rows(nx - 1, [&](Index i) { return (h.row(i + 1) - h.row(i)).square().mean(); });
-    const double along_y =
-        mean_over_rows(nx, [&](Index i) { return (h.row(i).tail(ny - 1) - h.row(i).head(ny - 1)).square().mean(); });
-    return {std::sqrt(square), std::sqrt(along_x / (pixel[0] * pixel[0]) + along_y / (pixel[1] * pixel[1]))};
-}
-
-MadeRoughness measured(const topography::LineScan& scan) {
-    const auto& h = scan.heights;
-    const Array1D squares = (h - pairwise_sum(h) / static_cast<double>(h.size())).square();
-    const Array1D slopes = ((h.tail(h.size() - 1) - h.head(h.size() - 1)) / scan.pixel_size()).square();
-    return {std::sqrt(pairwise_sum(squares) / static_cast<double>(h.size())),
-            std::sqrt(pairwise_sum(slopes) / static_cast<double>(slopes.size()))};
-}
-
 ExitCode run(const Arguments& arguments) {
     if (arguments.output.empty()) throw InvalidArgument("expected -o OUT with an ending " + endings_of_heights());
     require_heights_ending(arguments.output);
-    const auto plan = arguments.options.plan(arguments.common.workers());
-    const auto expected = plan.expected();
-    const auto measurement = plan.make();
-    write_heights(arguments.output, measurement);
-    const auto made = std::holds_alternative<topography::HeightMap>(measurement)
-                          ? measured(std::get<topography::HeightMap>(measurement))
-                          : measured(std::get<topography::LineScan>(measurement));
-    const std::vector<Quantity> quantities{
-        output::quantity("rms_height_of_spectrum", "h_rms", expected.rms_height, "m"),
-        output::quantity("rms_slope_of_spectrum", "h'_rms", expected.rms_slope, "1"),
-        output::quantity("rms_height_made", "h_rms", made.rms_height, "m"),
-        output::quantity("rms_slope_made", "h'_rms", made.rms_slope, "1")};
-    const auto points = topography::shape(measurement);
-    if (!arguments.common.json) {
-        const auto title = fmt::format("{}: {} x {} points", arguments.output, points[0], points[1]);
-        print(output::quantity_table(title, quantities, output_size().width));
-        show(plan.alerts);
+    const auto made = answers::synthesis_of(arguments.options, arguments.common.workers());
+    write_heights(arguments.output, made.measurement);
+    if (arguments.common.json) {
+        print_json(answers::to_json(made, arguments.output));
         return ExitCode::done;
     }
-    output::Json json{
-        {"output", arguments.output}, {"points", points}, {"periodic", !plan.window}, {"seed", plan.options.key.seed}};
-    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) json["size"] = map->size;
-    else json["size"] = std::get<topography::LineScan>(measurement).size;
-    for (const auto& q : quantities) json["quantities"].push_back(output::to_json(q));
-    if (!plan.alerts.empty()) json["alerts"] = output::to_json(plan.alerts);
-    print_json(json);
+    const auto points = topography::shape(made.measurement);
+    const auto title = fmt::format("{}: {} x {} points", arguments.output, points[0], points[1]);
+    print(output::quantity_table(title, made.quantities, output_size().width));
+    show(made.plan.alerts);
     return ExitCode::done;
 }
 

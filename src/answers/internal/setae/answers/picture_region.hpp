@@ -5,9 +5,9 @@
 
 #include "setae/imaging/frames.hpp"
 
-namespace setae::cli {
+namespace setae::answers {
 
 /// "100,80,320,240": x, y, width, height in pixels. @throws InvalidArgument that names the option.
 [[nodiscard]] imaging::PictureRegion parse_region(const std::string& option, const std::string& text);
 
-}  // namespace setae::cli
+}  // namespace setae::answers

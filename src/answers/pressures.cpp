@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/pressures.hpp"
+#include "setae/answers/pressures.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 
-namespace setae::cli {
+namespace setae::answers {
 
 Array1D pressures_of(const std::string& text) {
     constexpr double per_decade = 10.0;
@@ -29,4 +29,4 @@ Array1D pressures_of(const std::string& text) {
     return Eigen::Map<const Array1D>(values.data(), static_cast<Index>(values.size()));
 }
 
-}  // namespace setae::cli
+}  // namespace setae::answers

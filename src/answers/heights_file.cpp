@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "convert/heights_output.hpp"
+#include "setae/answers/heights_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,7 +12,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 
-namespace setae::cli {
+namespace setae::answers {
 namespace {
 
 constexpr const char* text_ending = ".csv";
@@ -58,4 +58,4 @@ void write_heights(const std::string& path, const topography::Measurement& measu
     formats::format_to_write(path).write(path, measurement);
 }
 
-}  // namespace setae::cli
+}  // namespace setae::answers

@@ -5,10 +5,10 @@
 
 #include "setae/core/arrays.hpp"
 
-namespace setae::cli {
+namespace setae::answers {
 
 /// Pressures [Pa] of a text: "10 MPa", several "1MPa,10MPa", or ten a decade from the first to the last, "1MPa:100MPa".
 /// @throws InvalidArgument for a text that is none of these; ends of a range that are not positive and rising.
 [[nodiscard]] Array1D pressures_of(const std::string& text);
 
-}  // namespace setae::cli
+}  // namespace setae::answers

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contour/region_argument.hpp"
+#include "setae/answers/picture_region.hpp"
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
 
-namespace setae::cli {
+namespace setae::answers {
 
 imaging::PictureRegion parse_region(const std::string& option, const std::string& text) {
     const auto region = spelled_list<long, 4>(text, ',');
@@ -16,4 +16,4 @@ imaging::PictureRegion parse_region(const std::string& option, const std::string
     return {(*region)[0], (*region)[1], (*region)[2], (*region)[3]};
 }
 
-}  // namespace setae::cli
+}  // namespace setae::answers

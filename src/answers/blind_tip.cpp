@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/blind_tip.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::answers {
+
+topography::BlindTipOptions BlindTipRequest::options(parallel::Threads threads) const {
+    topography::BlindTipOptions options{.points_x = points, .points_y = points, .rounds = rounds, .threads = threads};
+    if (!threshold.empty()) options.noise_threshold = parse_quantity(threshold, dimension::length);
+    return options;
+}
+
+BlindTipAnswer blind_tip(const std::string& file, const topography::Measurement& measurement,
+                         const BlindTipRequest& request, parallel::Threads threads) {
+    const auto* map = std::get_if<topography::HeightMap>(&measurement);
+    if (!map) throw InvalidArgument(fmt::format("{}: a line does not show a tip; expected a map", file));
+    BlindTipAnswer answer{.file = file,
+                          .blind = topography::blind_tip(*map, request.options(threads)),
+                          .tip = {},
+                          .surface = {},
+                          .quantities = {},
+                          .alerts = {}};
+    const auto& tip = answer.blind.tip;
+    auto certainty = topography::certainty_map(*map, tip, {.threads = threads});
+    answer.tip = {-tip.heights,
+                  {static_cast<double>(tip.heights.rows()) * tip.pixel_size[0],
+                   static_cast<double>(tip.heights.cols()) * tip.pixel_size[1]},
+                  false,
+                  map->metadata};
+    answer.surface = std::move(certainty.reconstruction);
+    answer.surface.heights = (certainty.certain > 0).select(answer.surface.heights, undefined).eval();
+    answer.quantities = {output::quantity("tip_radius", "R", topography::apex_radius(tip), "m"),
+                         output::quantity("tip_height", "t", tip.heights.maxCoeff(), "m"),
+                         output::quantity("certain_share", "", certainty.share, "1")};
+    if (!answer.blind.converged)
+        answer.alerts.push_back(
+            {"TIP_NOT_CONVERGED", topography::label(map->metadata),
+             fmt::format("the estimate still sharpened in round {}: the tip may be sharper", answer.blind.rounds),
+             "allow more with --rounds"});
+    return answer;
+}
+
+output::Json to_json(const BlindTipAnswer& answer) {
+    const auto& [tip, converged, rounds] = answer.blind;
+    output::Json json{{"file", answer.file}, {"rounds", rounds}, {"converged", converged}};
+    for (const auto& q : answer.quantities) json["quantities"].push_back(output::to_json(q));
+    json["tip"] = {{"pixel_size", tip.pixel_size}, {"unit", "m"}};
+    for (Index i = 0; i < tip.heights.rows(); ++i)
+        json["tip"]["heights"].push_back(output::numbers(Array1D(tip.heights.row(i).transpose())));
+    json["alerts"] = output::to_json(answer.alerts);
+    return json;
+}
+
+}  // namespace setae::answers

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/contour.hpp"
+
+#include "setae/answers/picture_region.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/imaging/calibration_file.hpp"
+#include "setae/output/contour_file.hpp"
+
+namespace setae::answers {
+
+/// "0.05 nm" or "0.05 nm x 0.1 nm".
+imaging::PixelSize pixel_size_of(const std::string& text) {
+    const auto cross = text.find(" x ");
+    const double x = parse_quantity(text.substr(0, cross), dimension::length);
+    return {x, cross == std::string::npos ? x : parse_quantity(text.substr(cross + 3), dimension::length)};
+}
+
+study::ContourOptions ContourRequest::options() const {
+    study::ContourOptions options;
+    if (image == 0) throw InvalidArgument("--image 0; images of a file are counted from 1");
+    options.micrograph.image = image - 1;
+    options.trace.vacuum = output::vacuum_from_name(vacuum);
+    options.trace.smoothing_length = smoothing;
+    options.trace.denoise = denoise;
+    options.trace.least_length = least_length;
+    for (const auto& text : hidden) options.trace.hidden.push_back(parse_region("--hide", text));
+    options.hide_annotations = !whole_picture;
+    options.shape = output::shape_from_name(shape);
+    if (!foil_thickness.empty()) options.foil_thickness = parse_quantity(foil_thickness, dimension::length);
+    if (!pixel.empty()) options.calibration.pixel_size = pixel_size_of(pixel);
+    if (!scale_bar.empty()) options.calibration.scale_bar_length = parse_quantity(scale_bar, dimension::length);
+    options.calibration.ignore_stated_pixel_size = ignore_stated;
+    if (!calibration.empty()) {
+        if (!pixel.empty() || !scale_bar.empty())
+            throw InvalidArgument("--calibration with --pixel or --scale-bar; give one");
+        options.shared_calibration = imaging::read_calibration(calibration).calibration;
+    }
+    return options;
+}
+
+}  // namespace setae::answers

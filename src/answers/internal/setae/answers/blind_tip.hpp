@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/core/quantity.hpp"
+#include "setae/output/json.hpp"
+#include "setae/topography/blind_tip.hpp"
+#include "setae/topography/certainty.hpp"
+
+namespace setae::answers {
+
+/// What `setae tip` is asked of a map.
+struct BlindTipRequest {
+    std::string threshold;  ///< "0.2 nm"; empty: 0
+    Index points = 21;      ///< extent of the estimate, odd
+    int rounds = 100;
+
+    /// @throws InvalidArgument for a malformed length.
+    [[nodiscard]] topography::BlindTipOptions options(parallel::Threads threads = {}) const;
+};
+
+/// The bluntest tip that could have made a map, and what that says of the surface.
+struct BlindTipAnswer {
+    std::string file;
+    topography::BlindTip blind;
+    topography::HeightMap tip;      ///< apex up
+    topography::HeightMap surface;  ///< where it is certain, undefined elsewhere
+    std::vector<Quantity> quantities;
+    std::vector<Alert> alerts;
+};
+
+/// @throws InvalidArgument for a line; as topography::blind_tip() and certainty_map().
+[[nodiscard]] BlindTipAnswer blind_tip(const std::string& file, const topography::Measurement& measurement,
+                                       const BlindTipRequest& request, parallel::Threads threads = {});
+
+/// "file", "rounds", "converged", "quantities", "tip" and "alerts".
+[[nodiscard]] output::Json to_json(const BlindTipAnswer& answer);
+
+}  // namespace setae::answers

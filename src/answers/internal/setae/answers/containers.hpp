@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/formats/container_draft.hpp"
+#include "setae/output/json.hpp"
+
+namespace setae::answers {
+
+/// What a container is made of, as `setae container write` is told. Values that files leave open hold for all, "um", or
+/// for one, "FILE=um".
+struct ContainerRequest {
+    std::vector<std::string> files;             ///< measured ones become one surface, containers keep theirs
+    std::vector<std::string> from;              ///< containers and studies whose surfaces are taken over
+    std::string output, name, description, as;  ///< name: of the surface, empty: the output's
+    std::vector<std::string> sizes, units, channels, trends;
+    bool every_file = false;  ///< the first that cannot be read is thrown, and nothing is written
+};
+
+/// A container that was written; without surfaces nothing was.
+struct WrittenContainer {
+    std::string output;
+    formats::ContainerDraft draft;
+    std::vector<std::string> failures;  ///< of files that could not be read
+
+    [[nodiscard]] std::size_t measurements() const;
+    /// Whether everything that was named is in it and can be read.
+    [[nodiscard]] bool complete() const;
+};
+
+/// @throws InvalidArgument for no output, nothing to put in, a value of a file that is not named; FileError.
+[[nodiscard]] WrittenContainer write_container(const ContainerRequest& request);
+
+/// @throws InvalidArgument where nothing was written.
+void require_written(const WrittenContainer& written);
+
+/// "output", "surfaces", "measurements", "members" and "alerts".
+[[nodiscard]] output::Json to_json(const WrittenContainer& written);
+
+/// A container's "file", "generation", "created_at", "surfaces", "alerts" and "differences", as `setae container
+/// check`.
+[[nodiscard]] output::Json to_json(const std::string& file, const formats::ContainerReport& report);
+
+/// Whether something cannot be read, or is not the same after writing.
+[[nodiscard]] bool at_fault(const formats::ContainerReport& report);
+
+}  // namespace setae::answers

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/answers/loops.hpp"
+#include "setae/loops/force_curve_summary.hpp"
+#include "setae/output/json.hpp"
+#include "setae/study/force_map.hpp"
+
+namespace setae::answers {
+
+/// What `setae jkr fit` is told of force curves: force and displacement alone, contact found where the force leaves the
+/// baseline.
+struct CurveRequest {
+    bool curve = false;  ///< take a table for one
+    std::string tip = "paraboloid";
+    double half_angle = 0.0;  ///< degrees
+    std::string model = "hertz", range, contact_point = "fit";
+    bool keep_baseline_slope = false;
+
+    /// Whether a file is treated as one: asked for, or a force curve by its format.
+    [[nodiscard]] bool concerns(const std::string& file) const;
+    /// Whether all of several force curves in a file are wanted.
+    [[nodiscard]] bool concerns_map(const std::string& file, const LoopFiles& loops) const;
+    /// @throws InvalidArgument for a malformed text.
+    [[nodiscard]] loops::ForceCurveFitOptions options() const;
+    /// The tip and the sample; a tip that is no paraboloid needs no radius.
+    /// @throws InvalidArgument for a value with ±, which fits of force curves take for exact.
+    [[nodiscard]] loops::LensAndCounterBody bodies(const LoopBodies& given, const Table& of_curve) const;
+};
+
+/// Every segment of a curve with its fit, and what they say together. @throws what reading and fitting throw.
+[[nodiscard]] loops::ForceCurveAnalysis fit_curve(const std::string& file, const LoopFiles& loops,
+                                                  const LoopBodies& bodies, const CurveRequest& curve);
+
+/// Every curve of a file of several.
+[[nodiscard]] study::ForceMap fit_map(const std::string& file, const LoopFiles& loops, const LoopBodies& bodies,
+                                      const CurveRequest& curve, parallel::Threads threads = {});
+
+/// "file", "segments" and "summary".
+[[nodiscard]] output::Json to_json(const std::string& file, const loops::ForceCurveAnalysis& analysis);
+
+}  // namespace setae::answers

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/persson_contact.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/answers/pressures.hpp"
+#include "setae/answers/surface_request.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::answers {
+namespace {
+
+output::Json columns_json(const Table& table) {
+    output::Json json, units;
+    for (const auto& column : table.columns) {
+        json[column.name] = output::numbers(column.values);
+        units[column.name] = column.unit;
+    }
+    json["units"] = units;
+    return json;
+}
+
+}  // namespace
+
+half_space::Body PerssonRequest::body() const {
+    if (modulus.empty() || pressure.empty())
+        throw InvalidArgument(
+            "expected --contact-modulus and --pressure, such as --contact-modulus 1GPa --pressure 10MPa");
+    require_within(domain::poisson_ratio, poisson_ratio, fmt::format("{}", poisson_ratio));
+    half_space::Body body{.contact_modulus = parse_quantity(modulus, positive(dimension::pressure))};
+    if (!layer.empty())
+        body.layer = {.thickness = parse_quantity(layer, positive(dimension::length)),
+                      .poisson_ratio = poisson_ratio,
+                      .base = frictionless ? half_space::Base::frictionless : half_space::Base::bonded};
+    return body;
+}
+
+persson::LoadOptions PerssonRequest::options() const {
+    persson::LoadOptions options{.energy_factor = energy_factor};
+    if (!work.empty()) options.work_of_adhesion = parse_quantity(work, non_negative(dimension::surface_energy));
+    return options;
+}
+
+PerssonContact persson_contact(const study::SurfaceResult& surface, const PerssonRequest& request) {
+    const auto body = request.body();
+    const auto pressures = pressures_of(request.pressure);
+    const auto options = request.options();
+    PerssonContact contact{.scales = persson::scales_of(surface.used().curve, body),
+                           .load = {},
+                           .along_scales = {},
+                           .contact_modulus = body.contact_modulus,
+                           .energy_factor = request.energy_factor,
+                           .alerts = alerts_of(surface)};
+    contact.load = persson::load_table(pressures, contact.scales, options);
+    if (pressures.size() == 1) contact.along_scales = persson::scale_table(pressures[0], contact.scales, options);
+    return contact;
+}
+
+output::Json to_json(const PerssonContact& contact) {
+    const auto& scales = contact.scales;
+    const Index last = scales.wavevector.size() - 1;
+    auto json = columns_json(contact.load);
+    if (contact.along_scales) json["scales"] = columns_json(*contact.along_scales);
+    json["contact_modulus"] = contact.contact_modulus;
+    json["energy_factor"] = contact.energy_factor;
+    json["rms_pressure"] = std::sqrt(scales.pressure_variance[last]);
+    json["full_contact_energy"] = scales.stored_energy[last];
+    json["band"] = {{"lower", scales.wavevector[0]}, {"upper", scales.wavevector[last]}, {"unit", "1/m"}};
+    json["alerts"] = output::to_json(contact.alerts);
+    return json;
+}
+
+}  // namespace setae::answers

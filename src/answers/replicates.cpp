@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/replicates.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "setae/output/replicate_report.hpp"
+
+namespace setae::answers {
+namespace {
+
+std::vector<std::string> words_of(const std::string& list) {
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < list.size();) {
+        const auto end = std::min(list.find(',', at), list.size());
+        if (end > at) words.push_back(list.substr(at, end - at));
+        at = end + 1;
+    }
+    return words;
+}
+
+}  // namespace
+
+ReplicateSummary replicate_summary(const ReplicateRequest& request) {
+    auto columns = request.columns;
+    columns.group_by = words_of(request.group_by);
+    std::vector<study::ExclusionRule> rules;
+    if (!request.exclusions.empty()) rules = study::read_exclusions(request.exclusions);
+    for (const auto& text : request.exclude) rules.push_back(study::parse_exclusion(text));
+    ReplicateSummary summary{.tables = study::read_replicates(request.files, columns, rules), .model = {}};
+    auto& data = summary.tables.data;
+    data.crossed = words_of(request.crossed);
+    summary.model = statistics::mixed_model(
+        data, {.pooling = request.each_surface ? statistics::Pooling::none : statistics::Pooling::surfaces});
+    return summary;
+}
+
+output::Json to_json(const ReplicateSummary& summary) {
+    auto json = output::to_json(summary.tables.data, summary.model);
+    json["bad_rows"] = output::Json::array();
+    for (const auto& bad : summary.tables.bad_rows)
+        json["bad_rows"].push_back({{"place", bad.place}, {"reason", bad.reason}});
+    return json;
+}
+
+}  // namespace setae::answers
