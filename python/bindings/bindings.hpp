@@ -83,6 +83,10 @@ void bind_errors(nb::module_& module);
 void bind_heights(nb::module_& module);
 void bind_surfaces(nb::module_& module);
 void bind_loops(nb::module_& module);
+void bind_synthesis(nb::module_& module);
+void bind_contact(nb::module_& module);
+void bind_laboratory(nb::module_& module);
+void bind_containers(nb::module_& module);
 void bind_studies(nb::module_& module);
 
 }  // namespace setae::python

@@ -200,6 +200,14 @@ std::vector<topography::Measurement> measurements_of(const Item& item) {
     return found;
 }
 
+processing::PipelineResult prepared_of(const Item& item) {
+    auto measurement =
+        item.heights ? item.heights->measurement() : answers::measurements_of(item.path, item.request.file).front();
+    const auto options = item.heights ? formats::ReadOptions{} : item.request.file.read_options();
+    return processing::apply(item.request.processing.pipeline(), std::move(measurement),
+                             study::measurement_loader(options));
+}
+
 void bind_heights(nb::module_& module) {
     nb::class_<Heights>(module, "Heights")
         .def(nb::init<nb::object, const std::vector<double>&, bool, const std::string&>(), nb::arg("array"),

@@ -49,4 +49,10 @@ struct Item {
 /// The measurements of one, behind its steps. @throws what reading and the steps throw.
 [[nodiscard]] std::vector<topography::Measurement> measurements_of(const Item& item);
 
+/// The first of them, and what its steps did. @throws likewise.
+[[nodiscard]] processing::PipelineResult prepared_of(const Item& item);
+
+/// @throws InvalidArgument that says why a surface gave nothing.
+[[nodiscard]] const study::SurfaceResult& analysed(const study::SurfaceResult& surface);
+
 }  // namespace setae::python

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
-#include "setae/answers/loops.hpp"
+#include "setae/answers/force_curves.hpp"
+#include "setae/answers/machine_stiffness.hpp"
+#include "setae/output/force_map_output.hpp"
 
 namespace setae::python {
 namespace {
@@ -83,6 +85,31 @@ void bind_requests(nb::module_& module) {
         .def_rw("exponent", &answers::LoopModelsRequest::exponent);
 }
 
+void bind_force_curves(nb::module_& module) {
+    using Request = answers::CurveRequest;
+    nb::class_<Request>(module, "CurveRequest")
+        .def(nb::init<>())
+        .def_rw("tip", &Request::tip)
+        .def_rw("half_angle", &Request::half_angle)
+        .def_rw("model", &Request::model)
+        .def_rw("range", &Request::range)
+        .def_rw("contact_point", &Request::contact_point)
+        .def_rw("keep_baseline_slope", &Request::keep_baseline_slope);
+    module.def(
+        "fit_force_curves",
+        [](const std::string& file, const answers::LoopFiles& files, const answers::LoopBodies& bodies,
+           const answers::CurveRequest& request) {
+            return unlocked([&](const auto&) {
+                const bool several = request.concerns_map(file, files);
+                return output::as_text(several
+                                           ? output::to_json(answers::fit_map(file, files, bodies, request))
+                                           : answers::to_json(file, answers::fit_curve(file, files, bodies, request)));
+            });
+        },
+        nb::arg("file"), nb::arg("files"), nb::arg("bodies"), nb::arg("request"),
+        "of one force curve, or of every one of a file, as `setae jkr fit --curve --json` prints it");
+}
+
 }  // namespace
 
 void bind_loops(nb::module_& module) {
@@ -100,6 +127,15 @@ void bind_loops(nb::module_& module) {
             return unlocked([&](const auto&) { return Loop{file, files.open(file)}; });
         },
         nb::arg("file"), nb::arg("files"));
+    bind_force_curves(module);
+    module.def(
+        "machine_stiffness",
+        [](const Loop& loop) {
+            return unlocked([&](const auto&) {
+                return output::as_text(answers::to_json(loop.file, answers::machine_stiffness(loop.opened)));
+            });
+        },
+        nb::arg("loop"), "as `setae jkr stiffness --json` prints it");
     module.def(
         "fit_loop",
         [](const Loop& loop, const answers::LoopBodies& bodies, const answers::LoopSettings& settings,

@@ -13,6 +13,10 @@ NB_MODULE(_setae, module) {
     python::bind_heights(module);
     python::bind_surfaces(module);
     python::bind_loops(module);
+    python::bind_synthesis(module);
+    python::bind_contact(module);
+    python::bind_laboratory(module);
+    python::bind_containers(module);
     python::bind_studies(module);
     module.def("version", &study::version, "release and digest of the build, such as '0.1.0+4f1c09ab'");
     module.def(

@@ -10,6 +10,7 @@
 #include "setae/answers/functions_of_scale.hpp"
 #include "setae/answers/parameters.hpp"
 #include "setae/answers/power_spectrum.hpp"
+#include "setae/answers/texture.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/study_tables.hpp"
 
@@ -35,15 +36,6 @@ Table spectrum_of(const study::SurfaceResult& surface) {
     table.columns = {{"wavevector", "1/m", curve.wavevector}, {is_profile ? "C1D" : "C_iso", unit, curve.density}};
     if (curve.standard_error.size() > 0) table.columns.push_back({"standard_error", unit, curve.standard_error});
     return table;
-}
-
-/// @throws InvalidArgument that says why a surface gave nothing.
-const study::SurfaceResult& analysed(const study::SurfaceResult& surface) {
-    if (!surface.failed()) return surface;
-    std::string reasons;
-    for (const auto& m : surface.measurements)
-        if (m.failed()) reasons += "; " + m.error;
-    throw InvalidArgument(surface.error + reasons);
 }
 
 Surface surface(const Items& items, const answers::AnalysisRequest& request, const std::string& spectrum,
@@ -81,6 +73,33 @@ void bind_analysis(nb::module_& module) {
             },
             nb::arg("longest"), nb::arg("shortest"), nb::arg("window"), nb::arg("contours"), nb::arg("conversion"),
             nb::arg("memory").none(), nb::arg("resamples").none());
+}
+
+void bind_texture(nb::module_& module) {
+    using Request = answers::TextureRequest;
+    nb::class_<Request>(module, "TextureRequest")
+        .def(nb::init<>())
+        .def_rw("standard", &Request::standard)
+        .def_rw("s_filter", &Request::s_filter)
+        .def_rw("l_filter", &Request::l_filter)
+        .def_rw("section_length", &Request::section_length)
+        .def_rw("profile", &Request::kind)
+        .def_rw("averages", &Request::averages)
+        .def_rw("mean_line", &Request::mean_line)
+        .def_rw("between", &Request::between)
+        .def_rw("material_height", &Request::material_height)
+        .def_rw("material_ratio", &Request::material_ratio);
+    module.def(
+        "texture",
+        [](const Items& items, const Request& request, bool every_measurement) {
+            return unlocked([&](const auto&) {
+                const auto answer = answers::texture_of(surface_of(items), request, {}, every_measurement);
+                if (answer.list.empty()) throw InvalidArgument(fmt::format("{}", fmt::join(answer.failures, "; ")));
+                return output::as_text(answers::to_json(answer));
+            });
+        },
+        nb::arg("items"), nb::arg("request"), nb::arg("every_measurement"),
+        "as `setae params --standard --json` prints them");
 }
 
 void bind_adhesion(nb::module_& module) {
@@ -126,6 +145,14 @@ void bind_adhesion(nb::module_& module) {
 
 }  // namespace
 
+const study::SurfaceResult& analysed(const study::SurfaceResult& surface) {
+    if (!surface.failed()) return surface;
+    std::string reasons;
+    for (const auto& m : surface.measurements)
+        if (m.failed()) reasons += "; " + m.error;
+    throw InvalidArgument(surface.error + reasons);
+}
+
 void bind_surfaces(nb::module_& module) {
     bind_analysis(module);
     using Spectrum = answers::PowerSpectrum;
@@ -162,6 +189,7 @@ void bind_surfaces(nb::module_& module) {
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("every_measurement"), "as `setae params --json` prints them");
+    bind_texture(module);
     using Scales = answers::FunctionsOfScale;
     nb::class_<Scales>(module, "FunctionsOfScale")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Scales&>(self).table, self); })

@@ -12,15 +12,33 @@ Numbers are SI and carry unit, ±, band and source; what has a unit goes in as a
 from __future__ import annotations
 
 from ._adhesion import WorkOfAdhesion, work_of_adhesion
+from ._contact import Contact, PerssonContact, contact, persson
+from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
 from ._diagnosis import Diagnosis, Finding, check
 from ._errors import Error, FileError, FormatError, InternalError, InvalidArgument, UndefinedDataError
-from ._loops import Loop, LoopEnergy, LoopFit, loop
+from ._laboratory import (
+    Camera,
+    ContactRadii,
+    Contour,
+    ForceCurves,
+    Lens,
+    Replicates,
+    camera,
+    contact_radii,
+    contour,
+    force_curves,
+    lens,
+    replicates,
+)
+from ._loops import Loop, LoopEnergy, LoopFit, MachineStiffness, loop
 from ._quantities import Alert, Answer, Band, Interval, Quantity
 from ._scales import FunctionOfScale, autocorrelation, scale_dependent, variable_bandwidth
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
 from ._setae import limit_threads, steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
 from ._study import Figure, Study, StudyResult, study
+from ._synthesis import Synthesis, Tip, synthesize, tip
+from ._texture import Texture, texture
 
 __version__ = version().partition("+")[0]
 
@@ -28,48 +46,77 @@ __all__ = [
     "Alert",
     "Answer",
     "Band",
+    "Camera",
+    "Contact",
+    "ContactRadii",
+    "Container",
+    "ContainerReport",
+    "Contour",
     "Diagnosis",
     "Error",
     "Figure",
     "FileError",
     "Finding",
+    "ForceCurves",
     "FormatError",
+    "Formats",
     "FunctionOfScale",
     "Info",
     "InternalError",
     "Interval",
     "InvalidArgument",
+    "Lens",
     "Loop",
     "LoopEnergy",
     "LoopFit",
+    "MachineStiffness",
     "Parameters",
+    "PerssonContact",
     "PowerSpectrum",
     "Processing",
     "Quantity",
+    "Replicates",
     "Scan",
     "Step",
     "Study",
     "StudyResult",
     "Surface",
+    "Synthesis",
+    "Texture",
+    "Tip",
     "UndefinedDataError",
     "WorkOfAdhesion",
     "__version__",
     "autocorrelation",
+    "camera",
     "channels",
     "check",
+    "check_container",
+    "contact",
+    "contact_radii",
+    "contour",
+    "force_curves",
+    "formats",
     "info",
     "lengths",
+    "lens",
     "limit_threads",
     "loop",
     "parameters",
+    "persson",
     "power_spectrum",
     "read",
+    "replicates",
     "scale_dependent",
     "scan",
     "steps",
     "study",
     "surface",
+    "synthesize",
+    "texture",
+    "tip",
     "variable_bandwidth",
     "version",
     "work_of_adhesion",
+    "write_container",
 ]

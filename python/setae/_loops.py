@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
-from ._options import Path, Text, path, text
+from ._options import Path, Text, filled, path, text
 from ._quantities import Alert, Answer, Quantity, alerts_from
 
 if TYPE_CHECKING:
@@ -42,6 +42,16 @@ class LoopFit(Answer):
     def __repr__(self) -> str:
         lost = "" if self.loss is None else f", E_loss = {self.loss}"
         return f"LoopFit(E* = {self.E_star}, W = {self.W}{lost})"
+
+
+class MachineStiffness(Answer):
+    """Stiffness of the machine, as ``setae jkr stiffness --json`` prints it."""
+
+    @property
+    def stiffness(self) -> Quantity:
+        """[N/m]"""
+        found: Quantity = self["machine_stiffness"]
+        return found
 
 
 class LoopEnergy(Answer):
@@ -87,14 +97,7 @@ class Loop:
         return self.columns[name]
 
     def _answer(self, models: dict[str, Any], settings: dict[str, Any]) -> _setae.LoopAnswer:
-        asked, wanted = _setae.LoopSettings(), _setae.LoopModels()
-        for target, given in ((asked, settings), (wanted, models)):
-            for name, value in given.items():
-                if value is None:
-                    continue
-                if not hasattr(target, name):
-                    raise TypeError(f"unknown argument '{name}'; expected one of {', '.join(n for n in dir(target) if n[0] != '_')}")
-                setattr(target, name, text(value) if isinstance(value, Quantity) else value)
+        asked, wanted = filled(_setae.LoopSettings(), **settings), filled(_setae.LoopModels(), **models)
         return _setae.fit_loop(self._opened, _setae.LoopBodies(**dict(self.bodies)), asked, wanted)
 
     def fit(
@@ -131,11 +134,41 @@ class Loop:
         """Where the energy goes: work in and out, jumps, the smooth sphere's own loss, loss per area."""
         return LoopEnergy(self._answer({}, settings).energy)
 
+    def machine_stiffness(self) -> MachineStiffness:
+        """Of a loop on something rigid: slope of force against the stage's position."""
+        return MachineStiffness(_setae.machine_stiffness(self._opened))
+
     def plot(self, ax: Any = None) -> Any:
         """Force against displacement, or contact radius, on axes of matplotlib."""
         from ._plot import plot_loop
 
         return plot_loop(self, ax)
+
+
+def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
+             **texts: Text | None) -> dict[str, Any]:
+    """Arguments of LoopFiles; what is not named is left open."""
+    names = ("mapping", "camera", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
+    return {
+        **{name: text(texts.get(name)) for name in names},
+        "mapping_folder": str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings"),
+        "frame_rate": frame_rate,
+        "fringes": fringes,
+        "curve_number": curve_number,
+    }
+
+
+def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, layer_thickness: Text | None = None, nu: float | None = None,
+              counter_E: Text | None = None, counter_nu: float | None = None) -> dict[str, Any]:
+    """Arguments of LoopBodies."""
+    return {
+        "radius": text(radius),
+        "lens_height": text(lens_height),
+        "layer_thickness": text(layer_thickness),
+        "counter_modulus": text(counter_E),
+        "poisson_ratio": nu,
+        "counter_poisson_ratio": counter_nu,
+    }
 
 
 def loop(
@@ -163,27 +196,20 @@ def loop(
     radius: of the sphere, where the file does not say it.  mapping: names the columns of a foreign table, by its file or its name.
     camera: its own table of times and contact radii, or its pictures.
     """
-    files = {
-        "mapping": text(mapping),
-        "mapping_folder": str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings"),
-        "camera": "" if camera is None else path(camera),
-        "camera_mapping": text(camera_mapping),
-        "clock_offset": text(clock_offset),
-        "pixel": text(pixel),
-        "frame_rate": frame_rate,
-        "fringes": fringes,
-        "spring_constant": text(spring_constant),
-        "sensitivity": text(sensitivity),
-        "curve_number": curve_number,
-    }
-    bodies: dict[str, Any] = {
-        "radius": text(radius),
-        "lens_height": text(lens_height),
-        "layer_thickness": text(layer_thickness),
-        "counter_modulus": text(counter_E),
-        "poisson_ratio": nu,
-        "counter_poisson_ratio": counter_nu,
-    }
+    files = files_of(
+        mapping=mapping,
+        camera="" if camera is None else path(camera),
+        camera_mapping=camera_mapping,
+        clock_offset=clock_offset,
+        pixel=pixel,
+        frame_rate=frame_rate,
+        fringes=fringes,
+        spring_constant=spring_constant,
+        sensitivity=sensitivity,
+        curve_number=curve_number,
+    )
+    bodies = bodies_of(radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, nu=nu, counter_E=counter_E,
+                       counter_nu=counter_nu)
     _setae.LoopBodies(**bodies)  # what is wrong with it is said here
     opened = Loop(path(file), tuple(files.items()), tuple(bodies.items()))
     opened._opened  # noqa: B018

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Union
+from typing import Any, TypeVar, Union
 
 from ._quantities import Quantity
 
@@ -27,6 +27,20 @@ def text(value: Text | float | None) -> str:
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         return repr(value)
     raise TypeError(f"{type(value).__name__}; expected a text with its unit, such as '10 ± 2 nm'")
+
+
+Request = TypeVar("Request")
+
+
+def filled(request: Request, **given: Any) -> Request:
+    """A request of the library with what is given; None leaves its own default."""
+    for name, value in given.items():
+        if value is None:
+            continue
+        if not hasattr(request, name):
+            raise TypeError(f"unknown argument '{name}'; expected one of {', '.join(n for n in dir(request) if n[0] != '_')}")
+        setattr(request, name, text(value) if isinstance(value, Quantity) else value)
+    return request
 
 
 def path(value: Path) -> str:

@@ -7,7 +7,7 @@ import html
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
 
@@ -166,7 +166,7 @@ class Answer(Mapping[str, Any]):
         return json.loads(self.text)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"text": self.text}
+        return {entry.name: getattr(self, entry.name) for entry in fields(self)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -182,9 +182,9 @@ class Answer(Mapping[str, Any]):
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
-        """Those that stand in it directly."""
+        """Those that stand in it directly, or in its list "quantities"."""
         data = self._data
-        entries: Sequence[Json] = data if isinstance(data, list) else list(data.values())
+        entries: Sequence[Json] = data if isinstance(data, list) else [*data.values(), *data.get("quantities", ())]
         return tuple(quantity_from(entry) for entry in entries if is_quantity(entry))
 
     @property

@@ -222,6 +222,10 @@ class Scan:
 
         return plot_scan(self, ax)
 
+    def save(self, file: Path) -> None:
+        """Writes the heights behind all steps, in the format that the ending names: .x3p, .sdf, .gwy, .nc, .npy, .txt or .csv."""
+        _setae.write_heights(self._heights, path(file))
+
     def to_xarray(self) -> Any:
         """As a DataArray of xarray with coordinates in metres."""
         import numpy
@@ -318,6 +322,11 @@ def scan(heights: Any, size: Text | tuple[Text, ...] | None = None, unit: str | 
                 source=(array, extent, is_periodic))
     made._item  # noqa: B018  what is wrong with it is said here
     return made
+
+
+def held(heights: _setae.Heights, name: str) -> Scan:
+    """Heights that setae made, not copied."""
+    return Scan(name, source=(heights.array, heights.size, heights.periodic))
 
 
 #: What is analysed: scans, files, arrays with a size of their own.

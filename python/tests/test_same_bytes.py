@@ -7,6 +7,7 @@ import os
 import pathlib
 import re
 
+import numpy
 import pytest
 import setae
 
@@ -15,38 +16,41 @@ from conftest import ROOT
 SOLIDS = {"E": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "gamma": "25 mJ/m2"}
 SOLIDS_TYPED = ("--E", "0.7 ± 0.02 MPa", "--w", "37 ± 2 mJ/m2", "--gamma", "25 mJ/m2")
 
+#: Where the runs of the program keep their files.
+CASES = ROOT / "tests/cli"
+
 #: Function of each verb, and why a verb has none.
 FUNCTIONS = {
     "info": "`setae.info`, `setae.read`, `setae.channels`",
+    "formats": "`setae.formats`",
+    "convert": "`Scan.save`; `Scan.heights` and `Scan.to_xarray()` without a file",
     "level": "`Scan.level`, `Scan.process` …; `Scan.processing` is its JSON",
-    "psd": "`setae.power_spectrum`",
+    "container check": "`setae.check_container`; `setae.channels` reads one",
+    "container write": "`setae.write_container`",
+    "contour": "`setae.contour`; anchors, and a trace made again, by the program alone",
     "check": "`setae.check`",
+    "tip": "`setae.tip`",
+    "psd": "`setae.power_spectrum`",
     "sdrp": "`setae.scale_dependent`",
     "acf": "`setae.autocorrelation`",
     "vbw": "`setae.variable_bandwidth`",
-    "params": "`setae.parameters`; parameters of a standard (`--standard`) by the program alone",
+    "params": "`setae.parameters`; of a standard (`--standard`) `setae.texture`",
     "adhesion": "`setae.work_of_adhesion`",
-    "jkr fit": "`setae.loop(…).fit()`, a loop at a time; fits that loops share and force curves by the program alone",
+    "contact solve": "`setae.contact`",
+    "contact persson": "`setae.persson`",
+    "jkr radius": "`setae.contact_radii`; pictures with the edge drawn (`--overlay`) by the program alone",
+    "jkr lens": "`setae.lens`",
+    "jkr camera": "`setae.camera`",
+    "jkr stiffness": "`setae.loop(…).machine_stiffness()`",
+    "jkr fit": "`setae.loop(…).fit()`, a loop at a time; `setae.force_curves`; fits that loops share by the program alone",
     "jkr energy": "`setae.loop(…).energy()`",
+    "jkr summary": "`setae.replicates`; its figure and tables by the program alone",
+    "synthesize": "`setae.synthesize`",
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
 }
 GAPS = {
-    "formats": "a list of what is read and written; print it by `python -m setae formats`",
-    "convert": "`Scan.heights` and `Scan.to_xarray()` give what a converted file would hold",
-    "container check": "not bound yet",
-    "container write": "not bound yet",
-    "contour": "not bound yet",
     "profile": "slices of `Scan.heights`",
-    "tip": "not bound yet",
-    "synthesize": "not bound yet",
-    "contact solve": "not bound yet",
-    "contact persson": "not bound yet",
     "jkr import": "`setae.loop(…, mapping=…)` reads what it would write",
-    "jkr radius": "`setae.loop(…, camera=…)` measures radii; the table of a recording by the program alone",
-    "jkr stiffness": "not bound yet",
-    "jkr lens": "not bound yet",
-    "jkr camera": "not bound yet",
-    "jkr summary": "a study's JSON has \"replicates\"",
     "lab make": "writes files; `subprocess` with `python -m setae lab make`",
     "lab loops": "as lab make",
     "lab closure": "hours of studies; by the program",
@@ -139,6 +143,156 @@ def test_jkr(printed):
     assert loop.fit().json() == printed("jkr", "fit", *typed)
     assert loop.fit(models=["all"], no_drift=True).json() == printed("jkr", "fit", *typed, "--model", "all", "--no-drift")
     assert loop.energy().json() == printed("jkr", "energy", *typed)
+
+
+SELF_AFFINE = {"hurst": 0.8, "rolloff": "2 um", "short_cutoff": "100 nm", "rms_height": "20 nm", "size": "8 um x 4 um", "pixels": "128x64"}
+SELF_AFFINE_TYPED = ("--hurst", 0.8, "--rolloff", "2 um", "--short-cutoff", "100 nm", "--rms-height", "20 nm", "--size", "8 um x 4 um", "--pixels", "128x64")
+
+
+def test_synthesize(printed):
+    made = setae.synthesize(**SELF_AFFINE, seed=3, output="made.npy")
+    mine = pathlib.Path("made.npy").read_bytes()
+    assert made.json() == printed("synthesize", *SELF_AFFINE_TYPED, "--seed", 3, "-o", "made.npy")
+    assert pathlib.Path("made.npy").read_bytes() == mine
+    assert (made.scan.heights == numpy.load("made.npy")).all() and made.scan.size == (8e-6, 4e-6) and made.scan.periodic
+    line = {"spectrum": "rougher/truth.csv", "size": "20 um", "pixels": 256, "line": True}
+    typed = ("--spectrum", "rougher/truth.csv", "--size", "20 um", "--pixels", 256, "--line", "-o", "line.csv")
+    assert setae.synthesize(**line, output="line.csv").json() == printed("synthesize", *typed)
+    assert setae.synthesize(**line)["output"] is None
+
+
+def test_convert(printed):
+    scan = setae.read("rougher/afm_1.txt")
+    scan.save("mine.x3p")
+    printed("convert", "rougher/afm_1.txt", "theirs.x3p")
+    assert pathlib.Path("mine.x3p").read_bytes() == pathlib.Path("theirs.x3p").read_bytes()
+
+
+def test_formats(printed):
+    assert setae.formats().json() == printed("formats")
+
+
+def test_tip(printed):
+    bump = CASES / "files/tip_of_a_bump/bump.csv"
+    scan = setae.read(bump, size="15 nm x 15 nm", unit="nm", layout="matrix")
+    found = setae.tip(scan, points=7, threshold="0.01 nm")
+    typed = ("--size", "15 nm x 15 nm", "--unit", "nm", "--as", "matrix", "--points", 7, "--threshold", "0.01 nm")
+    assert found.json() == printed("tip", bump, *typed, "-o", "tip.npy", "--reconstruction", "surface.npy")
+    assert numpy.array_equal(found.scan.heights, numpy.load("tip.npy"))
+    assert numpy.array_equal(found.surface.heights, numpy.load("surface.npy"), equal_nan=True)
+    assert found.radius.unit == "m"
+
+
+def test_containers(printed):
+    case = CASES / "files/container_write"
+    given = [case / "line.csv", case / "plain.txt"]
+    mine = setae.write_container("wafer.zip", given, unit={"plain.txt": "um"}, detrend="tilt", name="wafer")
+    bytes_of_mine = pathlib.Path("wafer.zip").read_bytes()
+    assert mine.json() == printed("container", "write", *given, "--unit", "plain.txt=um", "--detrend", "tilt", "--name", "wafer", "-o", "wafer.zip")
+    assert pathlib.Path("wafer.zip").read_bytes() == bytes_of_mine
+    assert setae.check_container("wafer.zip").json() == printed("container", "check", "wafer.zip")
+    with pytest.raises(setae.FileError):
+        setae.write_container("none.zip", [*given, "no/such.csv"], unit={"plain.txt": "um"})
+    assert not pathlib.Path("none.zip").exists()
+
+
+def test_contour(printed):
+    picture = CASES / "contour/contour_wave/wave.png"
+    traced = setae.contour(picture, pixel="0.1 nm")
+    assert traced.json() == printed("contour", picture, "--pixel", "0.1 nm", "-o", "traced.csv")
+    traced.save("mine.csv")
+    assert pathlib.Path("mine.csv").read_text() == pathlib.Path("traced.csv").read_text()
+    assert traced.overlay == pathlib.Path("traced.png").read_bytes()
+    assert setae.read("mine.csv").heights.size > 100
+
+
+def test_contact(printed):
+    scan = setae.synthesize(**{**SELF_AFFINE, "pixels": "64x64"}).scan
+    scan.save("rough.nc")
+    body = {"contact_modulus": "1 GPa", "pressure": "10 MPa"}
+    typed = ("--contact-modulus", "1 GPa", "--pressure", "10 MPa")
+    solved = setae.contact("rough.nc", **body)
+    assert solved.json() == printed("contact", "solve", "rough.nc", *typed, "-o", "contact.npy")
+    assert numpy.array_equal(solved.pressures, numpy.load("contact_pressure.npy"))
+    assert numpy.array_equal(solved.gaps, numpy.load("contact_gap.npy"))
+    assert solved.converged and solved.quantities[0].quantity in solved
+    layer = {"layer": "1 um", "bonded": True, "nu": 0.4}
+    assert setae.contact("rough.nc", **body, **layer).json() == printed(
+        "contact", "solve", "rough.nc", *typed, "--layer", "1 um", "--bonded", "--nu", 0.4
+    )
+    levelled = setae.read("rough.nc").level()
+    assert setae.contact(levelled, **body).json() == printed("contact", "solve", "rough.nc", "--step", "level_plane", *typed)
+
+
+def test_persson(printed):
+    one = setae.persson("rougher/truth.csv", contact_modulus="1 MPa", pressure="10 kPa")
+    assert one.json() == printed("contact", "persson", "rougher/truth.csv", "--contact-modulus", "1 MPa", "--pressure", "10 kPa")
+    assert list(one.columns)[0] == "wavevector"
+    several = setae.persson(files(), contact_modulus="1 MPa", pressure="1 kPa:100 kPa", W_int="50 mJ/m2", layer="50 um", nu=0.4)
+    typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa:100 kPa", "--w", "50 mJ/m2", "--layer", "50 um", "--nu", 0.4)
+    assert several.json() == printed("contact", "persson", *files(), *typed)
+    assert several["pressure"].max() == 100e3 and several.units["mean_gap"] == "m" and isinstance(several.alerts, tuple)
+
+
+def test_texture(printed):
+    map_of = "rougher/afm_1.txt"
+    areal = setae.texture(map_of, "iso25178", s_filter="20 nm", l_filter="2 um")
+    assert areal.json() == printed("params", map_of, "--standard", "iso25178", "--s-filter", "20 nm", "--l-filter", "2 um")
+    assert areal["Sq"].unit == "m"
+    lines = setae.texture(map_of, "iso21920", profile="primary", averages="sections", section_length="1 um")
+    typed = ("--standard", "iso21920", "--profile", "primary", "--averages", "sections", "--section-length", "1 um")
+    assert lines.json() == printed("params", map_of, *typed)
+    with pytest.raises(setae.InvalidArgument, match="iso25178, iso21920"):
+        setae.texture(map_of, "iso4287")
+
+
+def test_lens_and_camera(printed):
+    profile = CASES / "jkr/jkr_lens/profile.csv"
+    found = setae.lens(profile, x="x", z="z", start="-0.4 mm", stop="0.4 mm")
+    assert found.json() == printed("jkr", "lens", profile, "--x", "x", "--z", "z", "--from", "-0.4 mm", "--to", "0.4 mm")
+    assert abs(float(found.radius) - 1.25e-3) < 2e-6
+    side = CASES / "jkr/jkr_lens_picture/side.png"
+    assert setae.lens(side, pixel="2 um").json() == printed("jkr", "lens", side, "--pixel", "2 um")
+    pictures = [CASES / "jkr/jkr_camera" / name for name in ("upright.png", "lying.png")]
+    scale = setae.camera(pictures, "20 ± 0.02 um")
+    assert scale.json() == printed("jkr", "camera", *pictures, "--pitch", "20 ± 0.02 um")
+    assert scale.pixel_size.unit == "m"
+
+
+def test_recordings(printed):
+    frames = CASES / "jkr/jkr_radius_folder/frames"
+    radii = setae.contact_radii(frames, pixel="2 um", frame_rate=10)
+    assert radii.json() == printed("jkr", "radius", frames, "--pixel", "2 um", "--fps", 10, "-o", "theirs.csv")
+    radii.save("mine.csv")
+    assert pathlib.Path("mine.csv").read_text() == pathlib.Path("theirs.csv").read_text()
+    assert len(radii["contact_radius"]) == len(radii["time"]) and radii.units["time"] == "s"
+
+
+def test_machine_stiffness(printed):
+    rigid = CASES / "jkr/jkr_stiffness/rigid.csv"
+    found = setae.loop(rigid).machine_stiffness()
+    assert found.json() == printed("jkr", "stiffness", rigid)
+    assert abs(float(found.stiffness) - 30.0) < 0.15
+
+
+def test_force_curves(printed):
+    curves = CASES / "jkr/jkr_fit_force_map/map.jpk-force-map"
+    assert setae.force_curves(curves, radius="1 mm").json() == printed("jkr", "fit", curves, "--radius", "1 mm")
+    one = setae.force_curves(curves, radius="1 mm", model="dmt", curve_number=1)
+    assert one.json() == printed("jkr", "fit", curves, "--radius", "1 mm", "--curve-model", "dmt", "--curve-number", 1)
+
+
+def test_replicates(printed):
+    fits = CASES / "jkr/jkr_summary/fits.csv"
+    mine = setae.replicates(fits, branch="loading", group_by=["surface", "lens"])
+    assert mine.json() == printed("jkr", "summary", fits, "--branch", "loading", "--group-by", "surface,lens")
+
+
+def test_several_measurements_are_refused_where_one_is_meant():
+    with pytest.raises(TypeError, match="3 measurements; expected one"):
+        setae.tip(files())
+    with pytest.raises(setae.InvalidArgument, match="0 of --pressure"):
+        setae.contact("rougher/afm_1.txt", contact_modulus="1 GPa")
 
 
 def test_study(printed, tmp_path):

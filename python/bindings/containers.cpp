@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "bindings.hpp"
+#include "setae/answers/containers.hpp"
+#include "setae/answers/format_list.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::python {
+
+void bind_containers(nb::module_& module) {
+    using Request = answers::ContainerRequest;
+    nb::class_<Request>(module, "ContainerRequest")
+        .def(nb::init<>())
+        .def_rw("files", &Request::files)
+        .def_rw("taken_over", &Request::from)
+        .def_rw("output", &Request::output)
+        .def_rw("name", &Request::name)
+        .def_rw("description", &Request::description)
+        .def_rw("layout", &Request::as)
+        .def_rw("sizes", &Request::sizes)
+        .def_rw("units", &Request::units)
+        .def_rw("channels", &Request::channels)
+        .def_rw("trends", &Request::trends)
+        .def_rw("every_file", &Request::every_file);
+    module.def(
+        "write_container",
+        [](const Request& request) {
+            return unlocked([&](const auto&) {
+                const auto written = answers::write_container(request);
+                answers::require_written(written);
+                return output::as_text(answers::to_json(written));
+            });
+        },
+        nb::arg("request"), "as `setae container write --json` prints it");
+    module.def(
+        "check_containers",
+        [](const std::vector<std::string>& files) {
+            return unlocked([&](const auto&) {
+                auto containers = output::Json::array();
+                for (const auto& file : files)
+                    containers.push_back(answers::to_json(file, formats::check_container(bytes::file_source(file))));
+                return output::as_text({{"containers", containers}});
+            });
+        },
+        nb::arg("files"), "as `setae container check --json` prints it");
+    module.def(
+        "formats", [] { return output::as_text(answers::formats_json()); }, "as `setae formats --json` prints them");
+}
+
+}  // namespace setae::python

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "bindings.hpp"
+#include "setae/answers/camera_scale.hpp"
+#include "setae/answers/contact_radii.hpp"
+#include "setae/answers/contour.hpp"
+#include "setae/answers/lens.hpp"
+#include "setae/answers/replicates.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/output/contour_file.hpp"
+
+namespace setae::python {
+namespace {
+
+void bind_lens(nb::module_& module) {
+    using Request = answers::LensRequest;
+    nb::class_<Request>(module, "LensRequest")
+        .def(nb::init<>())
+        .def_rw("x", &Request::x)
+        .def_rw("z", &Request::z)
+        .def_rw("start", &Request::from)
+        .def_rw("stop", &Request::to)
+        .def_rw("pixel", &Request::pixel);
+    module.def(
+        "lens",
+        [](const std::string& file, const Request& request) {
+            return unlocked(
+                [&](const auto&) { return output::as_text(answers::to_json(answers::lens_of(file, request))); });
+        },
+        nb::arg("file"), nb::arg("request"), "as `setae jkr lens --json` prints it");
+    module.def(
+        "camera_scale",
+        [](const std::vector<std::string>& pictures, const std::string& pitch) {
+            return unlocked(
+                [&](const auto&) { return output::as_text(answers::to_json(answers::camera_scale(pictures, pitch))); });
+        },
+        nb::arg("pictures"), nb::arg("pitch"), "as `setae jkr camera --json` prints it");
+}
+
+void bind_replicates(nb::module_& module) {
+    using Request = answers::ReplicateRequest;
+    nb::class_<Request>(module, "ReplicateRequest")
+        .def(
+            "__init__",
+            [](Request* request, const std::string& quantity, const std::string& value, const std::string& error,
+               const std::string& unit, const std::string& method, const std::string& branch,
+               const std::string& elastomer) {
+                new (request) Request;
+                auto& columns = request->columns;
+                columns.quantity = quantity;
+                columns.value_column = value;
+                columns.error_column = error;
+                columns.unit = unit;
+                columns.method = method;
+                columns.branch = branch;
+                columns.elastomer = elastomer;
+            },
+            nb::arg("quantity"), nb::arg("value"), nb::arg("error"), nb::arg("unit"), nb::arg("method"),
+            nb::arg("branch"), nb::arg("elastomer"))
+        .def_rw("files", &Request::files)
+        .def_rw("group_by", &Request::group_by)
+        .def_rw("crossed", &Request::crossed)
+        .def_rw("exclude", &Request::exclude)
+        .def_rw("exclusions", &Request::exclusions)
+        .def_rw("each_surface", &Request::each_surface);
+    module.def(
+        "replicates",
+        [](const Request& request) {
+            return unlocked(
+                [&](const auto&) { return output::as_text(answers::to_json(answers::replicate_summary(request))); });
+        },
+        nb::arg("request"), "as `setae jkr summary --json` prints it");
+}
+
+/// Contact radii of a recording, and what `--json` says of them.
+struct Radii {
+    Table table;
+    std::string csv, json;
+};
+
+void bind_radii(nb::module_& module) {
+    using Request = answers::RadiusRequest;
+    nb::class_<Request>(module, "RadiusRequest")
+        .def(nb::init<>())
+        .def_rw("pixel", &Request::pixel)
+        .def_rw("region", &Request::region)
+        .def_rw("polarity", &Request::polarity)
+        .def_rw("reason", &Request::reason)
+        .def_rw("frame_rate", &Request::frame_rate)
+        .def_rw("first", &Request::first)
+        .def_rw("last", &Request::last)
+        .def_rw("exclude", &Request::exclude)
+        .def_rw("smallest_radius", &Request::smallest_radius)
+        .def_rw("least_confidence", &Request::least_confidence)
+        .def_rw("fringes", &Request::fringes)
+        .def_rw("ignore_stated_pixel_size", &Request::ignore_stated_pixel_size);
+    nb::class_<Radii>(module, "Radii")
+        .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Radii&>(self).table, self); })
+        .def_prop_ro("units", [](const Radii& radii) { return units(radii.table); })
+        .def("save", [](const Radii& radii, const std::string& file) { bytes::write_whole_file(file, radii.csv); })
+        .def_ro("json", &Radii::json);
+    module.def(
+        "contact_radii",
+        [](const std::vector<std::string>& frames, const Request& request) {
+            return unlocked([&](const auto&) {
+                const auto options = request.radius_options();
+                const imaging::FrameSource source(frames, request.frame_options());
+                const auto radii = imaging::measure_contact_radii(source, options);
+                return Radii{imaging::as_table(radii), imaging::as_csv(radii),
+                             output::as_text(answers::to_json(radii))};
+            });
+        },
+        nb::arg("frames"), nb::arg("request"));
+}
+
+/// A traced picture, and how it was traced.
+struct Contour {
+    study::TracedPicture picture;
+    study::ContourOptions options;
+};
+
+void bind_contour(nb::module_& module) {
+    using Request = answers::ContourRequest;
+    nb::class_<Request>(module, "ContourRequest")
+        .def(nb::init<>())
+        .def_rw("vacuum", &Request::vacuum)
+        .def_rw("shape", &Request::shape)
+        .def_rw("pixel", &Request::pixel)
+        .def_rw("scale_bar", &Request::scale_bar)
+        .def_rw("calibration", &Request::calibration)
+        .def_rw("foil_thickness", &Request::foil_thickness)
+        .def_rw("hidden", &Request::hidden)
+        .def_rw("smoothing", &Request::smoothing)
+        .def_rw("least_length", &Request::least_length)
+        .def_rw("denoise", &Request::denoise)
+        .def_rw("image", &Request::image)
+        .def_rw("ignore_stated_pixel_size", &Request::ignore_stated)
+        .def_rw("whole_picture", &Request::whole_picture);
+    nb::class_<Contour>(module, "Contour")
+        .def_prop_ro("segments", [](const Contour& contour) { return contour.picture.profiles.size(); })
+        .def(
+            "profile",
+            [](const Contour& contour, std::size_t segment) {
+                return study::profile_text(contour.picture, segment, contour.options.shape);
+            },
+            nb::arg("segment"), "text of a profile's file")
+        .def("overlay",
+             [](const Contour& contour) {
+                 const auto bytes = study::overlay_of(contour.picture, contour.options);
+                 return nb::bytes(bytes.data(), bytes.size());
+             })
+        .def("json",
+             [](const Contour& contour) { return output::as_text(output::to_json(contour.picture, contour.options)); });
+    module.def(
+        "contour",
+        [](const std::string& picture, const Request& request) {
+            return unlocked([&](const auto&) {
+                const auto options = request.options();
+                return Contour{study::trace_picture(picture, options), options};
+            });
+        },
+        nb::arg("picture"), nb::arg("request"));
+}
+
+}  // namespace
+
+void bind_laboratory(nb::module_& module) {
+    bind_lens(module);
+    bind_replicates(module);
+    bind_radii(module);
+    bind_contour(module);
+}
+
+}  // namespace setae::python

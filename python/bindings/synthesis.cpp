@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nanobind/stl/shared_ptr.h>
+#include <nlohmann/json.hpp>
+
+#include "heights.hpp"
+#include "setae/answers/blind_tip.hpp"
+#include "setae/answers/heights_file.hpp"
+#include "setae/answers/synthesis.hpp"
+
+namespace setae::python {
+namespace {
+
+/// Heights that setae made, and what `--json` says of them.
+struct Made {
+    std::shared_ptr<Heights> heights;
+    std::string json;
+};
+
+/// A tip, and the surface where it is certain.
+struct TipAndSurface {
+    std::shared_ptr<Heights> tip, surface;
+    std::string json;
+};
+
+void bind_synthesis_request(nb::module_& module) {
+    using Request = answers::SynthesisRequest;
+    nb::class_<Request>(module, "SynthesisRequest")
+        .def(nb::init<>())
+        .def_rw("hurst", &Request::hurst)
+        .def_rw("rolloff", &Request::rolloff)
+        .def_rw("short_cutoff", &Request::short_cutoff)
+        .def_rw("long_cutoff", &Request::long_cutoff)
+        .def_rw("rms_height", &Request::rms_height)
+        .def_rw("rms_slope", &Request::rms_slope)
+        .def_rw("plateau", &Request::plateau)
+        .def_rw("spectrum", &Request::spectrum)
+        .def_rw("spectrum_unit", &Request::spectrum_unit)
+        .def_rw("pixels", &Request::pixels)
+        .def_rw("size", &Request::size)
+        .def_rw("window_of", &Request::window_of)
+        .def_rw("seed", &Request::seed)
+        .def_rw("line", &Request::line)
+        .def_rw("exact_rms", &Request::exact_rms)
+        .def_rw("amplitudes", &Request::amplitudes)
+        .def_rw("stretch", &Request::stretch)
+        .def_rw("angle", &Request::angle)
+        .def_rw("skewness", &Request::skewness)
+        .def_rw("kurtosis", &Request::kurtosis);
+}
+
+}  // namespace
+
+void bind_synthesis(nb::module_& module) {
+    bind_synthesis_request(module);
+    nb::class_<Made>(module, "Made").def_ro("heights", &Made::heights).def_ro("json", &Made::json);
+    module.def(
+        "synthesize",
+        [](const answers::SynthesisRequest& request, const std::string& output) {
+            return unlocked([&](const auto&) {
+                if (!output.empty()) answers::require_heights_ending(output);
+                auto made = answers::synthesis_of(request);
+                if (!output.empty()) answers::write_heights(output, made.measurement);
+                auto json = output::as_text(answers::to_json(made, output));
+                return Made{std::make_shared<Heights>(std::move(made.measurement)), std::move(json)};
+            });
+        },
+        nb::arg("request"), nb::arg("output"));
+    module.def(
+        "write_heights",
+        [](const Heights& heights, const std::string& file) {
+            return unlocked([&](const auto&) {
+                answers::write_heights(file, heights.measurement());
+                return 0;
+            });
+        },
+        nb::arg("heights"), nb::arg("file"), "in the format that the file's ending names");
+    nb::class_<answers::BlindTipRequest>(module, "BlindTipRequest")
+        .def(nb::init<>())
+        .def_rw("threshold", &answers::BlindTipRequest::threshold)
+        .def_rw("points", &answers::BlindTipRequest::points)
+        .def_rw("rounds", &answers::BlindTipRequest::rounds);
+    nb::class_<TipAndSurface>(module, "TipAndSurface")
+        .def_ro("tip", &TipAndSurface::tip)
+        .def_ro("surface", &TipAndSurface::surface)
+        .def_ro("json", &TipAndSurface::json);
+    module.def(
+        "blind_tip",
+        [](const Item& item, const answers::BlindTipRequest& request) {
+            return unlocked([&](const auto&) {
+                auto answer = answers::blind_tip(item.path, prepared_of(item).measurement, request);
+                auto json = output::as_text(answers::to_json(answer));
+                return TipAndSurface{std::make_shared<Heights>(std::move(answer.tip)),
+                                     std::make_shared<Heights>(std::move(answer.surface)), std::move(json)};
+            });
+        },
+        nb::arg("item"), nb::arg("request"));
+}
+
+}  // namespace setae::python

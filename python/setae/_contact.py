@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact of rough surfaces: a hard wall pressed on an elastic body, and Persson's theory of it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from . import _setae
+from ._columns import Columns
+from ._options import Text, filled
+from ._quantities import Answer, Quantity, quantity_from
+from ._scan import Measured, items
+from ._spectra import analysis_of, shared_options
+from ._synthesis import one
+
+if TYPE_CHECKING:
+    from ._columns import Array
+
+
+@dataclass(frozen=True, repr=False)
+class Contact(Answer):
+    """A rigid rough surface pressed on an elastic body, as ``setae contact solve --json`` says it.
+
+    ``pressures`` [Pa] and ``gaps`` [m]: maps, first index x; of a line one row.
+    """
+
+    pressures: Array = field(compare=False)
+    gaps: Array = field(compare=False)
+    measured: tuple[Quantity, ...] = field(default=(), compare=False)
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        return self.measured
+
+    @property
+    def converged(self) -> bool:
+        return bool(self["status"] == "converged")
+
+
+def contact(
+    measurement: Measured,
+    *,
+    contact_modulus: Text,
+    pressure: Text | None = None,
+    displacement: Text | None = None,
+    mean_gap: Text | None = None,
+    free: bool = False,
+    layer: Text | None = None,
+    bonded: bool = False,
+    frictionless: bool = False,
+    nu: float | None = None,
+    hardness: Text | None = None,
+    tolerance: float = 1e-8,
+    size: Text | None = None,
+    unit: str | None = None,
+) -> Contact:
+    """A rigid rough surface pressed on an elastic half-space without adhesion and friction: p ≥ 0, g ≥ 0, p g = 0 [Johnson 1985, ch. 13].
+
+    contact_modulus: E* = E/(1 − ν²).  One of pressure, displacement (from first touch) and mean_gap.  free: nothing touches beyond the map.
+    layer: its thickness on a rigid base, with ``nu`` and ``bonded`` or ``frictionless``.  hardness: the body flows there.
+
+    Full contact of a wave needs p = E* q A/2:
+
+    >>> import numpy, setae
+    >>> wave = setae.scan(1e-9 * numpy.cos(2 * numpy.pi * numpy.arange(64) / 64), size="1 um", unit="m", periodic=True)
+    >>> setae.contact(wave, contact_modulus="1 MPa", pressure="3.2 kPa")["area_fraction"]
+    1.0
+    """
+    request = filled(
+        _setae.HardWallRequest(),
+        contact_modulus=contact_modulus,
+        pressure=pressure,
+        displacement=displacement,
+        mean_gap=mean_gap,
+        free=free,
+        layer=layer,
+        bonded=bonded,
+        frictionless=frictionless,
+        poisson_ratio=nu,
+        hardness=hardness,
+        tolerance=tolerance,
+    )
+    solved: Any = _setae.hard_wall(one(measurement, size, unit), request)
+    return Contact(solved.json, solved.pressures, solved.gaps, tuple(map(quantity_from, json.loads(solved.quantities()))))
+
+
+class PerssonContact(Columns):
+    """Contact by Persson's theory: against pressure or, of one pressure, against the waves up to q alone."""
+
+    def __repr__(self) -> str:
+        return f"PerssonContact({', '.join(self.columns)})"
+
+
+def persson(
+    measurements: Measured,
+    *,
+    contact_modulus: Text,
+    pressure: Text,
+    W_int: Text | None = None,
+    layer: Text | None = None,
+    nu: float = 0.5,
+    frictionless: bool = False,
+    energy_factor: float = 0.45,
+    instrument: str | None = None,
+    tip_radius: Text | None = None,
+    resolution: Text | None = None,
+    trend: str | None = None,
+    size: Text | None = None,
+    unit: str | None = None,
+    longest: Text | None = None,
+    shortest: Text | None = None,
+    window: str | None = None,
+    contours: str | None = None,
+    skip_failed: bool = False,
+) -> PerssonContact:
+    """Area, gap and stiffness of a rough contact from its spectrum [Persson 2001], with adhesion where W_int is given [Persson 2002].
+
+    pressure: one, several as "1MPa,10MPa", or ten a decade as "1MPa:100MPa".  layer: thickness of the soft body on a rigid base; nu: of it.
+    measurements …: as of :func:`power_spectrum`, or the table of a spectrum.
+    """
+    request = filled(
+        _setae.PerssonRequest(),
+        contact_modulus=contact_modulus,
+        pressure=pressure,
+        work_of_adhesion=W_int,
+        layer=layer,
+        poisson_ratio=nu,
+        frictionless=frictionless,
+        energy_factor=energy_factor,
+    )
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    analysis = analysis_of(longest, shortest, window, contours)
+    found: Any = _setae.persson(items(measurements, shared), analysis, request, not skip_failed)
+    return PerssonContact(found.columns, found.units, found.json())

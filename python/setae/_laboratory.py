@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What belongs to contact experiments: lenses, cameras, recordings, micrographs, force curves, means over replicates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Union
+
+from . import _setae
+from ._columns import Columns
+from ._loops import bodies_of, files_of
+from ._options import Path, Text, filled, path, text
+from ._quantities import Alert, Answer, Quantity
+
+#: One file or several.
+Paths = Union[Path, Sequence[Path]]
+
+
+def paths(files: Paths) -> list[str]:
+    return [path(file) for file in files] if isinstance(files, (list, tuple)) else [path(files)]  # type: ignore[arg-type]
+
+
+class Lens(Answer):
+    """A lens by its section, as ``setae jkr lens --json`` prints it."""
+
+    @property
+    def radius(self) -> Quantity:
+        """Radius of curvature [m] of the circle through its points."""
+        found: Quantity = self["radius_of_curvature"]
+        return found
+
+
+def lens(file: Path, *, x: str | None = None, z: str | None = None, start: Text | None = None, stop: Text | None = None,
+         pixel: Text | None = None) -> Lens:
+    """Radius and asphericity of a lens: from a table of two lengths, a profilometer's trace, or a picture of its side.
+
+    x, z: columns, else the first two of lengths.  start, stop: points before and behind are left out, to leave out the rim.
+    pixel: its size in pictures that do not state it.
+    """
+    return Lens(_setae.lens(path(file), filled(_setae.LensRequest(), x=x, z=z, start=start, stop=stop, pixel=pixel)))
+
+
+class Camera(Answer):
+    """A camera's scale, as ``setae jkr camera --json`` prints it."""
+
+    @property
+    def pixel_size(self) -> Quantity:
+        """[m] at the picture's centre."""
+        found: Quantity = self["pixel_size"]
+        return found
+
+
+def camera(pictures: Paths, pitch: Text) -> Camera:
+    """Size of a pixel and distortion, from pictures of a ruling whose lines are ``pitch`` apart, "10 um" or "10 ± 0.02 um"."""
+    return Camera(_setae.camera_scale(paths(pictures), text(pitch)))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ContactRadii(Columns):
+    """Contact radii of a recording, a row a frame; ``save("radius.csv")`` writes what ``loop(…, camera=…)`` reads."""
+
+    handle: Any = field(default=None, repr=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "handle": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    @property
+    def n(self) -> int:
+        """Frames that were measured."""
+        return int(self.data["summary"]["measured"])
+
+    @property
+    def alerts(self) -> tuple[Alert, ...]:
+        """Notes on the recording stand in ``data["notes"]``."""
+        return ()
+
+    def save(self, file: Path) -> None:
+        self.handle.save(path(file))
+
+    def __repr__(self) -> str:
+        return f"ContactRadii({len(self['time'])} frames, {self.n} measured)"
+
+
+def contact_radii(
+    frames: Paths,
+    *,
+    pixel: Text | None = None,
+    frame_rate: float | None = None,
+    first: int | None = None,
+    last: int | None = None,
+    region: str | None = None,
+    polarity: str = "automatic",
+    fringes: bool = False,
+    smallest_radius: float | None = None,
+    least_confidence: float | None = None,
+    exclude: Sequence[int] = (),
+    reason: str | None = None,
+    ignore_stated_pixel_size: bool = False,
+) -> ContactRadii:
+    """Contact radius in every frame of a recording: a TIFF stack, an AVI, a folder of pictures, or pictures.
+
+    region: "x,y,width,height" in pixels.  polarity: "dark", "bright" or "automatic".  fringes: the edge is the innermost ring.
+    exclude, reason: numbers of frames left out, and why.
+    """
+    request = filled(
+        _setae.RadiusRequest(),
+        pixel=pixel,
+        frame_rate=frame_rate,
+        first=first,
+        last=last,
+        region=region,
+        polarity=polarity,
+        fringes=fringes,
+        smallest_radius=smallest_radius,
+        least_confidence=least_confidence,
+        exclude=list(exclude),
+        reason=reason,
+        ignore_stated_pixel_size=ignore_stated_pixel_size,
+    )
+    found = _setae.contact_radii(paths(frames), request)
+    return ContactRadii(found.columns, found.units, found.json, found)
+
+
+@dataclass(frozen=True, repr=False)
+class Contour(Answer):
+    """The contour in a micrograph, as ``setae contour --json`` says it; ``profiles`` are texts of files, the longest first."""
+
+    profiles: tuple[str, ...] = field(default=(), compare=False)
+    overlay: bytes = field(default=b"", compare=False)  #: the picture with the edge drawn in, PNG
+
+    def save(self, file: Path, segment: int = 0) -> None:
+        """Writes a profile, which :func:`read` opens."""
+        with open(file, "w", encoding="utf-8") as written:
+            written.write(self.profiles[segment])
+
+    def _repr_png_(self) -> bytes:
+        return self.overlay
+
+
+def contour(
+    picture: Path,
+    *,
+    pixel: Text | None = None,
+    scale_bar: Text | None = None,
+    calibration: Path | None = None,
+    vacuum: str = "automatic",
+    shape: str = "envelope",
+    foil_thickness: Text | None = None,
+    hidden: Sequence[str] = (),
+    whole_picture: bool = False,
+    smoothing: float | None = None,
+    denoise: float = 0.0,
+    least_length: float | None = None,
+    image: int = 1,
+    ignore_stated_pixel_size: bool = False,
+) -> Contour:
+    """The profile of a sample seen from its side: DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC.
+
+    pixel: its size, where the file does not state it; or scale_bar: what the bar in the picture stands for; or calibration: a file of it.
+    vacuum: "bright", "dark" or "automatic".  shape: "envelope", "cut" or "parametric".  hidden: "x,y,width,height" of parts without sample.
+    """
+    request = filled(
+        _setae.ContourRequest(),
+        pixel=pixel,
+        scale_bar=scale_bar,
+        calibration=None if calibration is None else path(calibration),
+        vacuum=vacuum,
+        shape=shape,
+        foil_thickness=foil_thickness,
+        hidden=list(hidden),
+        whole_picture=whole_picture,
+        smoothing=smoothing,
+        denoise=denoise,
+        least_length=least_length,
+        image=image,
+        ignore_stated_pixel_size=ignore_stated_pixel_size,
+    )
+    traced = _setae.contour(path(picture), request)
+    return Contour(traced.json(), tuple(traced.profile(i) for i in range(traced.segments)), traced.overlay())
+
+
+class ForceCurves(Answer):
+    """Fits of a force curve ("segments", "summary"), or of every curve of a file ("curves"), as ``setae jkr fit --json`` prints them."""
+
+
+def force_curves(
+    file: Path,
+    *,
+    radius: Text | None = None,
+    tip: str = "paraboloid",
+    half_angle: float = 0.0,
+    model: str = "hertz",
+    fit_range: str | None = None,
+    contact_point: Text = "fit",
+    keep_baseline_slope: bool = False,
+    nu: float | None = None,
+    counter_E: Text | None = None,
+    counter_nu: float | None = None,
+    mapping: str | None = None,
+    spring_constant: Text | None = None,
+    sensitivity: Text | None = None,
+    curve_number: int | None = None,
+) -> ForceCurves:
+    """Fits of force curves: force and displacement alone, contact found where the force leaves the baseline.
+
+    tip: "paraboloid" with its radius, "cone" or "three_sided_pyramid" with its half angle in degrees.  model: "hertz", "dmt", "jkr",
+    "maugis_dugdale", "large_strain".  fit_range: "0 nm:500 nm", "1 nN:20 nN" or shares of the largest indentation.  curve_number: one of a file of many.
+    """
+    files = files_of(mapping=mapping, spring_constant=spring_constant, sensitivity=sensitivity, curve_number=curve_number)
+    bodies = bodies_of(radius=radius, nu=nu, counter_E=counter_E, counter_nu=counter_nu)
+    request = filled(
+        _setae.CurveRequest(),
+        tip=tip,
+        half_angle=half_angle,
+        model=model,
+        range=fit_range,
+        contact_point=contact_point,
+        keep_baseline_slope=keep_baseline_slope,
+    )
+    return ForceCurves(_setae.fit_force_curves(path(file), _setae.LoopFiles(**files), _setae.LoopBodies(**bodies), request))
+
+
+class Replicates(Answer):
+    """Means over surfaces, lenses, spots and repeats, as ``setae jkr summary --json`` prints them."""
+
+
+def replicates(
+    files: Paths,
+    *,
+    quantity: str = "W",
+    group_by: Sequence[str] = (),
+    crossed: Sequence[str] = (),
+    value: str | None = None,
+    error: str | None = None,
+    unit: str | None = None,
+    method: str | None = None,
+    branch: str | None = None,
+    elastomer: str | None = None,
+    exclude: Sequence[str] = (),
+    exclusions: Path | None = None,
+    each_surface: bool = False,
+) -> Replicates:
+    """What tables with a row a fit say together: y = mean of the surface + b(lens) + b(spot) + b(repeat) + error of the fit.
+
+    quantity: "W", "E*", "E_loss", "F_po" or a column.  group_by: outermost first; without it those of surface, lens and spot that there are.
+    exclude: "file=a.csv;reason=dust on the lens".
+    """
+    columns = (quantity, text(value), text(error), text(unit), text(method), text(branch), text(elastomer))
+    request = filled(
+        _setae.ReplicateRequest(*columns),
+        files=paths(files),
+        group_by=",".join(group_by),
+        crossed=",".join(crossed),
+        exclude=list(exclude),
+        exclusions=None if exclusions is None else path(exclusions),
+        each_surface=each_surface,
+    )
+    return Replicates(_setae.replicates(request))
