@@ -25,7 +25,7 @@ using topography::Profile;
 /// An object of Python that may be let go from any thread.
 std::shared_ptr<nb::object> held(nb::object object) {
     return {new nb::object(std::move(object)), [](nb::object* owned) {
-                if (!Py_IsInitialized()) return;
+                if (!nb::is_alive()) return;
                 const nb::gil_scoped_acquire locked;
                 delete owned;
             }};
