@@ -49,6 +49,7 @@ FUNCTIONS = {
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
 }
 GAPS = {
+    "jkr line": "its table and JSON by the program; `--save-line` is an array of radii for NumPy",
     "profile": "slices of `Scan.heights`",
     "jkr import": "`setae.loop(…, mapping=…)` reads what it would write",
     "lab make": "writes files; `subprocess` with `python -m setae lab make`",

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jkr/recording_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -51,25 +52,6 @@ void write_overlays(const Arguments& a, const imaging::FrameSource& source, cons
     });
 }
 
-/// Frames without a radius, and what the whole gave, for the user.
-void tell(const imaging::ContactRadii& radii) {
-    constexpr int most_lines = 20;
-    int lines = 0;
-    for (const auto& note : radii.notes) complain(note);
-    for (const auto& f : radii.frames) {
-        const auto state = f.contact.state;
-        if (state != imaging::FrameState::bad_frame && state != imaging::FrameState::not_found) continue;
-        if (++lines <= most_lines)
-            complain(fmt::format("frame {}: {}: {}", f.number, to_string(state), f.contact.reason));
-    }
-    if (lines > most_lines)
-        complain(fmt::format("{} more frames without a radius; the table says why", lines - most_lines));
-    const auto& s = radii.summary;
-    complain(fmt::format(
-        "{} frames: {} measured ({} partial), {} without contact, {} not found, {} bad, {} excluded, {} missing",
-        s.frames, s.measured, s.partial, s.no_contact, s.not_found, s.bad, s.excluded, s.missing));
-}
-
 ExitCode run(const Arguments& arguments) {
     if (!arguments.overlay_frames.empty() && arguments.overlay.empty())
         throw InvalidArgument("--overlay-frames without --overlay, the folder the pictures go to");
@@ -94,22 +76,7 @@ Action declare(Options& options) {
         .add("frames", arguments->frames,
              "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP)")
         .of_inputs();
-    options.add("--um-per-px", arguments->micrometres_a_pixel, "size of a pixel in micrometres, such as 1.82");
-    options.add("--pixel", arguments->pixel, "the same with its unit, such as \"1.82 um\"")
-        .quantity(positive(dimension::length));
-    options.flag("--ignore-stated-pixel-size", arguments->ignore_stated_pixel_size,
-                 "take --pixel even where a file contradicts it");
-    options.add("--fps", arguments->frame_rate, "frames a second");
-    options.add("--first", arguments->first, "number of the first frame looked at");
-    options.add("--last", arguments->last, "number of the last one");
-    options.add("--region", arguments->region, "x,y,width,height: the part of the frames looked at, in pixels");
-    options.add("--polarity", arguments->polarity, "whether the contact is dark or bright")
-        .one_of({"automatic", "dark", "bright"});
-    options.flag("--fringes", arguments->fringes, "rings around the contact: its edge is the innermost one");
-    options.add("--smallest-radius", arguments->smallest_radius, "smaller contacts count as none [px]");
-    options.add("--least-confidence", arguments->least_confidence, "of a contact that is reported, 0 to 1");
-    options.add("--exclude", arguments->exclude, "numbers of frames left out, such as 12,17").separated_by(',');
-    options.add("--reason", arguments->reason, "why they are left out");
+    add_recording_options(options, *arguments);
     options.add("-o,--output", arguments->output, "write OUT.csv");
     options.add("--overlay", arguments->overlay, "folder for pictures of the frames with the edge drawn");
     options.add("--overlay-frames", arguments->overlay_frames, "numbers of frames drawn; default all")

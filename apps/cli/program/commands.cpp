@@ -23,6 +23,7 @@ namespace adhesion_command { Action declare(Options&); }
 namespace contact_solve_command { Action declare(Options&); }
 namespace contact_persson_command { Action declare(Options&); }
 namespace jkr_import_command { Action declare(Options&); }
+namespace jkr_line_command { Action declare(Options&); }
 namespace jkr_radius_command { Action declare(Options&); }
 namespace jkr_camera_command { Action declare(Options&); }
 namespace jkr_lens_command { Action declare(Options&); }
@@ -86,6 +87,7 @@ constexpr Command table[] = {
     {"jkr", "import", "turn tables, workbooks and force curves into loop files, columns guessed and shown",
      jkr_import_command::declare},
     {"jkr", "radius", "contact radius in every frame of a recording", jkr_radius_command::declare},
+    {"jkr", "line", "edge of the contact in a recording: roughness, speed, jumps, arrests, voids", jkr_line_command::declare},
     {"jkr", "lens", "radius of curvature and asphericity of a lens from a profile or a picture of its side",
      jkr_lens_command::declare},
     {"jkr", "camera", "pixel size, aspect and distortion of a camera from pictures of a stage micrometer",

@@ -39,7 +39,7 @@ Traced traced(const FrameSource& source, std::size_t index, const ContactFrame& 
 }  // namespace
 
 RecordedLine measure_contact_line(const FrameSource& source, const ContactRadii& radii, const LineOptions& options) {
-    RecordedLine recorded;
+    RecordedLine recorded{.pixel_size = radii.pixel_size};
     std::vector<std::size_t> whole;
     double largest = 0.0;
     for (std::size_t i = 0; i < radii.frames.size(); ++i) {

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jkr/recording_options.hpp"
+#include "plot/figure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "program/terminal.hpp"
+#include "setae/answers/contact_line.hpp"
+#include "setae/contact_line/line_table.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/layout.hpp"
+#include "setae/core/uncertain_text.hpp"
+#include "setae/core/units.hpp"
+#include "setae/file_figures/contact_line_figure.hpp"
+#include "setae/tables/table_file.hpp"
+
+namespace setae::cli::jkr_line_command {
+namespace {
+
+constexpr const char* explanation =
+    "place        the closed path of the steepest steps along rays from the mean centre; on it the half of the step, by its integral\n"
+    "roughness    <|r_n|^2> = A n^-(1 + 2 zeta) + noise, by Whittle's likelihood of modes 3 to N/4; +- by leaving out blocks of frames\n"
+    "             zeta 0.39: an elastic line with the long range of cracks, quasi-static          Rosso, Krauth (2002)\n"
+    "speed        of each cell (a ring at an angle): its width over the time the edge takes; the mean is distance over time\n"
+    "jumps        cells that hang together and are faster than --threshold times the mean speed; arrests: slower than 1/threshold\n"
+    "tails        p(x) ~ x^-tau beyond where that fits best; distance: Kolmogorov's                 Clauset et al. (2009)\n"
+    "voids        pixels inside the edge that are as bright as the outside\n"
+    "a table of --save-line, or of a simulation with columns time, radius_1 ... radius_N, is read in place of pictures\n"
+    "docs/guides/contact-line.md\n";
+
+struct Arguments : answers::LineRequest {
+    Common common;
+    std::vector<std::string> frames;
+    std::string output, save_line;
+    FigureOption figure;
+};
+
+imaging::RecordedLine recorded(const Arguments& arguments) {
+    const auto& files = arguments.frames;
+    if (files.size() == 1 && files[0].ends_with(".csv")) return answers::recorded_line(tables::read_table(files[0]));
+    const auto threads = arguments.common.workers();
+    const auto options = arguments.radius_options(threads);
+    const imaging::FrameSource source(files, arguments.frame_options());
+    const auto radii = imaging::measure_contact_radii(source, options);
+    tell(radii);
+    return imaging::measure_contact_line(source, radii, arguments.line_options(threads));
+}
+
+std::string motion_text(const char* direction, const std::optional<answers::LineMotion>& motion) {
+    if (!motion) return {};
+    auto text = fmt::format("{} {} on average, cells of {}: {} jumps, {} arrests", direction,
+                            format_value(motion->passage.mean_speed, "m/s", 3),
+                            format_value(motion->passage.width, "m", 3), motion->jumps.size(), motion->arrests.size());
+    if (!motion->jumps.empty())
+        text += fmt::format("; the largest jump {}", format_value(motion->jumps.front().area, "m2", 3));
+    if (motion->jump_tail)
+        text += fmt::format("; areas of jumps fall as S^-{}", uncertain_number(motion->jump_tail->exponent));
+    if (motion->speed_tail) text += fmt::format("; speeds as v^-{}", uncertain_number(motion->speed_tail->exponent));
+    return text;
+}
+
+std::string as_text(const answers::LineAnswer& answer) {
+    const auto width = output_size().width;
+    const auto& recorded = answer.recorded;
+    std::string text;
+    const auto add = [&](const std::string& line) {
+        if (!line.empty()) text += wrapped(line, width, 2) + '\n';
+    };
+    if (answer.roughness)
+        add(fmt::format("roughness exponent of the edge {}, modes {} to {}; deviation from an ellipse {} rms",
+                        uncertain_number(answer.roughness->exponent), answer.roughness->smallest_mode,
+                        answer.roughness->largest_mode,
+                        format_value(std::sqrt(answer.shape.deviation.square().mean()), "m", 3)));
+    add(motion_text("receding", answer.receding));
+    add(motion_text("advancing", answer.advancing));
+    std::size_t voids = 0;
+    for (const auto& holes : recorded.voids) voids += holes.empty() ? 0 : 1;
+    if (voids > 0) add(fmt::format("voids inside the contact in {} of {} frames", voids, recorded.frames.size()));
+    add(fmt::format("{} frames, {} places each, ± {} a place", recorded.frames.size(), recorded.line.angles(),
+                    format_value(recorded.line.place_error, "m", 2)));
+    return text;
+}
+
+Array1D areas(const std::optional<answers::LineMotion>& motion) {
+    Array1D values(motion ? static_cast<Index>(motion->jumps.size()) : 0);
+    for (Index i = 0; i < values.size(); ++i) values[i] = motion->jumps[static_cast<std::size_t>(i)].area;
+    return values;
+}
+
+Array1D speeds(const std::optional<answers::LineMotion>& motion) {
+    return motion ? contact_line::relative_speeds(motion->passage) : Array1D();
+}
+
+file_figures::StudyFigure figure(const answers::LineAnswer& answer, const Arguments& arguments) {
+    return file_figures::contact_line_figure({.line = answer.recorded.line,
+                                              .roughness = answer.roughness.value_or(contact_line::LineRoughness{}),
+                                              .receding_speeds = speeds(answer.receding),
+                                              .advancing_speeds = speeds(answer.advancing),
+                                              .receding_jumps = areas(answer.receding),
+                                              .advancing_jumps = areas(answer.advancing)},
+                                             arguments.frames.front(), arguments.figure.look());
+}
+
+ExitCode run(const Arguments& arguments) {
+    require_table_or_figure(arguments.output);
+    const auto answer = answers::contact_line_answer(recorded(arguments), arguments);
+    const auto& kept = answer.recorded;
+    if (!arguments.save_line.empty())
+        tables::write_csv(arguments.save_line, contact_line::as_table(kept.line, kept.frames));
+    write_table_or_figure(
+        arguments.output, answers::as_table(answer), [&] { return figure(answer, arguments); }, arguments.common.json);
+    if (arguments.common.json) print_json(answers::to_json(answer));
+    else print(as_text(answer));
+    for (const auto& frame : kept.left_out) complain(frame);
+    for (const auto& note : answer.notes) complain(note);
+    return kept.left_out.empty() ? ExitCode::done : ExitCode::some_failed;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options
+        .add(
+            "frames", arguments->frames,
+            "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP); or a table of --save-line")
+        .of_inputs();
+    add_recording_options(options, *arguments);
+    options.add("--angles", arguments->angles, "places along the edge; default one every 2 px of the largest");
+    options.add("--smallest-void", arguments->smallest_void, "smaller ones are passed over [px^2]")
+        .within(domain::positive);
+    options
+        .add("--ring-width", arguments->ring_width,
+             "of the cells that speeds are told of; default what the edge moves from frame to frame")
+        .quantity(positive(dimension::length));
+    options.add("--threshold", arguments->threshold, "a jump is faster than the mean by this factor, an arrest slower")
+        .default_shown();
+    options.add("--smallest-mode", arguments->smallest_mode, "of the roughness; 1 is the centre, 2 an ellipse")
+        .default_shown();
+    options.add("--largest-mode", arguments->largest_mode, "of the roughness; default a quarter of the places");
+    options.add("--save-line", arguments->save_line, "write the edge itself, r at every angle and time, OUT.csv");
+    options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    arguments->figure.add_to(options);
+    options.example("setae jkr line recording.avi --pixel \"1.82 um\" --fps 10 -o line.svg",
+                    "how rough the edge of a contact is and how it moves, with a figure");
+    options.example("setae jkr line stack.tif --um-per-px 1.82 --fps 10 --save-line edge.csv -o frames.csv",
+                    "with the edge of every frame as a table");
+    options.example("setae jkr line edge.csv --ring-width \"5 um\"", "again, with other cells");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::jkr_line_command

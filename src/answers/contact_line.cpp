@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/contact_line.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/contact_line/line_table.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::answers {
+namespace {
+
+/// What `find` finds, or nothing and why in the notes.
+template <class Find>
+auto found_or_noted(const char* what, std::vector<std::string>& notes, Find&& find) -> std::optional<decltype(find())> {
+    try {
+        return find();
+    } catch (const UndefinedDataError& e) {
+        notes.push_back(fmt::format("{}: {}", what, e.what()));
+        return std::nullopt;
+    }
+}
+
+std::optional<LineMotion> motion(const contact_line::ContactLine& line, contact_line::Direction direction,
+                                 double ring_width, double threshold, std::vector<std::string>& notes) {
+    const bool receding = direction == contact_line::Direction::receding;
+    auto passage = found_or_noted(receding ? "receding" : "advancing", notes,
+                                  [&] { return contact_line::passage(line, direction, ring_width); });
+    if (!passage) return std::nullopt;
+    LineMotion found{.passage = std::move(*passage)};
+    found.jumps = contact_line::clusters(found.passage, contact_line::ClusterKind::jumps, threshold);
+    found.arrests = contact_line::clusters(found.passage, contact_line::ClusterKind::arrests, threshold);
+    found.speed_tail = found_or_noted(receding ? "speeds while receding" : "speeds while advancing", notes, [&] {
+        return contact_line::power_law_tail(contact_line::relative_speeds(found.passage));
+    });
+    Array1D areas(static_cast<Index>(found.jumps.size()));
+    for (Index i = 0; i < areas.size(); ++i) areas[i] = found.jumps[static_cast<std::size_t>(i)].area;
+    found.jump_tail = found_or_noted(receding ? "jumps while receding" : "jumps while advancing", notes,
+                                     [&] { return contact_line::power_law_tail(areas); });
+    return found;
+}
+
+output::Json tail_json(const std::optional<contact_line::PowerLawTail>& tail, const char* quantity, const char* symbol,
+                       const char* unit) {
+    if (!tail) return nullptr;
+    return {{"exponent", output::to_json(output::quantity(quantity, symbol, tail->exponent, "1"))},
+            {"smallest", {{"value", tail->smallest}, {"unit", unit}}},
+            {"count", tail->count},
+            {"distance", tail->distance}};
+}
+
+output::Json clusters_json(const std::vector<contact_line::Cluster>& clusters) {
+    output::Json json{{"count", clusters.size()}};
+    for (const char* key : {"area", "along", "across", "angle", "radius"}) json[key] = output::Json::array();
+    for (const auto& c : clusters) {
+        json["area"].push_back(c.area);
+        json["along"].push_back(c.along);
+        json["across"].push_back(c.across);
+        json["angle"].push_back(c.angle);
+        json["radius"].push_back(c.radius);
+    }
+    return json;
+}
+
+output::Json motion_json(const std::optional<LineMotion>& motion) {
+    if (!motion) return nullptr;
+    output::Json json;
+    json["mean_speed"] = {{"value", motion->passage.mean_speed}, {"unit", "m/s"}};
+    json["ring_width"] = {{"value", motion->passage.width}, {"unit", "m"}};
+    json["speed_tail"] = tail_json(motion->speed_tail, "exponent of the speeds' tail", "eta", "1");
+    json["jump_tail"] = tail_json(motion->jump_tail, "exponent of the jumps' areas", "tau", "m2");
+    json["jumps"] = clusters_json(motion->jumps);
+    json["arrests"] = clusters_json(motion->arrests);
+    return json;
+}
+
+output::Json roughness_json(const std::optional<contact_line::LineRoughness>& roughness) {
+    if (!roughness) return nullptr;
+    output::Json json;
+    json["exponent"] =
+        output::to_json(output::quantity("roughness exponent of the edge", "zeta", roughness->exponent, "1"));
+    json["amplitude"] = {{"value", roughness->amplitude}, {"unit", "m2"}};
+    json["modes"] = {roughness->smallest_mode, roughness->largest_mode};
+    json["power"] = output::numbers(roughness->power);
+    json["structure"] = output::numbers(roughness->structure);
+    return json;
+}
+
+}  // namespace
+
+imaging::LineOptions LineRequest::line_options(parallel::Threads threads) const {
+    imaging::LineOptions options{.smallest_void = smallest_void, .threads = threads};
+    if (angles) options.angles = *angles;
+    return options;
+}
+
+imaging::RecordedLine recorded_line(const Table& table) {
+    imaging::RecordedLine recorded;
+    recorded.line = contact_line::line_of(table);
+    const auto* numbers = table.find("frame");
+    for (Index i = 0; i < recorded.line.frames(); ++i)
+        recorded.frames.push_back(numbers ? static_cast<long>(numbers->values[i]) : static_cast<long>(i + 1));
+    recorded.voids.resize(recorded.frames.size());
+    return recorded;
+}
+
+LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest& request) {
+    LineAnswer answer{.recorded = std::move(recorded)};
+    const auto& line = answer.recorded.line;
+    const double width =
+        request.ring_width.empty() ? 0.0 : parse_quantity(request.ring_width, positive(dimension::length));
+    answer.shape = contact_line::line_shape(line);
+    answer.roughness = found_or_noted("roughness", answer.notes, [&] {
+        return contact_line::line_roughness(
+            line, {.smallest_mode = request.smallest_mode, .largest_mode = request.largest_mode});
+    });
+    if (line.frames() < 2) {
+        answer.notes.emplace_back("one frame: nothing moves");
+        return answer;
+    }
+    answer.advancing = motion(line, contact_line::Direction::advancing, width, request.threshold, answer.notes);
+    answer.receding = motion(line, contact_line::Direction::receding, width, request.threshold, answer.notes);
+    return answer;
+}
+
+Table as_table(const LineAnswer& answer) {
+    const auto& recorded = answer.recorded;
+    const Index frames = recorded.line.frames();
+    Array1D numbers(frames), voids(frames), void_area(frames);
+    for (Index i = 0; i < frames; ++i) {
+        const auto& holes = recorded.voids[static_cast<std::size_t>(i)];
+        numbers[i] = static_cast<double>(recorded.frames[static_cast<std::size_t>(i)]);
+        voids[i] = static_cast<double>(holes.size());
+        void_area[i] = 0.0;
+        for (const auto& hole : holes) void_area[i] += hole.area * recorded.pixel_size * recorded.pixel_size;
+    }
+    Table table;
+    table.columns = {{"time", "s", recorded.line.time},
+                     {"frame", "1", numbers},
+                     {"mean_radius", "m", answer.shape.mean_radius},
+                     {"area", "m2", answer.shape.area},
+                     {"perimeter", "m", answer.shape.perimeter},
+                     {"deviation", "m", answer.shape.deviation},
+                     {"voids", "1", voids},
+                     {"void_area", "m2", void_area}};
+    return table;
+}
+
+output::Json to_json(const LineAnswer& answer) {
+    const auto& recorded = answer.recorded;
+    output::Json json{{"frames", recorded.frames}, {"angles", recorded.line.angles()}};
+    json["place_error"] = {{"value", recorded.line.place_error}, {"unit", "m"}};
+    json["roughness"] = roughness_json(answer.roughness);
+    json["advancing"] = motion_json(answer.advancing);
+    json["receding"] = motion_json(answer.receding);
+    const auto table = as_table(answer);
+    for (const auto& column : table.columns)
+        if (column.name != "frame")
+            json[column.name] = {{"values", output::numbers(column.values)}, {"unit", column.unit}};
+    json["left_out"] = recorded.left_out;
+    json["notes"] = answer.notes;
+    return json;
+}
+
+}  // namespace setae::answers

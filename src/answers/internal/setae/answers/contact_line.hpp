@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/answers/contact_radii.hpp"
+#include "setae/contact_line/line_motion.hpp"
+#include "setae/contact_line/line_roughness.hpp"
+#include "setae/core/table.hpp"
+#include "setae/imaging/contact_outline.hpp"
+#include "setae/output/json.hpp"
+
+namespace setae::answers {
+
+/// How the edge of a contact is analysed, as `setae jkr line` is told.
+struct LineRequest : RadiusRequest {
+    std::optional<long> angles;                ///< of pictures; default a ray every 2 px
+    double smallest_void = 16.0;               ///< [px²]
+    std::string ring_width;                    ///< "2 um"; empty: the program's choice
+    double threshold = 3.0;                    ///< of jumps and arrests, against the mean speed
+    long smallest_mode = 3, largest_mode = 0;  ///< of the roughness
+
+    [[nodiscard]] imaging::LineOptions line_options(parallel::Threads threads = {}) const;
+};
+
+/// How the edge moves in one direction.
+struct LineMotion {
+    contact_line::Passage passage;
+    std::vector<contact_line::Cluster> jumps, arrests;
+    std::optional<contact_line::PowerLawTail> speed_tail, jump_tail;  ///< of v/⟨v⟩; of areas
+};
+
+/// All that is found of an edge; what cannot be told has its reason in `notes`.
+struct LineAnswer {
+    imaging::RecordedLine recorded;  ///< of a table: without voids
+    contact_line::LineShape shape;
+    std::optional<contact_line::LineRoughness> roughness;
+    std::optional<LineMotion> advancing, receding;
+    std::vector<std::string> notes;
+};
+
+/// An edge that was simulated or measured before: a table of contact_line::as_table().
+/// @throws as contact_line::line_of.
+[[nodiscard]] imaging::RecordedLine recorded_line(const Table& table);
+
+/// @throws InvalidArgument for a band of modes or a threshold outside their domain.
+[[nodiscard]] LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest& request);
+
+/// One row a frame: time, frame, mean_radius, area, perimeter, deviation, voids, void_area.
+[[nodiscard]] Table as_table(const LineAnswer& answer);
+[[nodiscard]] output::Json to_json(const LineAnswer& answer);
+
+}  // namespace setae::answers
