@@ -11,6 +11,8 @@
 # to, and with which work of adhesion? The surfaces are made here; files of your own go in their place.
 
 # %%
+from typing import Any
+
 import setae
 
 finishes = {
@@ -18,7 +20,7 @@ finishes = {
     "ground": setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=0.3, size="10 um", pixels=512, seed=2).scan,
     "blasted": setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="20 nm", rms_slope=1.5, size="10 um", pixels=512, seed=3).scan,
 }
-pad = {"E": "3 MPa", "W_int": "40 mJ/m2", "gamma": "25 mJ/m2"}
+pad: dict[str, Any] = {"E": "3 MPa", "W_int": "40 mJ/m2", "gamma": "25 mJ/m2"}
 
 # %% [markdown]
 # Roughness gives and takes: more true area to stick to, more elastic energy to bring the pad into every valley. Below zero the pad does not

@@ -61,6 +61,6 @@ except ImportError:
     print("joblib is not installed")
 else:
     began = time.perf_counter()
-    same = Parallel(n_jobs=os.cpu_count())(delayed(row)(file) for file in files)
+    same = list(Parallel(n_jobs=os.cpu_count())(delayed(row)(file) for file in files))
     print(f"joblib: {len(same)} files in {time.perf_counter() - began:.1f} s; the same numbers: {same == rows}")
 setae.limit_threads(0)

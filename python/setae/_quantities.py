@@ -100,7 +100,7 @@ class Quantity:
         """As a measurement of the package pint, in SI."""
         import pint
 
-        unit = pint.application_registry(self.unit.replace("2", "**2").replace("3", "**3"))
+        unit: Any = pint.application_registry(self.unit.replace("2", "**2").replace("3", "**3"))
         return (self.value * unit).plus_minus(self.standard_error)
 
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from . import _setae
 from ._options import Text, filled
 from ._scan import Measured, items
@@ -12,7 +14,7 @@ from ._spectra import Parameters, shared_options
 class Texture(Parameters):
     """Parameters of a standard, as ``setae params --standard --json`` prints them: ``texture(…)["Sq"]`` by symbol or by name."""
 
-    def __getitem__(self, name: str) -> object:
+    def __getitem__(self, name: str) -> Any:
         for entry in self._data:
             if entry["symbol"] == name:
                 return super().__getitem__(entry["quantity"])

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import subprocess
 import sys
+import tomllib
 
 import pytest
 
@@ -49,6 +51,16 @@ def test_it_is_small_and_says_where_it_runs():
     require_wheel()
     assert WHEELS[0].stat().st_size < 40e6
     assert "manylinux_2_" in WHEELS[0].name
+
+
+def test_licences_of_what_it_holds_go_with_its_own():
+    require_wheel()
+    told = subprocess.run([sys.executable, ROOT / "packaging/sbom.py", WHEELS[0]], capture_output=True, text=True, check=True).stdout
+    packages = json.loads(told)["packages"]
+    compatible = tomllib.loads((ROOT / "packaging/licences.toml").read_text())["compatible"]
+    assert all(part in compatible for package in packages for part in package["licenseConcluded"].split(" AND "))
+    assert {"libfftw3-double3", "libopencv-core-dev", "nanobind"} <= {package["name"] for package in packages}
+    assert all(package["versionInfo"] for package in packages)
 
 
 def test_the_notebook_runs_with_it(python, tmp_path):
