@@ -117,7 +117,7 @@ BalanceScore score_balance(const std::vector<PairPoint>& pairs) {
 BalanceScore score_free_energies(const std::vector<FreeEnergyPoint>& pairs) {
     const auto fit = fit_with_free_energies(pairs);
     std::vector<double> values;
-    for (const auto& pair : pairs) values.push_back(pair.measured);
+    for (const auto& point : pairs) values.push_back(point.pair.measured.value);
     const double total = squares_about_mean(values);
     return score(1 + static_cast<int>(fit.energy_per_modulus.size()), fit.work_of_adhesion,
                  (1.0 - fit.r_squared) * total, total, pairs.size());

@@ -268,39 +268,4 @@ LossFits fit_losses(const std::vector<PairPoint>& whole, const std::vector<PairP
     return fits;
 }
 
-FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs) {
-    if (pairs.size() < 2)
-        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
-    std::map<std::string, std::vector<FreeEnergyPoint>> by_surface;
-    std::vector<double> measured;
-    double largest = 0.0;
-    for (const auto& pair : pairs) {
-        by_surface[pair.surface].push_back(pair);
-        measured.push_back(pair.measured);
-        largest = std::max(largest, pair.measured);
-    }
-    // with x = −u the prediction is max(0, E* x − (offset − slope W))
-    const auto best_energy = [](const std::vector<FreeEnergyPoint>& points, double work) {
-        std::vector<FlooredTerm> terms;
-        for (const auto& p : points) terms.push_back({p.measured, p.contact_modulus, p.offset - p.slope * work});
-        return floored_minimum(terms, -infinity, 0.0);
-    };
-    const auto cost = [&](double work) {
-        double sum = 0.0;
-        for (const auto& [name, points] : by_surface) sum += best_energy(points, work).cost;
-        return sum;
-    };
-    // the cost has kinks, so the deepest valley is looked for on a grid before it is refined
-    constexpr int grid = 400;
-    const double step = 2.0 * largest / grid;
-    double best = 0.0;
-    for (int i = 0; i <= grid; ++i)
-        if (cost(i * step) < cost(best)) best = i * step;
-    const auto minimum = boost::math::tools::brent_find_minima(cost, std::max(0.0, best - step), best + step, 40);
-    FreeEnergyFit fit{minimum.first, r_squared(measured, minimum.second), {}};
-    for (const auto& [name, points] : by_surface)
-        fit.energy_per_modulus.emplace_back(name, -best_energy(points, minimum.first).x);
-    return fit;
-}
-
 }  // namespace setae::adhesion

@@ -9,6 +9,10 @@
 
 namespace setae::adhesion {
 
+std::string own_noise_name(const std::string& quantity, const std::string& surface, const std::string& elastomer) {
+    return fmt::format("{}{} on {} × {}", own_noise_of, quantity, surface, elastomer);
+}
+
 double PairPoint::own_variance() const {
     return std::max(0.0, measured.variance() - covariance(measured_noise, measured_noise));
 }
@@ -27,9 +31,7 @@ double PairPoint::prediction_variance(double work) const {
     return covariance(inputs, inputs);
 }
 
-std::string PairPoint::own_noise() const {
-    return fmt::format("{}{} on {} × {}", own_noise_of, quantity, surface, elastomer);
-}
+std::string PairPoint::own_noise() const { return own_noise_name(quantity, surface, elastomer); }
 
 std::string PairPoint::scatter_between(const char* groups) const {
     return fmt::format("scatter of {} between {}", quantity, groups);

@@ -107,15 +107,13 @@ std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide
     const Propagation propagated(rough, soft, work, press);
     const auto pull_off = [](const Loop& loop, double energy) { return 1.5 * pi * loop.radius * energy; };
     const auto estimate = [&](auto number) { return propagated(number).estimate(); };
-    auto loss = propagated([](const Loop& loop) { return loop.energy_loss; });
     return PredictedLoop{
         .contact_radius = estimate([](const Loop& loop) { return loop.contact_radius; }),
-        .energy_loss = loss.estimate(),
+        .energy_loss = propagated([](const Loop& loop) { return loop.energy_loss; }),
         .ideal_loss = estimate([](const Loop& loop) { return loop.ideal_loss; }),
         .work_retraction = estimate([](const Loop& loop) { return loop.work_retraction; }),
         .pull_off_force = estimate([&](const Loop& loop) { return pull_off(loop, loop.work_retraction); }),
         .pull_off_force_reversible = estimate([&](const Loop& loop) { return pull_off(loop, loop.work_approach); }),
-        .energy_loss_traced = std::move(loss),
     };
 }
 

@@ -44,6 +44,9 @@ double error_of(double derivative, const Components& inputs) {
 PairPoint modified_point(const RoughSide& rough, const SoftSide& soft) {
     return point(rough, soft, by_slopes, soft.surface_energy);
 }
+PairPoint point_without_stored_energy(const RoughSide& rough, const SoftSide& soft) {
+    return point(rough, {soft.name, 0.0, soft.surface_energy}, by_slopes, soft.surface_energy);
+}
 PairPoint persson_tosatti_point(const RoughSide& rough, const SoftSide& soft) {
     return point(rough, soft, by_small_slopes, 0.0);
 }

@@ -44,7 +44,7 @@ std::string loop_sentence(const study::StudyResult& result) {
     const auto& loop = *pair.loop;
     return fmt::format("pressed with {}: contact radius {}, loss {} by (10) (a smooth sphere {}), pull-off at {}\n",
                        format_value(*result.elastomers.front().input.preload, "N"),
-                       format_uncertain(loop.contact_radius, "m"), format_uncertain(loop.energy_loss, "J"),
+                       format_uncertain(loop.contact_radius, "m"), format_uncertain(loop.energy_loss.estimate(), "J"),
                        format_uncertain(loop.ideal_loss, "J"), format_uncertain(loop.pull_off_force, "N"));
 }
 
@@ -58,7 +58,7 @@ std::vector<Quantity> loop_quantities(const adhesion::PredictedLoop& loop) {
         list.back().source = source;
     };
     add("contact_radius", "a_max", loop.contact_radius, "m", "[D19] (1) with W_app");
-    add("energy_loss", "E_loss", loop.energy_loss, "J", "[D19] (10)");
+    add("energy_loss", "E_loss", loop.energy_loss.estimate(), "J", "[D19] (10)");
     add("ideal_smooth_sphere_loss", "E_0", loop.ideal_loss, "J", "jumps of JKR under fixed grips");
     add("work_of_adhesion_retraction", "W_ret", loop.work_retraction, "J/m2", "edge and jumps lose E_loss");
     add("pull_off_force", "F_po", loop.pull_off_force, "N", "[D19] (S1) with W_ret");

@@ -96,7 +96,7 @@ void add_predictions(std::vector<Comparison>& rows, int run, const Planted& plan
                        Deviation::absolute, loop.specimen.work_approach, pair.modified->estimate});
         if (pair.predicted_loss)
             add(rows, {run, pair_name(loop), loop.measured ? "predicted_loss" : "new_pair_loss", method, "J",
-                       Deviation::relative, loop.truth.energy_loss(), *pair.predicted_loss});
+                       Deviation::relative, loop.truth.energy_loss(), pair.predicted_loss->estimate()});
     });
 }
 

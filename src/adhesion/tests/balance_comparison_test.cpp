@@ -114,8 +114,11 @@ TEST(BalanceScore, LeavesSurfacesOut) {
 TEST(BalanceScore, OfFreeEnergiesHasTheirParametersAndSaysNothingOfOtherSurfaces) {
     std::vector<FreeEnergyPoint> points;
     for (const auto& pair : pairs({.scatter = 0.0005}))
-        points.push_back(
-            {pair.surface, pair.measured.value, pair.slope, gamma1 * (pair.slope - 1.0), std::stod(pair.elastomer)});
+        points.push_back({.pair = {.surface = pair.surface,
+                                   .measured = pair.measured,
+                                   .slope = pair.slope,
+                                   .offset = gamma1 * (pair.slope - 1.0)},
+                          .contact_modulus = std::stod(pair.elastomer)});
     const auto score = score_free_energies(points);
     EXPECT_EQ(score.parameters, 5);
     EXPECT_GE(score.log_likelihood, score_balance(pairs({.scatter = 0.0005})).log_likelihood - 1e-6);

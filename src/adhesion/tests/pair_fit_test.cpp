@@ -161,20 +161,5 @@ TEST(LineFit, HasTheTextbookStandardErrors) {
     EXPECT_THROW((void)fit_line({1, 1, 1}, {1, 2, 3}), InvalidArgument);
 }
 
-TEST(FreeEnergies, RecoverWhatEachSurfaceStores) {
-    std::vector<FreeEnergyPoint> points;
-    for (int s = 0; s < 3; ++s)
-        for (const double modulus : {0.9e6, 1.4e6, 2.5e6, 13e6}) {
-            const double r = 1.1 + 0.2 * s, u = 1e-9 * (1 + s);
-            points.push_back({"s" + std::to_string(s), std::max(0.0, 0.037 * r - 0.025 * (r - 1.0) - modulus * u), r,
-                              0.025 * (r - 1.0), modulus});
-        }
-    const auto fit = fit_with_free_energies(points);
-    EXPECT_NEAR(fit.work_of_adhesion, 0.037, 1e-6);
-    EXPECT_NEAR(fit.r_squared, 1.0, 1e-6);
-    for (std::size_t s = 0; s < 3; ++s)
-        EXPECT_NEAR(fit.energy_per_modulus[s].second, 1e-9 * static_cast<double>(1 + s), 1e-12);
-}
-
 }  // namespace
 }  // namespace setae::adhesion::pair_fit_test

@@ -46,7 +46,7 @@ TEST(PredictedLoop, LosesWhatEquationTenSays) {
     EXPECT_NEAR(loop->ideal_loss.value, jumps(W_app).total, 1e-20);
     EXPECT_NEAR(loop->pull_off_force.value, 1.5 * pi * radius * W_ret, 1e-15);
     EXPECT_GT(W_ret, W_app);
-    EXPECT_TRUE(std::isnan(loop->energy_loss.standard_error)) << "nothing is uncertain";
+    EXPECT_TRUE(std::isnan(loop->energy_loss.estimate().standard_error)) << "nothing is uncertain";
 }
 
 // A smooth surface without preload: E = πW a², a³ = 9πR²W/(2E*), of which both jumps lose less.
@@ -75,7 +75,7 @@ TEST(PredictedLoop, CarriesTheErrorsOfItsInputs) {
     scattered.spread.replicas = {{.rms_slope = 0.34, .elastic_energy_per_modulus = 1e-10},
                                  {.rms_slope = 0.36, .elastic_energy_per_modulus = 1e-10}};
     const auto known = predict_loop(scattered.rough(), soft(), work, press);
-    EXPECT_GT(known->energy_loss.standard_error, one->energy_loss.standard_error);
+    EXPECT_GT(known->energy_loss.standard_error(), one->energy_loss.standard_error());
 }
 
 TEST(PredictedLoop, IsNoneWhereSurfacesDoNotConform) {

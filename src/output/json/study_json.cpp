@@ -34,15 +34,25 @@ Json estimate_json(const adhesion::WorkEstimate& estimate, const char* unit_of_s
     return json;
 }
 
-Json generalised_json(const adhesion::GeneralisedFit& fit, const char* unit_of_scatter) {
+/// A fit with the covariance of all errors: GeneralisedFit or GeneralisedFreeEnergies.
+template <class Fit>
+Json generalised_json(const Fit& fit, const Estimate& work_of_adhesion, const char* unit_of_scatter) {
     Json json;
-    auto work = quantity("work_of_adhesion", "W_int", fit.estimate(), "J/m2");
+    auto work = quantity("work_of_adhesion", "W_int", work_of_adhesion, "J/m2");
     work.n = fit.n;
     add(json, work);
     add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
     for (const auto& [level, scatter] :
          {std::pair{"pair", fit.scatter.pair}, {"surface", fit.scatter.surface}, {"elastomer", fit.scatter.elastomer}})
         json["scatter"][level] = to_json(quantity("scatter", "tau", scatter, unit_of_scatter));
+    return json;
+}
+
+Json generalised_free_json(const adhesion::GeneralisedFreeEnergies& fit) {
+    auto json = generalised_json(fit, fit.work_of_adhesion, "J/m2");
+    for (const auto& [surface, energy] : fit.energies)
+        json["elastic_energy_per_modulus"][surface] =
+            to_json(quantity("elastic_energy_per_modulus", "U_el/(A E*)", energy, "m"));
     return json;
 }
 
@@ -117,7 +127,7 @@ Json fit_json(const adhesion::WorkFit& fit, const char* source, const char* unit
     add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
     add(json, quantity("clustered_standard_error", "SE", fit.clustered.standard_error, "J/m2"));
     json["clustered"] = to_json(quantity("work_of_adhesion", "W_int", fit.clustered, "J/m2"));
-    json["generalised"] = generalised_json(fit.generalised, unit);
+    json["generalised"] = generalised_json(fit.generalised, fit.generalised.estimate(), unit);
     json["likelihood"] =
         fit.likelihood ? to_json(quantity("work_of_adhesion", "W_int", *fit.likelihood, "J/m2")) : Json(nullptr);
     add(json, quantity("residual_standard_deviation", "s", fit.residual_standard_deviation, unit));
@@ -168,6 +178,7 @@ Json free_json(const adhesion::FreeEnergyFit& fit) {
     for (const auto& [surface, energy] : fit.energy_per_modulus)
         json["elastic_energy_per_modulus"][surface] =
             to_json(quantity("elastic_energy_per_modulus", "U_el/(A E*)", energy, "m"));
+    json["generalised"] = fit.generalised ? generalised_free_json(*fit.generalised) : Json(nullptr);
     return json;
 }
 
@@ -321,17 +332,28 @@ Json drawn_json(const adhesion::DrawnValue& drawn, const adhesion::BalanceDraws&
             {"unit", "J/m2"}};
 }
 
+/// A measured value, its standard error that of own noise and scatter, beside what inputs that loops share add to it.
+Json measured_json(const Quantity& value, const Components& inputs) {
+    auto json = to_json(value);
+    const double noise = value.estimate.standard_error, shared = std::sqrt(covariance(inputs, inputs));
+    json["standard_error_budget"] = {{"own_noise", number(noise)},
+                                     {"shared_inputs", number(shared)},
+                                     {"all", number(std::hypot(noise, shared))},
+                                     {"unit", value.unit}};
+    return json;
+}
+
 Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draws) {
     Json json{{"surface", pair.surface}, {"elastomer", pair.elastomer}, {"experiments", pair.experiments}};
     Json measured;
     const auto add_measured = [&](const char* name, const char* symbol, const std::optional<Estimate>& value,
-                                  const char* unit) {
-        measured[name] = value ? to_json(quantity(name, symbol, *value, unit)) : Json(nullptr);
+                                  const Components& inputs, const char* unit) {
+        measured[name] = value ? measured_json(quantity(name, symbol, *value, unit), inputs) : Json(nullptr);
     };
-    add_measured("work_of_adhesion_approach", "W_app", pair.approach, "J/m2");
-    add_measured("work_of_adhesion_pull_off", "W_po", pair.pull_off, "J/m2");
-    add_measured("work_of_adhesion_retraction", "W_ret", pair.retraction, "J/m2");
-    add_measured("energy_loss", "E_loss", pair.loss, "J");
+    add_measured("work_of_adhesion_approach", "W_app", pair.approach, pair.approach_inputs, "J/m2");
+    add_measured("work_of_adhesion_pull_off", "W_po", pair.pull_off, pair.pull_off_inputs, "J/m2");
+    add_measured("work_of_adhesion_retraction", "W_ret", pair.retraction, pair.retraction_inputs, "J/m2");
+    add_measured("energy_loss", "E_loss", pair.loss, pair.loss_inputs, "J");
     measured["contact_area"] =
         pair.contact_area ? to_json(quantity("contact_area", "pi a_max^2", *pair.contact_area, "m2")) : Json(nullptr);
     measured["ideal_smooth_sphere_loss"] =
@@ -354,7 +376,7 @@ Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draw
                                                      {"work_of_adhesion", number(pair.budget->work_of_adhesion)},
                                                      {"unit", "J/m2"}};
         json["predicted_energy_loss"] =
-            pair.predicted_loss ? to_json(predicted_loss(*pair.predicted_loss)) : Json(nullptr);
+            pair.predicted_loss ? to_json(predicted_loss(pair.predicted_loss->estimate())) : Json(nullptr);
         json["persson_tosatti"] =
             predicted_json(*pair.persson_tosatti, {.value = pair.persson_tosatti->work.floored}, "[D19] (S13)");
         json["without_area_change"] =

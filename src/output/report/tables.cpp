@@ -361,6 +361,9 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
     if (entry(study, joined(base, "free_energies")).is_object())
         row("modified", "stored energy free for each surface", joined(base, "free_energies"),
             joined(base, "modified/n"));
+    if (entry(study, joined(base, "free_energies/generalised")).is_object())
+        row("modified", "stored energy free for each surface, all errors with their covariance",
+            joined(base, "free_energies/generalised"), joined(base, "modified/n"));
 }
 
 /// Means by the mixed model of quantities in one unit.

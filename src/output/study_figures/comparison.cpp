@@ -306,7 +306,7 @@ void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn) {
         text +
         fmt::format(
             "Below each: measured minus line. Symbol: surface; colour: elastomer. Bars are ± one standard error of measured and predicted values"
-            "{}; that of the fits allows for pairs that share a surface or an elastomer.{} Compare Fig. 4 of Dalvi et al. 2019.",
+            "{}; fits are generalised least squares with the covariance of all errors.{} Compare Fig. 4 of Dalvi et al. 2019.",
             points.empty() ? "" : " (spectrum, modulus, surface energy and W_int), cut at 0",
             reconstruction_note(result) + floored_note(result));
 }

@@ -44,7 +44,8 @@ std::vector<QuotedBudget> budgets_of(const study::Conclusions& conclusions) {
     for (const auto& pair : conclusions.pairs) {
         if (!pair.modified) continue;
         add("predicted_work_of_adhesion", "W_app (7)", "J/m2", &pair, pair.modified->traced);
-        add("predicted_energy_loss", "E_loss (10)", "J", &pair, pair.traced_predicted_loss);
+        if (pair.predicted_loss)
+            add("predicted_energy_loss", "E_loss (10)", "J", &pair, *pair.predicted_loss);
     }
     return list;
 }

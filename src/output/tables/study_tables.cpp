@@ -158,8 +158,9 @@ tables::TidyTable pair_table(const study::StudyResult& result) {
             append(row, uncertainty_cells(predicted ? std::optional(p.stored_energy) : std::nullopt));
             add_cells(row, value_of(p.pull_off), value_of(p.retraction), value_of(p.loss));
             append(row, uncertainty_cells(p.loss));
-            add_cells(row, value_of(p.predicted_loss));
-            append(row, uncertainty_cells(p.predicted_loss));
+            const auto loss = p.predicted_loss ? std::optional(p.predicted_loss->estimate()) : std::nullopt;
+            add_cells(row, value_of(loss));
+            append(row, uncertainty_cells(loss));
             add_cells(row, p.contact_area.value_or(undefined), p.ideal_loss.value_or(undefined));
             table.rows.push_back(std::move(row));
         }
@@ -180,6 +181,11 @@ tables::TidyTable fit_table(const study::StudyResult& result) {
             rows.add("modified", "stored energy free for each surface",
                      Estimate{.value = conclusions->free_energies->work_of_adhesion},
                      conclusions->free_energies->r_squared, undefined, undefined, conclusions->modified->n);
+        if (conclusions->free_energies && conclusions->free_energies->generalised) {
+            const auto& free = *conclusions->free_energies->generalised;
+            rows.add("modified", "stored energy free for each surface, generalised", free.work_of_adhesion,
+                     free.r_squared, undefined, free.scatter.pair, free.n);
+        }
         if (conclusions->strained_interface)
             rows.add("modified", "interface changes with stretch, chi fitted",
                      conclusions->strained_interface->work_of_adhesion, conclusions->strained_interface->r_squared,

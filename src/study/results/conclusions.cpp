@@ -53,6 +53,8 @@ private:
     [[nodiscard]] std::vector<PairPoint> points(Balance balance, const ParametersOf& parameters_of) const;
     [[nodiscard]] Outcome<adhesion::WorkFit> fit_approach(Balance balance) const;
     [[nodiscard]] Outcome<adhesion::LossFits> fit_losses() const;
+    [[nodiscard]] std::vector<adhesion::FreeEnergyPoint> free_points(const ParametersOf& parameters_of,
+                                                                     double factor) const;
     [[nodiscard]] Outcome<adhesion::FreeEnergyFit> fit_free() const;
     [[nodiscard]] Outcome<adhesion::StrainedInterfaceFit> fit_interface() const;
     [[nodiscard]] std::vector<CutoffPoint> scan_cutoffs() const;
@@ -145,16 +147,24 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
     return adhesion::fit_losses(whole, reduced);
 }
 
-Outcome<adhesion::FreeEnergyFit> Concluding::fit_free() const {
+/// (7) of all pairs with what surfaces store left free; factor: on γ1.
+std::vector<adhesion::FreeEnergyPoint> Concluding::free_points(const ParametersOf& parameters_of, double factor) const {
     std::vector<adhesion::FreeEnergyPoint> found;
-    for (const auto& p : points(adhesion::modified_point, whole_spectra())) {
-        const auto& elastomer = result_.elastomer(p.elastomer);
-        found.push_back({p.surface, p.measured.value, p.slope, elastomer.input.surface_energy.value * (p.slope - 1.0),
-                         elastomer.contact_modulus.value});
+    for (auto& point : points(adhesion::point_without_stored_energy, parameters_of)) {
+        point.offset *= factor;
+        const auto& modulus = result_.elastomer(point.elastomer).traced_contact_modulus;
+        found.push_back({std::move(point), modulus});
     }
+    return found;
+}
+
+Outcome<adhesion::FreeEnergyFit> Concluding::fit_free() const {
+    const auto found = free_points(whole_spectra(), 1.0);
     if (found.size() < 2)
         return Outcome<adhesion::FreeEnergyFit>::missing("fewer than 2 pairs with a measured work of adhesion");
-    return adhesion::fit_with_free_energies(found);
+    auto fit = adhesion::fit_with_free_energies(found);
+    fit.generalised = adhesion::fit_free_energies_generalised(found, fit);
+    return fit;
 }
 
 Outcome<adhesion::StrainedInterfaceFit> Concluding::fit_interface() const {
@@ -213,15 +223,7 @@ void Concluding::compare(std::vector<ComparedBalance>& balances, const std::vect
         } catch (const InvalidArgument&) {
             // spectra cut at long waves leave all surfaces flat: no change with true area is to be seen
         }
-    if (to_.free_energies) {
-        std::vector<adhesion::FreeEnergyPoint> free;
-        for (const auto& p : scaled) {
-            const auto& soft = result_.elastomer(p.elastomer);
-            free.push_back({p.surface, p.measured.value, p.slope,
-                            factor * soft.input.surface_energy.value * (p.slope - 1.0), soft.contact_modulus.value});
-        }
-        add("free_energies", adhesion::score_free_energies(free));
-    }
+    if (to_.free_energies) add("free_energies", adhesion::score_free_energies(free_points(of, factor)));
 }
 
 std::vector<ComparedBalance> Concluding::compare_balances() const {
@@ -341,10 +343,9 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     if (input.sphere_radius && input.preload)
         pair.loop = adhesion::predict_loop(rough, soft, work, {elastomer.traced_radius(), *input.preload});
     if (pair.contact_area)
-        pair.traced_predicted_loss =
+        pair.predicted_loss =
             adhesion::predicted_loss(rough, work, {*pair.contact_area, pair.contact_area_inputs});
-    else if (pair.loop) pair.traced_predicted_loss = pair.loop->energy_loss_traced;
-    if (pair.contact_area || pair.loop) pair.predicted_loss = pair.traced_predicted_loss.estimate();
+    else if (pair.loop) pair.predicted_loss = pair.loop->energy_loss;
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value,
                                           rough.parameters.area_shape);

@@ -16,7 +16,7 @@ std::optional<TracedValue> traced(const PairResult& pair, const char* symbol, co
     if (!measured) return std::nullopt;
     TracedValue value(measured->value, combined({{1.0, inputs}, {1.0, fits}}));
     if (auto own = beyond_fits(*measured, fits); own.directions.size() > 0)
-        value.components[input_name(*measured, fmt::format("{} of {} × {}", symbol, pair.surface, pair.elastomer))] =
+        value.components[input_name(*measured, adhesion::own_noise_name(symbol, pair.surface, pair.elastomer))] =
             std::move(own);
     return value;
 }

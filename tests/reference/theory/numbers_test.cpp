@@ -121,8 +121,11 @@ adhesion::FreeEnergyFit free_energies_with(double (*area_ratio)(double), double 
     std::vector<adhesion::FreeEnergyPoint> points;
     for (const auto& pair : published().pairs) {
         const double r = area_ratio(published().surface(pair.surface).used().parameters.rms_slope);
-        points.push_back({pair.surface, pair.approach->value, r, surface_energy * (r - 1.0),
-                          published().elastomer(pair.elastomer).contact_modulus.value});
+        points.push_back({.pair = {.surface = pair.surface,
+                                   .measured = *pair.approach,
+                                   .slope = r,
+                                   .offset = surface_energy * (r - 1.0)},
+                          .contact_modulus = published().elastomer(pair.elastomer).contact_modulus.value});
     }
     return adhesion::fit_with_free_energies(points);
 }

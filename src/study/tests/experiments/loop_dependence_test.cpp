@@ -174,7 +174,7 @@ TEST_F(LoopsOfAStudy, ShareTheNoiseOfTheirFitsWithTheModulus) {
         EXPECT_NEAR(
             traced.estimate().degrees_of_freedom.value_or(INFINITY) / p.approach->degrees_of_freedom.value_or(INFINITY),
             1.0, 1e-9);
-        EXPECT_TRUE(traced.components.contains(fmt::format("W_app of {} × soft", p.surface)));
+        EXPECT_TRUE(traced.components.contains(fmt::format("noise of W_app on {} × soft", p.surface)));
     }
     const auto& soft = result.elastomers.front();
     EXPECT_NEAR(soft.traced_youngs_modulus.variance() / soft.youngs_modulus.variance(), 1.0, 1e-12);

@@ -69,7 +69,7 @@ TEST(Prediction, PropagatesEveryUncertainInputAsDrawsOfThemDo) {
     }
     EXPECT_NEAR(pair.modified->estimate.standard_error / work.deviation(), 1.0, 0.047);
     EXPECT_NEAR(pair.stored_energy.standard_error / energy.deviation(), 1.0, 0.047);
-    EXPECT_NEAR(pair.predicted_loss->standard_error / loss.deviation(), 1.0, 0.047);
+    EXPECT_NEAR(pair.predicted_loss->standard_error() / loss.deviation(), 1.0, 0.047);
 }
 
 // E_loss = W_int r π a² with a of (1) at W_app, no loop measured
@@ -88,7 +88,7 @@ TEST(Prediction, OfAPairWithoutExperimentsHasItsLoop) {
                  a = std::cbrt(0.75 * R / K * (1e-3 + pull + std::sqrt(2.0 * pull * 1e-3 + pull * pull)));
     EXPECT_NEAR(pair.loop->contact_radius.value, a, 1e-9 * a);
     EXPECT_NEAR(pair.predicted_loss->value, 0.037 * pair.area_ratio * pi * a * a, 1e-9 * pair.predicted_loss->value);
-    EXPECT_GT(pair.predicted_loss->standard_error, 0.0);
+    EXPECT_GT(pair.predicted_loss->standard_error(), 0.0);
 }
 
 TEST(Prediction, BudgetsItsVarianceByInput) {

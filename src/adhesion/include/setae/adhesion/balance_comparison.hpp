@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/adhesion/free_energy_fit.hpp"
 #include "setae/adhesion/pair_fit.hpp"
 
 namespace setae::adhesion {

@@ -67,23 +67,4 @@ struct LossFits {
 [[nodiscard]] LossFits fit_losses(const std::vector<PairPoint>& whole,
                                   const std::vector<PairPoint>& without_ideal_loss);
 
-/// A pair as the bound below sees it: prediction max(0, base_slope · W − base_offset − modulus · u).
-struct FreeEnergyPoint {
-    std::string surface;
-    double measured = 0.0;
-    double slope = 0.0;            ///< r
-    double offset = 0.0;           ///< γ1 (r − 1)
-    double contact_modulus = 0.0;  ///< [Pa]
-};
-
-/// The best any power spectral density could do: (7) with U_el/(A E*) = u free, >= 0, for each surface.
-struct FreeEnergyFit {
-    double work_of_adhesion = 0.0;
-    double r_squared = 0.0;
-    std::vector<std::pair<std::string, double>> energy_per_modulus;  ///< u by surface [m]
-};
-
-/// @throws InvalidArgument for fewer than two pairs.
-[[nodiscard]] FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs);
-
 }  // namespace setae::adhesion

@@ -11,6 +11,10 @@ namespace setae::adhesion {
 /// What the names of noise that no two pairs share begin with.
 inline constexpr const char* own_noise_of = "noise of ";
 
+/// Name of the input that the own noise of a pair's measured quantity is: "noise of W_app on S × E".
+[[nodiscard]] std::string own_noise_name(const std::string& quantity, const std::string& surface,
+                                         const std::string& elastomer);
+
 /// One surface × elastomer pair as a fit of the intrinsic work of adhesion W sees it.
 ///
 ///   prediction(W) = max(0, slope · W − offset)

@@ -17,12 +17,11 @@ struct Press {
 /// the loss.
 struct PredictedLoop {
     Estimate contact_radius;   ///< a_max at the preload: (1) with W_app [m]
-    Estimate energy_loss;      ///< E_loss = W_int r π a_max² (10) [J]
+    TracedValue energy_loss;   ///< E_loss = W_int r π a_max² (10), with every input it rests on [J]
     Estimate ideal_loss;       ///< what a smooth sphere of this W_app loses in its two jumps under fixed grips [J]
     Estimate work_retraction;  ///< W_ret of the pull-off, see below [J/m²]
     Estimate pull_off_force;   ///< 3/2 π R W_ret (S1) [N]
     Estimate pull_off_force_reversible;  ///< 3/2 π R W_app: if nothing but the jumps were lost [N]
-    TracedValue energy_loss_traced;      ///< E_loss with every input it rests on [J]
 };
 
 /// The loop of a pair.

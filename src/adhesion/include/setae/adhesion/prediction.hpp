@@ -34,6 +34,8 @@ struct SoftSide {
 [[nodiscard]] PairPoint modified_point(const RoughSide& rough, const SoftSide& soft);             ///< (7)
 [[nodiscard]] PairPoint persson_tosatti_point(const RoughSide& rough, const SoftSide& soft);      ///< (S13)
 [[nodiscard]] PairPoint point_without_area_change(const RoughSide& rough, const SoftSide& soft);  ///< (2)
+/// (7) with nothing stored: slope r, offset γ1 (r − 1).
+[[nodiscard]] PairPoint point_without_stored_energy(const RoughSide& rough, const SoftSide& soft);
 
 /// One balance evaluated for a pair.
 struct PredictedWork {

@@ -95,10 +95,10 @@ struct PairResult {
     std::optional<adhesion::PredictedWork> modified;             ///< (7)
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
-    std::optional<Estimate> predicted_loss;       ///< (10) at W_int and the contact area, measured or of `loop` [J]
     std::optional<adhesion::PairPoint> line;      ///< (7) as a line in W_int; nothing measured is in it
     std::optional<adhesion::DrawnValue> drawn;    ///< max(0, (7)) by draws of everything it rests on [J/m²]
-    TracedValue traced_predicted_loss;            ///< the same with every input it rests on; of value 0 without it
+    /// (10) at W_int and the contact area, measured or of `loop`, with every input it rests on [J]
+    std::optional<TracedValue> predicted_loss;
     std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and (7) conforms
     /// W_app by (7) with waves beyond both ends of the surface's data [J/m²]
     std::optional<Estimate> with_unmeasured_waves;
@@ -109,7 +109,7 @@ struct PairResult {
     std::vector<Alert> alerts;
 
     /// The measured values with all that they rest on, each thing once: the inputs, the fits, and what is left of the
-    /// own standard error as an input of its own, "W_app of SURFACE × ELASTOMER" (W_po, W_ret, E_loss), or the name the
+    /// own standard error as an input of its own, "noise of W_app on SURFACE × ELASTOMER" (W_po, W_ret, E_loss), or the name the
     /// study's file gives a published value. Nothing where the value is not measured.
     [[nodiscard]] std::optional<TracedValue> traced_approach() const;
     [[nodiscard]] std::optional<TracedValue> traced_pull_off() const;

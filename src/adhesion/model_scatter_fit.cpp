@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model_scatter_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <boost/math/tools/minima.hpp>
+
+#include "pair_least_squares.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::adhesion {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+using Label = std::string PairPoint::*;
+
+/// One where both pairs have the same label.
+MatrixXd alike(const std::vector<PairPoint>& pairs, Label label) {
+    const auto n = static_cast<Index>(pairs.size());
+    MatrixXd result(n, n);
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j)
+            result(i, j) =
+                pairs[static_cast<std::size_t>(i)].*label == pairs[static_cast<std::size_t>(j)].*label ? 1.0 : 0.0;
+    return result;
+}
+
+/// Whether effects of a label can be told from those of pairs: three of them, and one with several pairs.
+bool separable(const std::vector<PairPoint>& pairs, Label label) {
+    std::map<std::string, int> counts;
+    for (const auto& pair : pairs) ++counts[pair.*label];
+    return counts.size() >= 3 &&
+           std::any_of(counts.begin(), counts.end(), [](const auto& entry) { return entry.second > 1; });
+}
+
+}  // namespace
+
+PairResiduals residuals_at(const std::vector<PairPoint>& pairs, double work) {
+    const auto n = static_cast<Index>(pairs.size());
+    PairResiduals result{VectorXd(n), MatrixXd(n, 1), VectorXd(n), {}, {}};
+    for (Index i = 0; i < n; ++i) {
+        const auto& pair = pairs[static_cast<std::size_t>(i)];
+        result.value[i] = pair.measured.value - pair.prediction(work);
+        result.design(i, 0) = !pair.floored || pair.raw_prediction(work) > 0.0 ? pair.slope : 0.0;
+        result.share[i] = share_through_floor(pair, work);
+        result.inputs.push_back(residual_inputs(pair, work));
+    }
+    if (result.design.isZero(0.0)) result.design.resize(n, 0);
+    result.covariance = residual_covariance(pairs, result.inputs);
+    return result;
+}
+
+Eigen::LLT<MatrixXd> factor_of(const MatrixXd& covariance) {
+    Eigen::LLT<MatrixXd> factor(covariance);
+    if (factor.info() != Eigen::Success)
+        throw UndefinedDataError("the covariance of the pairs is not positive definite");
+    return factor;
+}
+
+MatrixXd generalised_weights(const MatrixXd& design, const MatrixXd& covariance) {
+    const MatrixXd weighted = factor_of(covariance).solve(design);
+    return factor_of(design.transpose() * weighted).solve(weighted.transpose());
+}
+
+ScatterFit::ScatterFit(const std::vector<PairPoint>& pairs, ScatterLevels wanted)
+    : pairs_(pairs),
+      same_surface_(alike(pairs, &PairPoint::surface)),
+      same_elastomer_(alike(pairs, &PairPoint::elastomer)),
+      levels_{&ModelScatter::pair} {
+    if (wanted.surfaces && separable(pairs, &PairPoint::surface)) levels_.push_back(&ModelScatter::surface);
+    if (wanted.elastomers && separable(pairs, &PairPoint::elastomer)) levels_.push_back(&ModelScatter::elastomer);
+    for (const auto& pair : pairs) largest_ = std::max(largest_, std::abs(pair.measured.value));
+}
+
+MatrixXd ScatterFit::covariance(const PairResiduals& at, const ModelScatter& scatter) const {
+    const MatrixXd effects =
+        scatter.surface * scatter.surface * same_surface_ + scatter.elastomer * scatter.elastomer * same_elastomer_;
+    MatrixXd whole = at.covariance + at.share.asDiagonal() * effects * at.share.asDiagonal();
+    const double least = 1e-9 * largest_;
+    whole.diagonal().array() += std::max(scatter.pair * scatter.pair, least * least);
+    return whole;
+}
+
+double ScatterFit::restricted_log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const {
+    const Eigen::LLT<MatrixXd> factor(covariance(at, scatter));
+    if (factor.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
+    double log_likelihood =
+        -factor.matrixLLT().diagonal().array().log().sum() - 0.5 * at.value.dot(factor.solve(at.value));
+    if (at.design.cols() == 0) return log_likelihood;
+    const MatrixXd weighted = factor.solve(at.design);
+    const Eigen::LLT<MatrixXd> information(at.design.transpose() * weighted);
+    if (information.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
+    const VectorXd scores = weighted.transpose() * at.value;
+    return log_likelihood + 0.5 * scores.dot(information.solve(scores)) -
+           information.matrixLLT().diagonal().array().log().sum();
+}
+
+double ScatterFit::log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const {
+    const auto factor = factor_of(covariance(at, scatter));
+    return -0.5 * at.value.dot(factor.solve(at.value)) - factor.matrixLLT().diagonal().array().log().sum() -
+           0.5 * static_cast<double>(pairs_.size()) * std::log(2.0 * pi);
+}
+
+/// Each of the levels in turn, until none moves.
+ModelScatter ScatterFit::most_likely(const PairResiduals& at, ModelScatter scatter) const {
+    constexpr int sweeps = 30, bits = 26;
+    const double reach = 3.0 * std::sqrt(at.value.squaredNorm() / static_cast<double>(pairs_.size() - 1));
+    if (!(reach > 0.0)) return {};
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        double moved = 0.0;
+        for (const auto level : levels_) {
+            const auto loss = [&](double value) {
+                auto tried = scatter;
+                tried.*level = value;
+                return -restricted_log_likelihood(at, tried);
+            };
+            auto best = boost::math::tools::brent_find_minima(loss, 0.0, reach, bits);
+            if (loss(0.0) <= best.second) best.first = 0.0;
+            moved = std::max(moved, std::abs(best.first - scatter.*level));
+            scatter.*level = best.first;
+        }
+        if (moved < 1e-5 * reach) break;
+    }
+    return scatter;
+}
+
+Components ScatterFit::components(const PairResiduals& at, const ModelScatter& scatter, const VectorXd& h) const {
+    std::vector<Dependence> parts;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) parts.push_back({h[static_cast<Index>(i)], at.inputs[i]});
+    auto result = combined(parts);
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+        if (pairs_[i].own_variance() > 0.0)
+            result[pairs_[i].own_noise()] = own_noise(pairs_[i], h[static_cast<Index>(i)]);
+    add_scatter(result, at, scatter, h);
+    return result;
+}
+
+void ScatterFit::add_scatter(Components& result, const PairResiduals& at, const ModelScatter& scatter,
+                             const VectorXd& h) const {
+    if (scatter.pair > 0.0) {
+        const auto freedom = static_cast<double>(pairs_.size()) - std::max(1.0, static_cast<double>(at.design.cols()));
+        result[pairs_.front().scatter_between("pairs")] = {scatter.pair * h.array(), freedom};
+    }
+    const auto add = [&](const char* groups, double size, Label label) {
+        if (!(size > 0.0)) return;
+        std::map<std::string, double> sums;
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            sums[pairs_[i].*label] += h[static_cast<Index>(i)] * at.share[static_cast<Index>(i)];
+        Component component{Array1D(static_cast<Index>(sums.size())), static_cast<double>(sums.size()) - 1.0};
+        Index place = 0;
+        for (const auto& [group, sum] : sums) component.directions[place++] = size * sum;
+        result[pairs_.front().scatter_between(groups)] = std::move(component);
+    };
+    add("surfaces", scatter.surface, &PairPoint::surface);
+    add("elastomers", scatter.elastomer, &PairPoint::elastomer);
+}
+
+}  // namespace setae::adhesion
