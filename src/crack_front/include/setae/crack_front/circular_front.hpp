@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "setae/contact/elasticity.hpp"
+#include "setae/crack_front/work_field.hpp"
+
+namespace setae::crack_front {
+
+/// How the elastic energy of the contact follows its edge a(θ); ã_n are the waves of a, n = …, −1, 0, 1, …
+///
+///   K a = Σ |n| ã_n exp(inθ),   Q = Σ |n||ã_n|²,   D = δ − a²/R,   G_J = E* D²/(2πa) of a circle, K_J = √(2E*G_J)
+///
+///   constant_toughness   U = ⟨U_JKR(a)⟩ + π W Q           a G_J(a) + W K a = a w
+///   variational          U = ⟨U_JKR(a)⟩ + π G_J(ā) Q      a G_J(a) + G_J(ā) K a + ½ G_J'(ā) Q = a w
+///   energy_release_rate  G_J(a) (1 + K a/a) = w
+///   stress_intensity     K_J(a) (1 + K a/2a) = √(2E*w)
+///   mean_circle          G_J(ā) (1 + K a/ā) = w: the edge feels its own displacement by waves alone
+///
+/// All are the same to first order in the waves, except mean_circle, which leaves G_J'(ā) out. In the first, the
+/// stiffness of the front is that of the mean work W; it is the one for roughness, and the only one for dead loads,
+/// stages and rosso_krauth. Where D > 0 the edge closes: a G_J counts as −a G_J there.
+/// Sources: Gao, Rice, J. Appl. Mech. 54 (1987) 627 (K of a wavy circle); Sanner, Pastewka, J. Mech. Phys. Solids 160
+/// (2022) 104781 (energies).
+enum class FrontModel { constant_toughness, variational, energy_release_rate, stress_intensity, mean_circle };
+
+/// How equilibria are found, see docs/theory/crack-front.md. Both follow a front that moves slowly and agree.
+enum class EquilibriumMethod {
+    rosso_krauth,  ///< points move one way: cannot pass an equilibrium, whatever the steps
+    trust_region,  ///< Newton steps of limited length: for every model
+};
+
+/// The displacement δ [m] is held.
+struct HeldDisplacement {
+    double displacement = 0.0;
+};
+/// A dead load F [N], > 0 presses.
+struct DeadLoad {
+    double force = 0.0;
+};
+/// A stage at z [m] presses through a spring of stiffness k_m [N/m] > 0: F = k_m (z − δ).
+struct Stage {
+    double position = 0.0, stiffness = 0.0;
+};
+using FrontControl = std::variant<HeldDisplacement, DeadLoad, Stage>;
+
+struct FrontOptions {
+    FrontModel model = FrontModel::constant_toughness;
+    EquilibriumMethod method = EquilibriumMethod::rosso_krauth;
+    double tolerance = 1e-9;        ///< of the largest |residual| over W and the mean radius
+    int most_iterations = 100000;   ///< of one equilibrium
+    double largest_move = 0.5;      ///< of a point in one step of the trust region, in spacings of the field
+};
+
+/// A contact in equilibrium, or parted: all 0 but the displacement then.
+struct FrontState {
+    double displacement = 0.0;  ///< δ [m]
+    double force = 0.0;         ///< F [N]
+    double mean_radius = 0.0, area_radius = 0.0;           ///< ⟨a⟩, √⟨a²⟩ [m]
+    double smallest_radius = 0.0, largest_radius = 0.0;    ///< [m]
+    double perimeter = 0.0;       ///< ∫ √(a² + a'²) dθ [m]
+    double elastic_energy = 0.0;  ///< U [J] against bodies just apart
+    double surface_energy = 0.0;  ///< −∫∫ w a da dθ [J]
+    double residual = 0.0;        ///< largest, over W and the mean radius
+    int iterations = 0;
+    bool converged = false;
+    bool in_contact = false;
+
+    [[nodiscard]] double energy() const { return elastic_energy + surface_energy; }
+};
+
+/// The edge of the contact of a sphere on a flat in a field of work of adhesion on rays, N points for N rays.
+///
+/// The contact is full inside the edge, the edge is a function of the angle, and its waves are low. A front that comes
+/// to the centre has parted. Same bytes for any number of threads: it has one.
+class CircularFront {
+public:
+    /// @throws InvalidArgument for a sphere or field outside its domain, and rosso_krauth with another model than
+    /// constant_toughness.
+    CircularFront(const contact::SphereOnFlat& sphere, const WorkField& field, const FrontOptions& options = {});
+    ~CircularFront();
+    CircularFront(CircularFront&&) noexcept;
+    CircularFront& operator=(CircularFront&&) noexcept;
+
+    [[nodiscard]] const contact::SphereOnFlat& sphere() const;
+    [[nodiscard]] double mean_work() const;
+    [[nodiscard]] const LinePoints& radii_of_field() const;
+
+    /// a(θ_j) [m]; empty where the contact has parted.
+    [[nodiscard]] const Array1D& edge() const;
+    /// A circle to begin with; 0: the least that touches at the next control, as bodies meet.
+    void begin_at(double radius);
+    /// Continues from an edge that was kept. @throws InvalidArgument for another number of points.
+    void begin_with(const Array1D& edge);
+
+    /// Equilibrium under a control, from where the edge is. Bodies that are apart meet once δ >= 0 (a dead load >= 0).
+    /// @throws InvalidArgument where the front goes beyond the field's last radius, for a stage without stiffness, and
+    /// other controls than a displacement where the model is not constant_toughness.
+    FrontState solve(const FrontControl& control);
+
+private:
+    class Work;
+    std::unique_ptr<Work> work_;
+};
+
+}  // namespace setae::crack_front
