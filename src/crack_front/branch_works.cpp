@@ -43,8 +43,7 @@ BranchWorks branch_works(const FrontLoop& loop, const contact::SphereOnFlat& sph
                                            .lens_poisson_ratio = 0.0,
                                            .counter_youngs_modulus = std::numeric_limits<double>::infinity()};
     BranchWorks works{.approach = loops::fit_radius_force(branch_of(approach), bodies), .retraction = {}};
-    works.retraction =
-        loops::fit_retraction(branch_of(moving), sphere.radius, works.approach.contact_modulus, 0.0);
+    works.retraction = loops::fit_retraction(branch_of(moving), sphere.radius, works.approach.contact_modulus, 0.0);
     for (const auto* step : back) works.pull_off_force = std::min(works.pull_off_force, step->state.force);
     works.pull_off_work = contact::jkr::work_of_adhesion_from_pull_off(works.pull_off_force, sphere.radius);
     return works;

@@ -23,8 +23,7 @@ Array2D line_forces(const WorkField& field) {
 
 Machine machine_of(const FrontControl& control) {
     if (const auto* held = std::get_if<HeldDisplacement>(&control)) return {.displacement = held->displacement};
-    if (const auto* load = std::get_if<DeadLoad>(&control))
-        return {.holds_displacement = false, .pull = load->force};
+    if (const auto* load = std::get_if<DeadLoad>(&control)) return {.holds_displacement = false, .pull = load->force};
     const auto& stage = std::get<Stage>(control);
     if (!(stage.stiffness > 0.0))
         throw InvalidArgument(fmt::format("a stage of {} N/m; expected a stiffness above 0", stage.stiffness));
@@ -61,14 +60,14 @@ public:
         const SearchLimits limits{.tolerance = options_.tolerance * scale,
                                   .most_iterations = options_.most_iterations,
                                   .largest_move = options_.largest_move * pinning_.points().spacing};
-        const auto found = options_.method == EquilibriumMethod::rosso_krauth
-                               ? rosso_krauth(equation_, edge, limits)
-                               : trust_region(equation_, edge, limits);
+        const auto found = options_.method == EquilibriumMethod::rosso_krauth ? rosso_krauth(equation_, edge, limits)
+                                                                              : trust_region(equation_, edge, limits);
         if (found.left) {
             if (edge.maxCoeff() >= pinning_.points().last())
-                throw InvalidArgument(fmt::format("the front came to {} m, where the field ends; press less, or make "
-                                                  "the field larger",
-                                                  pinning_.points().last()));
+                throw InvalidArgument(
+                    fmt::format("the front came to {} m, where the field ends; press less, or make "
+                                "the field larger",
+                                pinning_.points().last()));
             edge.resize(0);
             auto state = parted(machine);
             state.iterations = found.iterations;

@@ -29,10 +29,9 @@ public:
     LoopWalk(CircularFront& front, const LoopPath& path)
         : front_(front),
           path_(path),
-          least_jump_(path.jump_share *
-                      contact::jkr::ideal_loop_loss(
-                          {front.sphere().radius, front.sphere().contact_modulus, front.mean_work()})
-                          .total) {}
+          least_jump_(path.jump_share * contact::jkr::ideal_loop_loss(
+                                            {front.sphere().radius, front.sphere().contact_modulus, front.mean_work()})
+                                            .total) {}
 
     FrontLoop run() {
         front_.begin_at(0.0);
@@ -52,7 +51,8 @@ private:
 
     /// To a position, in halves where the front jumps; false where it was told to end.
     bool to(double target) {
-        while (loop_.steps.empty() || loop_.steps.back().position != target || loop_.steps.back().state.iterations == 0) {
+        while (loop_.steps.empty() || loop_.steps.back().position != target ||
+               loop_.steps.back().state.iterations == 0) {
             const double here = loop_.steps.empty() ? target : loop_.steps.back().position;
             const auto kept = front_.edge();
             for (double share = 1.0;; share *= 0.5) {
@@ -86,8 +86,8 @@ private:
 
     [[nodiscard]] bool hides_jump(const FrontStep& step) const {
         const auto& before = loop_.steps.back().state;
-        const double missed = 0.5 * std::abs((step.state.force - before.force) *
-                                             (step.state.displacement - before.displacement));
+        const double missed =
+            0.5 * std::abs((step.state.force - before.force) * (step.state.displacement - before.displacement));
         return std::abs(step.dissipation) > least_jump_ && missed > least_jump_;
     }
 
@@ -98,9 +98,8 @@ private:
             loop_.smallest_dissipation = std::min(loop_.smallest_dissipation, step.dissipation);
             if (step.dissipation > least_jump_) ++loop_.jumps;
         }
-        loop_.complete = !in_contact() && std::ranges::all_of(loop_.steps, [](const FrontStep& step) {
-                             return step.state.converged;
-                         });
+        loop_.complete = !in_contact() &&
+                         std::ranges::all_of(loop_.steps, [](const FrontStep& step) { return step.state.converged; });
     }
 
     CircularFront& front_;

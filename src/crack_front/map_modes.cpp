@@ -93,8 +93,8 @@ MapModes modes_of(const topography::HeightMap& map, const MapOnFront& options, d
                 if (2 * k == nx || (m == 0 && 2 * k >= nx) || (m == 0 && k == 0)) continue;
                 const double qx = step_x * folded(k, nx);
                 if (qx * qx + qy * qy > largest * largest) continue;
-                const auto value = block.line(l)[k] / points *
-                                   std::polar(1.0, qx * options.centre[0] + qy * options.centre[1]);
+                const auto value =
+                    block.line(l)[k] / points * std::polar(1.0, qx * options.centre[0] + qy * options.centre[1]);
                 kept.qx.push_back(qx);
                 kept.qy.push_back(qy);
                 kept.real.push_back(value.real());
@@ -120,8 +120,7 @@ MapModes modes_of(const topography::HeightMap& map, const MapOnFront& options, d
 ModeEnergy energy_of(const MapModes& modes, double contact_modulus) {
     double variance = 0.0, stored = 0.0;
     for (std::size_t m = 0; m < modes.count(); ++m) {
-        const double power =
-            2.0 * (modes.real[m] * modes.real[m] + modes.imaginary[m] * modes.imaginary[m]);
+        const double power = 2.0 * (modes.real[m] * modes.real[m] + modes.imaginary[m] * modes.imaginary[m]);
         variance += power;
         stored += std::hypot(modes.qx[m], modes.qy[m]) * power;
     }

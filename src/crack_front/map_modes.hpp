@@ -9,8 +9,8 @@
 
 namespace setae::crack_front {
 
-/// Waves of a map in one half of the plane of wavevectors (q_y > 0, or q_y = 0 and q_x > 0), that of the map's mean left
-/// out: h(x) = mean + 2 Re Σ c exp(iq·x), x counted from the centre.
+/// Waves of a map in one half of the plane of wavevectors (q_y > 0, or q_y = 0 and q_x > 0), that of the map's mean
+/// left out: h(x) = mean + 2 Re Σ c exp(iq·x), x counted from the centre.
 struct MapModes {
     std::vector<double> qx, qy, real, imaginary;
     double mean = 0.0;

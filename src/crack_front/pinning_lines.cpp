@@ -12,8 +12,7 @@ PinningLines::PinningLines(Array2D forces, const LinePoints& points, bool repeat
     integrals_ = Array2D::Zero(forces_.rows(), forces_.cols());
     for (Index j = 0; j < forces_.rows(); ++j)
         for (Index k = 1; k < forces_.cols(); ++k)
-            integrals_(j, k) =
-                integrals_(j, k - 1) + 0.5 * points_.spacing * (forces_(j, k - 1) + forces_(j, k));
+            integrals_(j, k) = integrals_(j, k - 1) + 0.5 * points_.spacing * (forces_(j, k - 1) + forces_(j, k));
 }
 
 double PinningLines::integral(Index line, double x) const {

@@ -25,8 +25,8 @@ public:
         return kernel;
     }
 
-    /// Kernel at the `width` grid points about a place, t in [−1, 1] twice its distance from the middle of the gap. Taps
-    /// on either side are mirrored: f(t) and f(−t) are E(t²) ± t O(t²).
+    /// Kernel at the `width` grid points about a place, t in [−1, 1] twice its distance from the middle of the gap.
+    /// Taps on either side are mirrored: f(t) and f(−t) are E(t²) ± t O(t²).
     void taps(double t, std::array<double, width>& values) const {
         std::array<double, half> even = even_[terms - 1], odd = odd_[terms - 1];
         const double square = t * t;
@@ -47,8 +47,7 @@ public:
         double sum = 0.0;
         for (int n = 0; n < points; ++n) {
             const double phase = pi * ((n + 0.5) / points - 0.5);
-            sum += std::cos(phase) * std::exp(beta * (std::cos(phase) - 1.0)) *
-                   std::cos(k * reach * std::sin(phase));
+            sum += std::cos(phase) * std::exp(beta * (std::cos(phase) - 1.0)) * std::cos(k * reach * std::sin(phase));
         }
         return sum * reach * pi / points;
     }

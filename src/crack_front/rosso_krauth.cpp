@@ -63,9 +63,7 @@ private:
         if (held()) evaluate();
     }
 
-    [[nodiscard]] double end_of_cell(Index j) {
-        return equation_.pinning().begin(way_ > 0 ? cell(j) + 1 : cell(j));
-    }
+    [[nodiscard]] double end_of_cell(Index j) { return equation_.pinning().begin(way_ > 0 ? cell(j) + 1 : cell(j)); }
 
     /// Every point that is pulled the way it may go moves once; where none is and others are pulled back, as of a front
     /// that begins anywhere, all turn. False where one has left its line.

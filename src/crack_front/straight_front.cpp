@@ -78,9 +78,8 @@ public:
         const SearchLimits limits{.tolerance = options_.tolerance * mean_work_,
                                   .most_iterations = options_.most_iterations,
                                   .largest_move = options_.largest_move * pinning_.points().spacing};
-        const auto found = options_.method == EquilibriumMethod::rosso_krauth
-                               ? rosso_krauth(equation_, front, limits)
-                               : trust_region(equation_, front, limits);
+        const auto found = options_.method == EquilibriumMethod::rosso_krauth ? rosso_krauth(equation_, front, limits)
+                                                                              : trust_region(equation_, front, limits);
         const double mean = front.mean();
         return {.drive = position,
                 .position = mean,

@@ -16,17 +16,18 @@ namespace {
 
 void require_rays(Index angles, const LinePoints& radii, double shortest) {
     if (angles < 2 || angles % 2 != 0 || radii.count < 2 || !(radii.spacing > 0.0 && radii.first >= 0.0))
-        throw InvalidArgument(fmt::format("{} rays with {} radii from {} m, {} m apart; expected an even number of rays, "
-                                          "2 radii or more, in rising order",
-                                          angles, radii.count, radii.first, radii.spacing));
+        throw InvalidArgument(
+            fmt::format("{} rays with {} radii from {} m, {} m apart; expected an even number of rays, "
+                        "2 radii or more, in rising order",
+                        angles, radii.count, radii.first, radii.spacing));
     if (!(radii.spacing <= 0.25 * shortest))
         throw InvalidArgument(fmt::format("radii {} m apart are too coarse for waves of {} m; expected at most {} m",
                                           radii.spacing, shortest, 0.25 * shortest));
     const double apart = 2.0 * pi * radii.last() / static_cast<double>(angles);
     if (!(apart <= 0.5 * shortest))
         throw InvalidArgument(
-            fmt::format("{} rays are {} m apart at {} m, too coarse for waves of {} m; expected {} rays or more", angles,
-                        apart, radii.last(), shortest, std::ceil(4.0 * pi * radii.last() / shortest)));
+            fmt::format("{} rays are {} m apart at {} m, too coarse for waves of {} m; expected {} rays or more",
+                        angles, apart, radii.last(), shortest, std::ceil(4.0 * pi * radii.last() / shortest)));
 }
 
 Array2D sums_on_rays(const MapModes& modes, RaySums::Factor factor, Index angles, const LinePoints& radii,
@@ -92,8 +93,7 @@ WorkField works_on_rays(const topography::HeightMap& map, const MapOnFront& opti
                         const LinePoints& radii, parallel::Threads threads) {
     if (!map.periodic) throw InvalidArgument("works on rays are read from waves; expected a map that is periodic");
     require_rays(angles, radii, options.shortest_wavelength);
-    const auto modes =
-        modes_of(map, {1.0, options.shortest_wavelength, options.centre}, radii.last(), threads);
+    const auto modes = modes_of(map, {1.0, options.shortest_wavelength, options.centre}, radii.last(), threads);
     WorkField field{.works = sums_on_rays(modes, RaySums::Factor::none, angles, radii, threads) + modes.mean,
                     .points = radii,
                     .mean_work = modes.mean};

@@ -12,9 +12,10 @@ namespace setae::crack_front {
 
 void require(const WorkField& field) {
     if (field.lines() < 2 || field.points.count < 2 || field.works.cols() != field.points.count)
-        throw InvalidArgument(fmt::format("a field of {} x {} works for {} points a line; expected 2 or more lines and "
-                                          "points, a work for each",
-                                          field.works.rows(), field.works.cols(), field.points.count));
+        throw InvalidArgument(
+            fmt::format("a field of {} x {} works for {} points a line; expected 2 or more lines and "
+                        "points, a work for each",
+                        field.works.rows(), field.works.cols(), field.points.count));
     if (!(field.points.spacing > 0.0 && field.points.first >= 0.0))
         throw InvalidArgument(fmt::format("points from {} m, {} m apart; expected 0 or more, in rising order",
                                           field.points.first, field.points.spacing));
@@ -30,8 +31,7 @@ WorkField equivalent_work(const ArrayView2D& stress_intensities, const LinePoint
     WorkField field{.works = {}, .points = points, .mean_work = mean_work};
     const double toughness = std::sqrt(2.0 * contact_modulus * mean_work);
     field.works = mean_work - toughness / contact_modulus * stress_intensities;
-    if (equivalent == EquivalentWork::quadratic)
-        field.works += stress_intensities.square() / (2.0 * contact_modulus);
+    if (equivalent == EquivalentWork::quadratic) field.works += stress_intensities.square() / (2.0 * contact_modulus);
     require(field);
     return field;
 }

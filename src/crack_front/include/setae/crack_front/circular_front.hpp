@@ -29,7 +29,7 @@ enum class FrontModel { constant_toughness, variational, energy_release_rate, st
 /// How equilibria are found, see docs/theory/crack-front.md. Both follow a front that moves slowly and agree.
 enum class EquilibriumMethod {
     rosso_krauth,  ///< points move one way: cannot pass an equilibrium, whatever the steps
-    trust_region,  ///< Newton steps of limited length: for every model
+    trust_region,  ///< Newton steps of limited length: some twenty times faster
 };
 
 /// The displacement δ [m] is held.
@@ -48,22 +48,22 @@ using FrontControl = std::variant<HeldDisplacement, DeadLoad, Stage>;
 
 struct FrontOptions {
     FrontModel model = FrontModel::constant_toughness;
-    EquilibriumMethod method = EquilibriumMethod::rosso_krauth;
-    double tolerance = 1e-9;        ///< of the largest |residual| over W and the mean radius
-    int most_iterations = 100000;   ///< of one equilibrium
-    double largest_move = 0.5;      ///< of a point in one step of the trust region, in spacings of the field
+    EquilibriumMethod method = EquilibriumMethod::trust_region;
+    double tolerance = 1e-9;       ///< of the largest |residual| over W and the mean radius
+    int most_iterations = 100000;  ///< of one equilibrium
+    double largest_move = 0.5;     ///< of a point in one step of the trust region, in spacings of the field
 };
 
 /// A contact in equilibrium, or parted: all 0 but the displacement then.
 struct FrontState {
-    double displacement = 0.0;  ///< δ [m]
-    double force = 0.0;         ///< F [N]
-    double mean_radius = 0.0, area_radius = 0.0;           ///< ⟨a⟩, √⟨a²⟩ [m]
-    double smallest_radius = 0.0, largest_radius = 0.0;    ///< [m]
-    double perimeter = 0.0;       ///< ∫ √(a² + a'²) dθ [m]
-    double elastic_energy = 0.0;  ///< U [J] against bodies just apart
-    double surface_energy = 0.0;  ///< −∫∫ w a da dθ [J]
-    double residual = 0.0;        ///< largest, over W and the mean radius
+    double displacement = 0.0;                           ///< δ [m]
+    double force = 0.0;                                  ///< F [N]
+    double mean_radius = 0.0, area_radius = 0.0;         ///< ⟨a⟩, √⟨a²⟩ [m]
+    double smallest_radius = 0.0, largest_radius = 0.0;  ///< [m]
+    double perimeter = 0.0;                              ///< ∫ √(a² + a'²) dθ [m]
+    double elastic_energy = 0.0;                         ///< U [J] against bodies just apart
+    double surface_energy = 0.0;                         ///< −∫∫ w a da dθ [J]
+    double residual = 0.0;                               ///< largest, over W and the mean radius
     int iterations = 0;
     bool converged = false;
     bool in_contact = false;

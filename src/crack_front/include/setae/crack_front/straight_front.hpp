@@ -9,9 +9,9 @@ namespace setae::crack_front {
 
 /// A straight front, limit of a circle large against everything along it.
 struct StraightFrontOptions {
-    double width = 0.0;     ///< L_z [m], > 0: lines are width/lines apart
-    double restoring = 0.0; ///< q_κ [1/m] of the spring that drives it; 0: π/L_z, G_J'/G_J of a circle of 2πa = L_z
-    EquilibriumMethod method = EquilibriumMethod::rosso_krauth;
+    double width = 0.0;      ///< L_z [m], > 0: lines are width/lines apart
+    double restoring = 0.0;  ///< q_κ [1/m] of the spring that drives it; 0: π/L_z, G_J'/G_J of a circle of 2πa = L_z
+    EquilibriumMethod method = EquilibriumMethod::trust_region;
     double tolerance = 1e-9;       ///< of the largest |residual| over W
     int most_iterations = 100000;  ///< of one equilibrium
     double largest_move = 0.5;     ///< of a point in one step of the trust region, in spacings of the field
@@ -53,8 +53,8 @@ private:
 
 /// Works with which a straight front grows and recedes in steady motion.
 struct FrontWorks {
-    double approach = 0.0;    ///< W_appr [J/m²]
-    double retraction = 0.0;  ///< W_ret [J/m²]
+    double approach = 0.0;                                                  ///< W_appr [J/m²]
+    double retraction = 0.0;                                                ///< W_ret [J/m²]
     double approach_standard_error = 0.0, retraction_standard_error = 0.0;  ///< from eight stretches of the way [J/m²]
     bool converged = false;
 

@@ -25,9 +25,9 @@ struct MapOnFront {
 struct StressIntensity {
     Array2D values;  ///< K_R [Pa √m], shape (lines, points.count)
     LinePoints points;
-    double stored_energy = 0.0;    ///< U_el/A of the waves that count [J/m²]
-    double mean_wavelength = 0.0;  ///< 2π Σ|h_q|²/Σ|q||h_q|²: λ weighed by U_el [m]
-    double contact_modulus = 0.0;  ///< E* [Pa]
+    double stored_energy = 0.0;        ///< U_el/A of the waves that count [J/m²]
+    double mean_wavelength = 0.0;      ///< 2π Σ|h_q|²/Σ|q||h_q|²: λ weighed by U_el [m]
+    double contact_modulus = 0.0;      ///< E* [Pa]
     double shortest_wavelength = 0.0;  ///< λ_s [m]
 };
 
@@ -37,9 +37,9 @@ struct StressIntensity {
 /// the rms). O(rays (modes + radii log radii)). A map that is not periodic counts inside the largest circle about the
 /// centre, less its mean there, and fades to 0 beyond the last radius; what is outside acts on the rim only.
 /// Same bytes for any number of threads.
-/// @throws InvalidArgument for E*, λ_s <= 0, λ_s below two pixels, radii apart more than λ_s/4 or angles more than λ_s/2
-/// at the last radius, and a last radius beyond 0.9 of where a map that is not periodic ends; UndefinedDataError for
-/// undefined heights.
+/// @throws InvalidArgument for E*, λ_s <= 0, λ_s below two pixels, radii apart more than λ_s/4 or angles more than
+/// λ_s/2 at the last radius, and a last radius beyond 0.9 of where a map that is not periodic ends; UndefinedDataError
+/// for undefined heights.
 [[nodiscard]] StressIntensity stress_intensity_on_rays(const topography::HeightMap& map, const MapOnFront& options,
                                                        Index angles, const LinePoints& radii,
                                                        parallel::Threads threads = {});

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/crack_front/stress_intensity.hpp"
+
+namespace setae::crack_front {
+
+/// Length [m] along a front over which disorder bends it by what changes the disorder: shorter fronts go through it
+/// without jumps.
+///
+///   L_c = λ̄ (W/std w)² = λ̄ AW/(4 U_el),   λ̄: mean wavelength weighed by U_el
+///
+/// mean_wavelength: λ̄ [m]. energy_share: U_el/(AW), > 0. @throws InvalidArgument outside the domain.
+/// Source: Larkin, Ovchinnikov, J. Low Temp. Phys. 34 (1979) 409; Gao, Rice 1989 for the front's stiffness |q|.
+[[nodiscard]] double larkin_length(double mean_wavelength, double energy_share);
+
+/// What the theory of a front on one roughness rests on.
+struct FrontValidity {
+    double energy_share = 0.0;     ///< U_el/(AW)
+    double work_scatter = 0.0;     ///< std w/W = 2 √(U_el/(AW)) of the linear field
+    double negative_share = 0.0;   ///< of a Gaussian linear field below w = 0, where no work holds the contact
+    double larkin_length = 0.0;    ///< [m]
+    double front_length = 0.0;     ///< [m]
+    double points_per_wave = 0.0;  ///< of the field, on the coarser of both ways, in λ_s
+    /// A sentence for each of: U_el/(AW) above 1/16 (one place in forty has w < 0), above 0.3 (full contact does not
+    /// come of itself, adhesive-cells.md), a front below its Larkin length, fewer than 8 points a wave.
+    std::vector<std::string> cautions;
+};
+
+/// front_length: 2πa of the contact, or the width of a straight front [m]. line_spacing: of lines, at that radius [m].
+/// @throws InvalidArgument for lengths or a mean work W [J/m²] <= 0, and a surface without roughness.
+[[nodiscard]] FrontValidity validity_of(const StressIntensity& intensity, double mean_work, double front_length,
+                                        double line_spacing);
+
+}  // namespace setae::crack_front

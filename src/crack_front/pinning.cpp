@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/crack_front/pinning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::crack_front {
+
+double larkin_length(double mean_wavelength, double energy_share) {
+    if (!(mean_wavelength > 0.0 && energy_share > 0.0))
+        throw InvalidArgument(fmt::format("a Larkin length of waves of {} m and U_el/(AW) = {}; expected both above 0",
+                                          mean_wavelength, energy_share));
+    return mean_wavelength / (4.0 * energy_share);
+}
+
+FrontValidity validity_of(const StressIntensity& intensity, double mean_work, double front_length,
+                          double line_spacing) {
+    if (!(mean_work > 0.0 && front_length > 0.0 && line_spacing > 0.0))
+        throw InvalidArgument(fmt::format("a front of {} m with lines {} m apart and W = {} J/m2; expected all above 0",
+                                          front_length, line_spacing, mean_work));
+    FrontValidity found{.energy_share = intensity.stored_energy / mean_work, .front_length = front_length};
+    found.work_scatter = 2.0 * std::sqrt(found.energy_share);
+    found.larkin_length = larkin_length(intensity.mean_wavelength, found.energy_share);
+    found.negative_share = 0.5 * std::erfc(1.0 / (found.work_scatter * std::numbers::sqrt2));
+    found.points_per_wave = intensity.shortest_wavelength / std::max(intensity.points.spacing, line_spacing);
+    constexpr double first_order = 1.0 / 16.0, conformal = 0.3, fine = 8.0;
+    if (found.energy_share > conformal)
+        found.cautions.push_back(fmt::format(
+            "U_el/(AW) = {:.2g} is above {}: full contact behind the front does not come of itself; take the works of "
+            "adhesive cells instead",
+            found.energy_share, conformal));
+    else if (found.energy_share > first_order)
+        found.cautions.push_back(
+            fmt::format("std w/W = {:.2g}: {:.1g} of the field has w < 0 and fronts of first order "
+                        "overestimate its scatter; expected U_el/(AW) up to {:.3g}, got {:.2g}",
+                        found.work_scatter, found.negative_share, first_order, found.energy_share));
+    if (front_length < found.larkin_length)
+        found.cautions.push_back(
+            fmt::format("a front of {:.3g} m is shorter than its Larkin length of {:.3g} m: it hardly "
+                        "jumps, and k of long fronts does not hold for it",
+                        front_length, found.larkin_length));
+    if (found.points_per_wave < fine)
+        found.cautions.push_back(fmt::format(
+            "{:.2g} points a wave of {:.3g} m; expected {} or more: put lines and points "
+            "{:.3g} m apart",
+            found.points_per_wave, intensity.shortest_wavelength, fine, intensity.shortest_wavelength / fine));
+    return found;
+}
+
+}  // namespace setae::crack_front

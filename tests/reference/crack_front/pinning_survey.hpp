@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "setae/crack_front/straight_front.hpp"
+
+namespace pinning_survey {
+
+/// A straight front on a self-affine surface, lengths in points: shortest wave 8, longest 8 times the band, E* = W = 1.
+struct Case {
+    double energy_share = 0.0;  ///< U_el/(A W)
+    setae::Index way = 0, width = 0;
+    double band = 4.0;  ///< longest over shortest wave
+    double hurst_exponent = 0.8;
+    std::uint64_t seed = 1;
+};
+
+struct Result {
+    double pinning_coefficient = 0.0;         ///< k
+    double approach = 0.0, retraction = 0.0;  ///< (W_appr − W)/U, (W_ret − W)/U
+    double larkin_lengths = 0.0;              ///< width over the Larkin length
+    bool converged = false;
+};
+
+Result run(const Case& which, double step = 0.5);
+
+}  // namespace pinning_survey

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pinning_survey.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+// the long fronts are in docs/measured/crack-front.md
+TEST(PinningSurvey, AFrontBelowItsLarkinLengthHardlyLoses) {
+    const auto weak = pinning_survey::run({.energy_share = 0.01, .way = 128, .width = 64}, 1.0);
+    EXPECT_TRUE(weak.converged);
+    EXPECT_LT(weak.larkin_lengths, 0.3);
+    EXPECT_LT(weak.pinning_coefficient, 0.5);
+}
+
+TEST(PinningSurvey, ALongFrontLosesTwiceKTimesTheStoredEnergy) {
+    const auto strong = pinning_survey::run({.energy_share = 0.1, .way = 256, .width = 512}, 1.0);
+    EXPECT_TRUE(strong.converged);
+    EXPECT_GT(strong.larkin_lengths, 5.0);
+    EXPECT_NEAR(strong.pinning_coefficient, 2.02, 0.4);
+}
+
+}  // namespace
