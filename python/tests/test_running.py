@@ -105,6 +105,34 @@ def test_ten_thousand_calls_leave_nothing():
     assert resident() - before < 4 << 20
 
 
+def test_maps_that_are_made_leave_nothing():
+    def call(seed: int) -> None:
+        made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=256, seed=seed)
+        small = setae.scan(made.scan.heights[::8, ::8], size="5 um x 5 um", unit="m", periodic=True)
+        assert setae.contact(small, contact_modulus="1 GPa", pressure="10 MPa").pressures.max() > 0
+
+    for seed in range(20):
+        call(seed)
+    before = resident()
+    for seed in range(100):
+        call(seed)
+    # a map of 512 KiB a call would be 50 MB
+    assert resident() - before < 8 << 20
+
+
+def test_the_end_of_python_is_quiet():
+    """Scans and results that modules still hold are let go without a word."""
+    source = """
+import setae
+made = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="80 nm", rms_height="20 nm", size="5 um", pixels=32)
+levelled = made.scan.level()
+solved = setae.contact(levelled, contact_modulus="1 GPa", pressure="1 MPa")
+found = setae.persson(made.scan, contact_modulus="1 GPa", pressure="1 MPa")
+"""
+    done = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True, check=True)
+    assert done.stderr == ""
+
+
 def test_threads_are_limited():
     scan = large(256)
     expected = setae.power_spectrum(scan).json()
