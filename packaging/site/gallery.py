@@ -22,7 +22,8 @@ def drawn(program: str, study: pathlib.Path, shown: str, folder: pathlib.Path) -
             continue
         name = f"{study.stem}_{figure['identifier'].replace(':', '_')}.svg"
         run(program, "plot", study, "--figure", figure["identifier"], "-o", folder / name)
-        page += f"### {figure['title']}\n\n```\nsetae plot {shown} --figure {figure['identifier']}\n```\n\n![{figure['title']}]({name})\n\n{figure['caption']}\n\n"
+        title, command = figure["title"], f"setae plot {shown} --figure {figure['identifier']}"
+        page += f"### {title}\n\n```\n{command}\n```\n\n![{title}]({name})\n\n{figure['caption']}\n\n"
     return page
 
 
