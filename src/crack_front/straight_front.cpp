@@ -19,24 +19,6 @@ Array2D works_of(const WorkField& field) {
     return field.works;
 }
 
-/// Residuals are G − w [J/m²], with G what the spring and the front's waves leave of W.
-class StraightEquation final : public FrontEquation {
-public:
-    StraightEquation(const PinningLines& pinning, LineElasticity& elasticity, double mean_work, double restoring)
-        : FrontEquation(pinning, elasticity), mean_work_(mean_work), restoring_(restoring) {}
-
-    void drive_to(double position) { drive_ = position; }
-
-private:
-    void elastic_part(const Array1D& front, const Array1D& bent, Balance& balance) override {
-        balance.residual = mean_work_ * (1.0 + restoring_ * (front - drive_) + bent);
-        balance.stiffness.setConstant(front.size(), mean_work_ * restoring_);
-        balance.kernel = mean_work_;
-    }
-
-    double mean_work_, restoring_, drive_ = 0.0;
-};
-
 /// Mean over stretches of a way, and how the means of the stretches scatter.
 struct StretchMean {
     double value = 0.0, standard_error = 0.0;
@@ -57,6 +39,24 @@ StretchMean mean_of_stretches(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+/// Residuals are G − w [J/m²], with G what the spring and the front's waves leave of W.
+class StraightEquation final : public FrontEquation {
+public:
+    StraightEquation(const PinningLines& pinning, LineElasticity& elasticity, double mean_work, double restoring)
+        : FrontEquation(pinning, elasticity), mean_work_(mean_work), restoring_(restoring) {}
+
+    void drive_to(double position) { drive_ = position; }
+
+private:
+    void elastic_part(const Array1D& front, const Array1D& bent, Balance& balance) override {
+        balance.residual = mean_work_ * (1.0 + restoring_ * (front - drive_) + bent);
+        balance.stiffness.setConstant(front.size(), mean_work_ * restoring_);
+        balance.kernel = mean_work_;
+    }
+
+    double mean_work_, restoring_, drive_ = 0.0;
+};
 
 class StraightFront::Work {
 public:
@@ -115,16 +115,19 @@ FrontWorks straight_front_works(const WorkField& field, const StraightFrontOptio
     StraightFront front(field, options);
     const double length = step * field.points.spacing;
     const double way = field.points.spacing * static_cast<double>(field.points.count);
-    const auto steps = static_cast<Index>(std::ceil(way / length));
     FrontWorks works{.converged = true};
     std::vector<double> approach, retraction;
-    const auto go = [&](Index k, bool counts, std::vector<double>& apparent) {
-        const auto state = front.drive_to(static_cast<double>(k) * length);
+    double drive = 0.0, position = 0.0;
+    // the spring is stretched first: what counts is where the front is
+    const auto go = [&](double direction, std::vector<double>& apparent) {
+        drive += direction * length;
+        const auto state = front.drive_to(drive);
+        position = state.position;
         works.converged = works.converged && state.converged;
-        if (counts) apparent.push_back(state.apparent_work);
+        if (direction * (position - 0.5 * way) > 0.0) apparent.push_back(state.apparent_work);
     };
-    for (Index k = 1; k <= steps; ++k) go(k, 2 * k > steps, approach);
-    for (Index k = steps - 1; k >= 0; --k) go(k, 2 * k < steps, retraction);
+    while (position < way) go(1.0, approach);
+    while (position > 0.0) go(-1.0, retraction);
     const auto grown = mean_of_stretches(approach), receded = mean_of_stretches(retraction);
     works.approach = grown.value;
     works.approach_standard_error = grown.standard_error;

@@ -12,7 +12,7 @@
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/topography/measurement.hpp"
 
-namespace {
+namespace circular_front_test {
 
 using namespace setae;
 using namespace setae::crack_front;
@@ -194,4 +194,4 @@ TEST(CircularFront, SaysWhereItCannotGo) {
     EXPECT_FALSE(front.solve(HeldDisplacement{-0.1}).in_contact);
 }
 
-}  // namespace
+}  // namespace circular_front_test

@@ -9,7 +9,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
-namespace {
+namespace front_loop_test {
 
 using namespace setae;
 using namespace setae::crack_front;
@@ -94,4 +94,4 @@ TEST(FrontLoop, EndsWhereItIsTold) {
     EXPECT_THROW((void)front_loop(front, {.furthest = -1.0}), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace front_loop_test

@@ -9,7 +9,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace {
+namespace pinning_test {
 
 using namespace setae;
 using namespace setae::crack_front;
@@ -46,4 +46,4 @@ TEST(Pinning, SaysWhatAFrontRestsOn) {
     EXPECT_THROW((void)larkin_length(1.0, 0.0), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace pinning_test

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
-namespace {
+namespace straight_front_test {
 
 using namespace setae;
 using namespace setae::crack_front;
@@ -59,9 +59,13 @@ TEST(StraightFront, OfBothMethodsIsTheSameThereAndBack) {
         const auto state = one.drive_to(drive), expected = other.drive_to(drive);
         ASSERT_TRUE(state.converged && expected.converged) << k;
         // both leave the straight line each in its own way, and meet once every point has moved
-        if (k > 6) EXPECT_NEAR(state.apparent_work, expected.apparent_work, 1e-8) << k;
+        if (k > 6) {
+            EXPECT_NEAR(state.apparent_work, expected.apparent_work, 1e-8) << k;
+        }
         if (k <= 30) there.push_back(state.apparent_work);
-        else if (k > 36 && k < 54) EXPECT_GT(state.apparent_work, there[static_cast<std::size_t>(60 - k)]) << k;
+        if (k > 36 && k < 54) {
+            EXPECT_GT(state.apparent_work, there[static_cast<std::size_t>(60 - k)]) << k;
+        }
     }
 }
 
@@ -82,4 +86,4 @@ TEST(StraightFront, RefusesWhatHasNoWidth) {
     EXPECT_THROW((void)straight_front_works(noise(4, 4, 0.0), {.width = 4.0}, 0.0), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace straight_front_test

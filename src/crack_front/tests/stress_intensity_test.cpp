@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace {
+namespace stress_intensity_test {
 
 using namespace setae;
 using namespace setae::crack_front;
@@ -153,4 +153,4 @@ TEST(StressIntensity, RefusesCoarseRays) {
     EXPECT_THROW((void)stress_intensity_on_rays(map, {1.0, 1.0, {}}, 64, {60, 0.0, 0.5}), InvalidArgument);
 }
 
-}  // namespace
+}  // namespace stress_intensity_test

@@ -12,18 +12,15 @@
 int main(int count, char** arguments) {
     const int seeds = count > 1 ? std::atoi(arguments[1]) : 3;
     const std::vector<pinning_survey::Case> cases = {
-        {.energy_share = 0.003, .way = 512, .width = 8192},
-        {.energy_share = 0.01, .way = 512, .width = 8192},
-        {.energy_share = 0.03, .way = 512, .width = 1024},
-        {.energy_share = 0.03, .way = 512, .width = 2048},
-        {.energy_share = 0.03, .way = 512, .width = 4096},
-        {.energy_share = 0.03, .way = 1024, .width = 4096, .band = 8.0, .hurst_exponent = 0.3},
-        {.energy_share = 0.03, .way = 1024, .width = 4096, .band = 16.0, .hurst_exponent = 0.5},
-        {.energy_share = 0.03, .way = 1024, .width = 4096, .band = 16.0},
-        {.energy_share = 0.1, .way = 512, .width = 2048},
         {.energy_share = 0.3, .way = 512, .width = 2048},
         {.energy_share = 0.1, .way = 512, .width = 128},
-        {.energy_share = 0.01, .way = 512, .width = 128}};
+        {.energy_share = 0.1, .way = 512, .width = 2048},
+        {.energy_share = 0.03, .way = 512, .width = 256},
+        {.energy_share = 0.03, .way = 512, .width = 1024},
+        {.energy_share = 0.03, .way = 512, .width = 4096},
+        {.energy_share = 0.03, .way = 1024, .width = 4096, .band = 16.0},
+        {.energy_share = 0.03, .way = 1024, .width = 4096, .band = 16.0, .hurst_exponent = 0.5},
+        {.energy_share = 0.01, .way = 512, .width = 8192}};
     fmt::print(
         "| U_el/AW | points | band | H | front over its Larkin length | k, mean ± sd of {} | (W_appr − W)/U | "
         "(W_ret − W)/U |\n|---|---|---|---|---|---|---|---|\n",
@@ -33,7 +30,7 @@ int main(int count, char** arguments) {
         bool converged = true;
         for (int seed = 1; seed <= seeds; ++seed) {
             which.seed = static_cast<std::uint64_t>(seed);
-            const auto result = pinning_survey::run(which);
+            const auto result = pinning_survey::run(which, 2.0);
             sum += result.pinning_coefficient / seeds;
             squares += result.pinning_coefficient * result.pinning_coefficient / seeds;
             approach += result.approach / seeds;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace pinning_survey_test {
 
 // the long fronts are in docs/measured/crack-front.md
 TEST(PinningSurvey, AFrontBelowItsLarkinLengthHardlyLoses) {
@@ -20,4 +20,4 @@ TEST(PinningSurvey, ALongFrontLosesTwiceKTimesTheStoredEnergy) {
     EXPECT_NEAR(strong.pinning_coefficient, 2.02, 0.4);
 }
 
-}  // namespace
+}  // namespace pinning_survey_test

@@ -65,7 +65,7 @@ struct FrontWorks {
 };
 
 /// Drives a front over the field once and back, x_d in steps of `step` spacings, quasi-statically, and averages the
-/// apparent work over the second half of each way.
+/// apparent work over the second half of the way of each.
 /// @throws InvalidArgument as StraightFront does, and for a step that is not positive.
 [[nodiscard]] FrontWorks straight_front_works(const WorkField& field, const StraightFrontOptions& options,
                                               double step = 0.5);
