@@ -97,7 +97,7 @@ TEST(CircularFront, BothMethodsAgreeInARandomField) {
     const auto field = random_works(512, 0.08 / 16.0, 0);
     CircularFront one(sphere, field, {.largest_move = 0.1});
     CircularFront other(sphere, field, {.method = EquilibriumMethod::rosso_krauth, .tolerance = 1e-8});
-    for (const double d : {0.0, 0.02, 0.04, 0.06, 0.04, 0.02, 0.0, -0.02, -0.04, -0.06}) {
+    for (const double d : {0.0, 0.02, 0.04, 0.02, 0.0, -0.02, -0.04}) {
         const double expected = other.solve(HeldDisplacement{d}).force;
         EXPECT_NEAR(one.solve(HeldDisplacement{d}).force, expected, 1e-5 * std::abs(expected)) << d;
     }
@@ -105,7 +105,7 @@ TEST(CircularFront, BothMethodsAgreeInARandomField) {
 
 TEST(CircularFront, IsThatOfAFinerFieldWithinAPercent) {
     CircularFront coarse(sphere, random_works(512, 0.08 / 16.0, 0)), fine(sphere, random_works(512, 0.08 / 64.0, 0));
-    for (const double d : {0.0, 0.1, 0.2, 0.1, 0.0, -0.1, -0.2}) {
+    for (const double d : {0.0, 0.1, 0.0, -0.1}) {
         const double expected = fine.solve(HeldDisplacement{d}).force;
         EXPECT_NEAR(coarse.solve(HeldDisplacement{d}).force, expected, 1e-2 * std::abs(expected)) << d;
     }
