@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "setae/core/extent.hpp"
-#include "setae/core/summation.hpp"
-#include "setae/numerics/row_blocks.hpp"
 
 namespace setae::half_space {
 namespace {
@@ -22,23 +20,6 @@ constexpr Index patience = 100;
 /// Rounding of displacements, relative to heights and to what the mean pressure does to the longest wave.
 constexpr double rounding = 1e-13;
 
-/// Sums over the map, one of each kind a row: rows are added in an order of their own.
-template <std::size_t kinds>
-class RowSums {
-public:
-    explicit RowSums(Index rows) : rows_(static_cast<Index>(kinds), rows) {}
-    void store(Index row, const std::array<double, kinds>& sums) {
-        for (std::size_t kind = 0; kind < kinds; ++kind) rows_(static_cast<Index>(kind), row) = sums[kind];
-    }
-    [[nodiscard]] double sum(std::size_t kind) const {
-        return pairwise_sum(rows_.row(static_cast<Index>(kind)).transpose());
-    }
-    [[nodiscard]] double least(std::size_t kind) const { return rows_.row(static_cast<Index>(kind)).minCoeff(); }
-
-private:
-    Array2D rows_;
-};
-
 }  // namespace
 
 ActiveSetSolver::ActiveSetSolver(ElasticOperator& response, const fourier::Multiplier& compliance,
@@ -52,7 +33,7 @@ ActiveSetSolver::ActiveSetSolver(ElasticOperator& response, const fourier::Multi
       })),
       heights_(heights),
       target_(target),
-      threads_(threads),
+      rows_(heights, threads),
       p_(heights.rows(), heights.cols()),
       v_(heights.rows(), heights.cols()),
       t_(Array2D::Zero(heights.rows(), heights.cols())),
@@ -60,15 +41,10 @@ ActiveSetSolver::ActiveSetSolver(ElasticOperator& response, const fourier::Multi
       set_(extent(heights.size()), 0),
       highest_(heights.abs().maxCoeff()) {}
 
-template <class Body>
-void ActiveSetSolver::for_each_row(const Body& body) const {
-    numerics::for_each_row(p_.rows(), p_.cols(), threads_, body);
-}
-
 /// p − step t between 0 and the hardness.
 void ActiveSetSolver::cut_pressures(double step) {
     const double hardness = target_.hardness;
-    for_each_row([&](Index i) {
+    rows_.each([&](Index i) {
         double* p = p_.data() + i * p_.cols();
         const double* t = t_.data() + i * p_.cols();
         for (Index j = 0; j < p_.cols(); ++j) p[j] = std::min(hardness, std::max(0.0, p[j] - step * t[j]));
@@ -81,21 +57,20 @@ void ActiveSetSolver::carry_load() {
     const double load = *target_.mean_pressure * static_cast<double>(p_.size()), hardness = target_.hardness;
     constexpr int most_rounds = 100;  // one is enough where nothing flows
     for (int round = 0; round < most_rounds; ++round) {
-        RowSums<3> sums(p_.rows());
-        for_each_row([&](Index i) {
+        const auto sums = rows_.numbers<3>([&](Index i) {
             double elastic = 0.0, flowing = 0.0, places = 0.0;
             for (Index j = 0; j < p_.cols(); ++j) {
                 const double p = p_(i, j);
                 (p < hardness ? elastic : flowing) += p;
                 places += p < hardness ? 1.0 : 0.0;
             }
-            sums.store(i, {elastic, flowing, places});
+            return std::array{elastic, flowing, places};
         });
         const double elastic = sums.sum(0), rest = load - sums.sum(1);
         if (std::abs(rest - elastic) <= 1e-15 * load) return;
         const double factor = elastic > 0.0 ? rest / elastic : 1.0;
         const double share = elastic > 0.0 ? 0.0 : rest / std::max(1.0, sums.sum(2));
-        for_each_row([&](Index i) {
+        rows_.each([&](Index i) {
             for (Index j = 0; j < p_.cols(); ++j)
                 if (p_(i, j) < hardness) p_(i, j) = std::min(hardness, p_(i, j) * factor + share);
         });
@@ -152,15 +127,14 @@ void ActiveSetSolver::certify() {
 
 /// Σ min(g, 0), while the penetration is set to that of points that do not flow.
 double ActiveSetSolver::overlap_without_flow() {
-    RowSums<2> sums(p_.rows());
-    for_each_row([&](Index i) {
+    const auto sums = rows_.numbers<2>([&](Index i) {
         double overlap = 0.0, least = 0.0;
         for (Index j = 0; j < p_.cols(); ++j) {
             const double g = std::min(0.0, v_(i, j) + level_);
             overlap += g;
             if (p_(i, j) < target_.hardness) least = std::min(least, g);
         }
-        sums.store(i, {overlap, least});
+        return std::array{overlap, least};
     });
     certificate_.penetration = -sums.least(1);
     return sums.sum(0);
@@ -170,8 +144,7 @@ double ActiveSetSolver::overlap_without_flow() {
 ActiveSetSolver::Residual ActiveSetSolver::choose_set(bool careful) {
     const Index ny = p_.cols();
     const double hardness = target_.hardness;
-    RowSums<3> sums(p_.rows());
-    for_each_row([&](Index i) {
+    const auto sums = rows_.numbers<3>([&](Index i) {
         const double *p = p_.data() + i * ny, *v = v_.data() + i * ny;
         std::uint8_t* set = set_.data() + i * ny;
         double points = 0.0, sum = 0.0, square = 0.0;
@@ -185,7 +158,7 @@ ActiveSetSolver::Residual ActiveSetSolver::choose_set(bool careful) {
             sum += inside * g;
             square += inside * g * g;
         }
-        sums.store(i, {points, sum, square});
+        return std::array{points, sum, square};
     });
     Residual residual{.points = sums.sum(0), .level = level_, .square = sums.sum(2)};
     if (target_.mean_pressure && residual.points > 0.0) {
@@ -315,21 +288,21 @@ double ActiveSetSolver::activation_step() {
         const double g = v_(i, j) + level_;
         return p_(i, j) > 0.0 || g < 0.0 ? g : 0.0;
     };
-    Array1D squares(p_.rows());
+    RowSums<1> squares(p_.rows());
     const double curvature = response_.quadratic_form(compliance_, [&](Index i, double* line) {
         double square = 0.0;
         for (Index j = 0; j < ny; ++j) {
             line[j] = gap(i, j);
             square += line[j] * line[j];
         }
-        squares[i] = square;
+        squares.store(i, {square});
     });
     ++pairs_;
-    return curvature > 0.0 ? pairwise_sum(squares) / curvature : 0.0;
+    return curvature > 0.0 ? squares.sum() / curvature : 0.0;
 }
 
 void ActiveSetSolver::activate(double step) {
-    for_each_row([&](Index i) {
+    rows_.each([&](Index i) {
         for (Index j = 0; j < p_.cols(); ++j) {
             const double g = v_(i, j) + level_;
             const bool overlaps = p_(i, j) <= 0.0 && g < 0.0, recovers = p_(i, j) >= target_.hardness && g > 0.0;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "row_passes.hpp"
 #include "setae/half_space/elastic_operator.hpp"
 #include "setae/half_space/hard_wall.hpp"
 
@@ -60,8 +61,6 @@ private:
         double direction = 0.0;  ///< Σ t
         double slope = 0.0;      ///< Σ r t
     };
-    template <class Body>
-    void for_each_row(const Body& body) const;
     void cut_pressures(double step);
     void carry_load();
     void respond();
@@ -80,7 +79,7 @@ private:
     fourier::Multiplier stiffness_;
     const Array2D& heights_;
     Target target_;
-    parallel::Threads threads_;
+    RowPasses rows_;
     Array2D p_, v_, t_, w_;
     std::vector<std::uint8_t> set_;
     double highest_;  ///< max |h|

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "crew.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/parallel/cancellation.hpp"
 
@@ -38,8 +39,8 @@ void for_each_index(std::size_t n, Threads threads, const std::function<void(std
     std::vector<std::exception_ptr> failures(n);
     std::atomic<std::size_t> next{0};
     const auto* cancelled = cancellation;
-    const auto work = [&] {
-        cancellation = cancelled;
+    const std::function<void()> work = [&] {
+        const auto* outer = std::exchange(cancellation, cancelled);
         for (auto i = next.fetch_add(1); i < n; i = next.fetch_add(1)) {
             try {
                 if (cancelled && *cancelled) throw Cancelled("the caller asked to stop");
@@ -48,17 +49,10 @@ void for_each_index(std::size_t n, Threads threads, const std::function<void(std
                 failures[i] = std::current_exception();
             }
         }
+        cancellation = outer;
     };
     const auto workers = std::min<std::size_t>(n, static_cast<std::size_t>(threads.resolved()));
-    {
-        std::vector<std::jthread> crew;
-        try {
-            for (std::size_t i = 1; i < workers; ++i) crew.emplace_back(work);
-        } catch (const std::system_error&) {
-            // no more threads to be had: those there are do it all
-        }
-        work();
-    }
+    if (workers > 0) Crew::of_process().run(workers - 1, work);
     for (const auto& failure : failures)
         if (failure) std::rethrow_exception(failure);
 }

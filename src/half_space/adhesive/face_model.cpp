@@ -25,16 +25,15 @@ FaceModel::FaceModel(const Array2D& shape, ElasticOperator& elastic, parallel::T
       residual_(shape),
       preconditioned_(shape),
       direction_(shape),
-      stiff_direction_(shape),
-      first_(shape.rows()),
-      second_(shape.rows()),
-      third_(shape.rows()) {}
+      stiff_direction_(shape) {}
 
 void FaceModel::precondition(const FaceProblem& problem, Array2D& step, Array2D& stiff_step, double length,
                              double hold) {
     const Array2D& face = problem.face;
+    RowSums<2> before(face.rows()), after(face.rows());
     const auto load = [&](Index i, double* line) {
         auto r = row(residual_, i);
+        double largest = 0.0;
         if (length != 0.0) {
             const auto p = row(direction_, i);
             const auto Kp = row(stiff_direction_, i);
@@ -42,32 +41,32 @@ void FaceModel::precondition(const FaceProblem& problem, Array2D& step, Array2D&
             d += length * p;
             row(stiff_step, i) += length * Kp;
             r -= length * row(face, i) * (Kp + row(problem.slopes, i) * p - hold);
-            third_[i] = d.abs().maxCoeff();
+            largest = d.abs().maxCoeff();
         }
-        first_[i] = r.square().sum();
+        before.store(i, {r.square().sum(), largest});
         Row(line, r.size()) = r;
     };
-    Array1D products(first_.size());
     const auto store = [&](Index i, const double* line) {
         auto z = row(preconditioned_, i);
         z = row(face, i) * ConstRow(line, z.size());
-        second_[i] = z.sum();
-        products[i] = (z * row(residual_, i)).sum();
+        after.store(i, {z.sum(), (z * row(residual_, i)).sum()});
     };
     elastic_->apply(preconditioner_, load, store);
     ++transforms;
-    residual_power_ = pairwise_sum(first_);
-    largest_ = length != 0.0 ? third_.maxCoeff() : 0.0;
-    mean_preconditioned_ = problem.mean_held ? pairwise_sum(second_) / count_ : 0.0;
-    product_ = pairwise_sum(products);
+    residual_power_ = before.sum(0);
+    largest_ = before.largest(1);
+    mean_preconditioned_ = problem.mean_held ? after.sum(0) / count_ : 0.0;
+    product_ = after.sum(1);
 }
 
 void FaceModel::apply_hessian(const FaceProblem& problem, double along_last) {
     const Array2D& face = problem.face;
+    RowSums<1> directions(face.rows());
+    RowSums<2> responses(face.rows());
     const auto load = [&](Index i, double* line) {
         auto p = row(direction_, i);
         p = row(face, i) * (row(preconditioned_, i) - mean_preconditioned_) + along_last * p;
-        third_[i] = p.sum();
+        directions.store(i, {p.sum()});
         Row(line, p.size()) = p;
     };
     const auto store = [&](Index i, const double* line) {
@@ -75,15 +74,14 @@ void FaceModel::apply_hessian(const FaceProblem& problem, double along_last) {
         auto Kp = row(stiff_direction_, i);
         Kp = ConstRow(line, Kp.size());
         const auto Hp = Kp + row(problem.slopes, i) * p;
-        first_[i] = (p * Hp).sum();
-        second_[i] = (row(face, i) * Hp).sum();
+        responses.store(i, {(p * Hp).sum(), (row(face, i) * Hp).sum()});
     };
     elastic_->apply(stiffness_, load, store);
     ++transforms;
-    const double sum = pairwise_sum(third_), mean = sum / static_cast<double>(direction_.size());
-    curvature_ = pairwise_sum(first_);
+    const double sum = directions.sum(), mean = sum / static_cast<double>(direction_.size());
+    curvature_ = responses.sum(0);
     if (problem.mean_held) {
-        hold_ = pairwise_sum(second_) / count_;
+        hold_ = responses.sum(1) / count_;
     } else {
         curvature_ += problem.control_stiffness * mean * sum;
         hold_ = -problem.control_stiffness * mean;
@@ -110,13 +108,13 @@ void FaceModel::move(Array2D& step, Array2D& stiff_step, double length) {
 
 FaceOutcome FaceModel::minimise(const FaceProblem& problem, Array2D& step, Array2D& stiff_step) {
     FaceOutcome outcome;
-    step.setZero(), stiff_step.setZero(), direction_.setZero();
-    count_ = rows_.sum([&](Index i) { return row(problem.face, i).sum(); });
+    const auto sums = rows_.numbers<2>([&](Index i) {
+        for (auto* map : {&step, &stiff_step, &direction_}) row(*map, i).setZero();
+        return std::array{row(problem.face, i).sum(), (row(problem.face, i) * row(problem.gradient, i)).sum()};
+    });
+    count_ = sums.sum(0);
     if (count_ == 0.0) return outcome;
-    const double hold =
-        problem.mean_held
-            ? rows_.sum([&](Index i) { return (row(problem.face, i) * row(problem.gradient, i)).sum(); }) / count_
-            : 0.0;
+    const double hold = problem.mean_held ? sums.sum(1) / count_ : 0.0;
     rows_.each([&](Index i) { row(residual_, i) = row(problem.face, i) * (hold - row(problem.gradient, i)); });
     precondition(problem, step, stiff_step, 0.0, 0.0);
     outcome.first_residual = std::sqrt(residual_power_ / count_);

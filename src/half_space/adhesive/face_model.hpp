@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "adhesive/row_passes.hpp"
+#include "row_passes.hpp"
 #include "setae/half_space/elastic_operator.hpp"
 
 namespace setae::half_space {
@@ -54,7 +54,6 @@ private:
     fourier::Multiplier stiffness_, preconditioner_;
     RowPasses rows_;
     Array2D residual_, preconditioned_, direction_, stiff_direction_;
-    Array1D first_, second_, third_;  ///< sums of rows
     // of the last preconditioning and of the last Hessian
     double mean_preconditioned_ = 0.0, product_ = 0.0, residual_power_ = 0.0, largest_ = 0.0;
     double curvature_ = 0.0, hold_ = 0.0, count_ = 0.0;

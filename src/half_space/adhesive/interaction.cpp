@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "adhesive/row_passes.hpp"
+#include "row_passes.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::half_space {

@@ -5,9 +5,12 @@
 #include "setae/parallel/cancellation.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace setae::parallel::for_each_test {
@@ -33,6 +36,29 @@ TEST(ForEachIndex, RethrowsTheFailureOfTheLowestIndexAfterRunningAll) {
         EXPECT_STREQ(error.what(), "20");
     }
     EXPECT_EQ(visits, std::vector<int>(100, 1));
+}
+
+TEST(ForEachIndex, RunsWithinItselfAndFromSeveralThreads) {
+    std::vector<std::vector<int>> visits(8, std::vector<int>(50, 0));
+    const auto outer = [&](std::size_t i) { for_each_index(50, Threads{3}, [&](std::size_t j) { ++visits[i][j]; }); };
+    {
+        const std::jthread other([&] { for_each_index(4, Threads{2}, outer); });
+        for_each_index(4, Threads{3}, [&](std::size_t i) { outer(i + 4); });
+    }
+    EXPECT_EQ(visits, std::vector(8, std::vector<int>(50, 1)));
+}
+
+TEST(ForEachIndex, RunsInAChildThatThreadsDidNotFollowInto) {
+    for_each_index(10, Threads{2}, [](std::size_t) {});
+    const pid_t child = fork();
+    if (child == 0) {
+        std::atomic<int> visits{0};
+        for_each_index(10, Threads{2}, [&](std::size_t) { ++visits; });
+        _exit(visits == 10 ? 0 : 1);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
 }
 
 TEST(Cancellation, BeginsNoFurtherIndexHoweverDeepTheLoop) {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crew.hpp"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <system_error>
+#include <thread>
+
+namespace setae::parallel {
+namespace {
+
+/// Looks that a thread takes before it sleeps, some ten microseconds: the next short loop comes that soon.
+constexpr int looks = 400;
+
+template <class Condition>
+bool soon(const Condition& condition) {
+    for (int look = 0; look < looks; ++look) {
+        if (condition()) return true;
+#if defined(__x86_64__) || defined(__i386__)
+        __builtin_ia32_pause();
+#endif
+    }
+    return condition();
+}
+
+// threads that wait outlive main(), so the crew is never destroyed
+std::atomic<Crew*> crew{nullptr};
+
+}  // namespace
+
+Crew& Crew::of_process() {
+    static const bool first = [] {
+        crew = new Crew;
+        pthread_atfork(nullptr, nullptr, [] { crew = new Crew; });  // threads do not follow into the child
+        return true;
+    }();
+    (void)first;
+    return *crew;
+}
+
+void Crew::run(std::size_t helpers, const std::function<void()>& work) {
+    if (helpers == 0) return work();
+    Loop loop{work, helpers};
+    invite(loop);
+    work();
+    dismiss(loop);
+}
+
+void Crew::invite(Loop& loop) {
+    {
+        const std::lock_guard lock(mutex_);
+        loops_.push_back(&loop);
+        places_ += loop.places;
+        try {
+            for (; idle_ < places_; ++idle_) std::thread([this] { help(); }).detach();
+        } catch (const std::system_error&) {
+            // no more threads to be had: those there are do it all
+        }
+    }
+    wake_.notify_all();
+}
+
+void Crew::dismiss(Loop& loop) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (loop.places > 0) loops_.erase(std::find(loops_.begin(), loops_.end(), &loop));
+        places_ -= loop.places;
+        loop.places = 0;
+    }
+    (void)soon([&] { return loop.active == 0; });
+    std::unique_lock lock(mutex_);  // the helper has let go of the loop, too
+    done_.wait(lock, [&] { return loop.active == 0; });
+}
+
+void Crew::help() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wake_.wait(lock, [&] { return places_ > 0; });
+        Loop& loop = *loops_.front();
+        if (--loop.places == 0) loops_.pop_front();
+        --places_, --idle_, ++loop.active;
+        lock.unlock();
+        loop.work();
+        lock.lock();
+        ++idle_, --loop.active;
+        done_.notify_all();
+        lock.unlock();
+        (void)soon([&] { return places_ > 0; });
+        lock.lock();
+    }
+}
+
+}  // namespace setae::parallel
