@@ -150,6 +150,11 @@ void check(const ContainerTopography& topography, const std::string& place, Viol
                        place + "/measurement_date",
                        fmt::format("'{}' is no date such as 2016-02-15", topography.measurement_date));
     check(topography.created_by, place, violations);
+    if (topography.instrument && topography.instrument->parameters) {
+        const auto& tip = topography.instrument->parameters->tip_radius;
+        violations.require(!tip || tip->text.empty(), place + "/instrument/parameters/tip_radius",
+                           "a text with ±, where the schema has value and unit");
+    }
     violations.refuse_kept(
         topography.extra, place,
         {"name", "datafile", "size", "unit", "data_source", "has_undefined_data", "fill_undefined_data_mode",
@@ -176,9 +181,15 @@ void check(const ContainerSurface& surface, const std::string& place, Violations
 
 }  // namespace
 
-std::optional<double> ContainerLength::metres() const {
+std::optional<Estimate> ContainerLength::estimate() const {
+    if (!text.empty()) return parse_uncertain_quantity(text, positive(dimension::length));
     if (!value || unit.empty()) return std::nullopt;
-    return *value * unit_factor(unit, dimension::length);
+    return Estimate{.value = *value * unit_factor(unit, dimension::length)};
+}
+
+std::optional<double> ContainerLength::metres() const {
+    const auto length = estimate();
+    return length ? std::optional(length->value) : std::nullopt;
 }
 
 std::string describe(ContainerGeneration generation) {

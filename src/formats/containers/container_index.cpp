@@ -52,6 +52,8 @@ template <class Fields>
 void fields_of(ContainerInstrument::Parameters& parameters, Fields& fields) {
     fields("tip_radius", parameters.tip_radius);
     fields("resolution", parameters.resolution);
+    fields("height_calibration", parameters.height_calibration);
+    fields("lateral_calibration", parameters.lateral_calibration);
 }
 
 template <class Fields>
@@ -195,6 +197,10 @@ private:
         value = from.get<std::map<std::string, std::string>>();
         return true;
     }
+    bool take(json& from, ContainerLength& value, const std::string& place) {
+        if (take(from, value.text, place)) return true;
+        return take<ContainerLength>(from, value, place);
+    }
     template <class Type>
     bool take(json& from, std::optional<Type>& value, const std::string& place) {
         Type taken{};
@@ -260,6 +266,9 @@ private:
     }
     static ordered_json put(const std::map<std::string, std::string>& value) {
         return value.empty() ? ordered_json(nullptr) : ordered_json(value);
+    }
+    static ordered_json put(ContainerLength& value) {
+        return value.text.empty() ? put<ContainerLength>(value) : ordered_json(value.text);
     }
     template <class Type>
     static ordered_json put(std::optional<Type>& value) {

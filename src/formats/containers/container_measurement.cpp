@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "container_measurement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
+#include "container_index.hpp"
 #include "format_list.hpp"
 #include "setae/bytes/expand.hpp"
 #include "setae/core/errors.hpp"
@@ -61,7 +64,26 @@ void choose_member(const ContainerTopography& topography, const bytes::Archive& 
              "ask whoever made the container for the original"});
 }
 
-MemberEntry entry_of(const ContainerTopography& topography, const std::string& surface, const bytes::Archive& archive) {
+/// What the index states of an instrument, with its ±; `file`: of the container, which the instrument belongs to.
+void take_instrument(const ContainerInstrument& instrument, const std::string& file, MemberEntry& entry) {
+    const auto parameters = instrument.parameters.value_or(ContainerInstrument::Parameters{});
+    entry.instrument.name = instrument.name;
+    if (const auto radius = parameters.tip_radius ? parameters.tip_radius->estimate() : std::nullopt) {
+        entry.instrument.tip_radius = radius->value;
+        if (radius->uncertain()) entry.instrument.tip_radius_standard_error = radius->standard_error;
+    }
+    if (parameters.resolution) entry.instrument.resolution = parameters.resolution->metres();
+    if (!parameters.height_calibration.empty()) entry.attributes["height_calibration"] = parameters.height_calibration;
+    if (!parameters.lateral_calibration.empty())
+        entry.attributes["lateral_calibration"] = parameters.lateral_calibration;
+    if (!instrument.type.empty()) entry.attributes["instrument_type"] = instrument.type;
+    entry.attributes["instrument_of_container"] =
+        fmt::format("{} in {}", instrument.name.empty() ? "instrument" : instrument.name,
+                    std::filesystem::path(file).filename().string());
+}
+
+MemberEntry entry_of(const ContainerTopography& topography, const std::string& surface, const bytes::Archive& archive,
+                     const std::string& file) {
     require_understood(topography);
     MemberEntry entry;
     entry.name = topography.name;
@@ -79,13 +101,7 @@ MemberEntry entry_of(const ContainerTopography& topography, const std::string& s
     }
     entry.periodic = topography.is_periodic.value_or(false);
     entry.trend = trend_of(topography.detrend_mode);
-    if (const auto& instrument = topography.instrument) {
-        const auto parameters = instrument->parameters.value_or(ContainerInstrument::Parameters{});
-        entry.instrument.name = instrument->name;
-        if (parameters.tip_radius) entry.instrument.tip_radius = parameters.tip_radius->metres();
-        if (parameters.resolution) entry.instrument.resolution = parameters.resolution->metres();
-        if (!instrument->type.empty()) entry.attributes["instrument_type"] = instrument->type;
-    }
+    if (topography.instrument) take_instrument(*topography.instrument, file, entry);
     const std::pair<const char*, const std::string&> texts[] = {
         {"description", topography.description},
         {"measurement_date", topography.measurement_date},
@@ -102,7 +118,10 @@ void merge(const MemberEntry& entry, const std::string& container, topography::M
     metadata.file = container;
     metadata.name = entry.name;
     if (!entry.instrument.name.empty()) metadata.instrument.name = entry.instrument.name;
-    if (entry.instrument.tip_radius) metadata.instrument.tip_radius = entry.instrument.tip_radius;
+    if (entry.instrument.tip_radius) {
+        metadata.instrument.tip_radius = entry.instrument.tip_radius;
+        metadata.instrument.tip_radius_standard_error = entry.instrument.tip_radius_standard_error;
+    }
     if (entry.instrument.resolution) metadata.instrument.resolution = entry.instrument.resolution;
     for (const auto& [key, value] : entry.attributes) metadata.attributes[key] = value;
     if (metadata.acquisition_time.empty())
@@ -204,10 +223,39 @@ bool repeats_scale(const bytes::Archive& archive, const ContainerTopography& top
     }
 }
 
+namespace {
+
+/// @throws FormatError for what is stated of an instrument with a ± that is none: no measurement is taken without it.
+void require_statements(const bytes::Source& source, const bytes::Archive& archive,
+                        const ContainerTopography& topography) {
+    if (!topography.instrument || !topography.instrument->parameters) return;
+    const auto& parameters = *topography.instrument->parameters;
+    const auto require = [&](const char* key, const std::string& text, const Dimension& dimension) {
+        if (text.empty()) return;
+        try {
+            (void)parse_uncertain_quantity(text, positive(dimension));
+        } catch (const InvalidArgument& error) {
+            const auto* name = archive.has(json_index) ? json_index : yaml_index;
+            const auto index = archive.read(name);
+            FilePosition position;
+            if (const auto at = index.find(text); at != std::string::npos)
+                position.line = 1 + std::count(index.begin(), index.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+            throw FormatError(fmt::format("{}: {}", source.name, name), position,
+                              fmt::format("{}: {}", key, error.what()));
+        }
+    };
+    if (parameters.tip_radius) require("tip_radius", parameters.tip_radius->text, dimension::length);
+    require("height_calibration", parameters.height_calibration, dimension::none);
+    require("lateral_calibration", parameters.lateral_calibration, dimension::none);
+}
+
+}  // namespace
+
 Channel container_channel(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface,
                           const ContainerTopography& topography) {
+    require_statements(source, archive, topography);
     try {
-        return member_channel(source, archive, entry_of(topography, surface.name, archive));
+        return member_channel(source, archive, entry_of(topography, surface.name, archive, source.name));
     } catch (const Error& error) {
         return unreadable_member(source, topography.name, error.what());
     }

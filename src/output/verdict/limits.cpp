@@ -108,7 +108,7 @@ private:
 
     void say_of_exact_inputs() {
         std::vector<std::string> kinds;
-        for (const auto& [what, names] : study::exact_inputs(result_.study))
+        for (const auto& [what, names] : study::exact_inputs(result_))
             kinds.push_back(names.empty() ? what : fmt::format("{} ({})", what, fmt::join(names, ", ")));
         if (!kinds.empty() && result_.work_of_adhesion)
             say(fmt::format("Taken for exact, as the study gives no ±: {}.", listed(kinds)));

@@ -44,6 +44,7 @@ StatedInstrument instrument_of(const DraftMeasurement& measurement) {
 std::string probe_lines(const std::string& type, const formats::ChannelInfo& info) {
     const auto& instrument = info.metadata.instrument;
     const auto believed = believed_without_probe(info);
+    if (instrument.tip_radius_standard_error) return "";  // the container says it, with its ±
     if (instrument.tip_radius)
         return draft_line("tip_radius", format_value(*instrument.tip_radius, "m"), "as the file says, without its ±");
     if (instrument.resolution)

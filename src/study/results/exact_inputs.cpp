@@ -83,4 +83,16 @@ std::vector<ExactInputs> exact_inputs(const Study& study) {
     return found;
 }
 
+std::vector<ExactInputs> exact_inputs(const StudyResult& result) {
+    auto study = result.study;
+    for (std::size_t i = 0; i < study.surfaces.size() && i < result.surfaces.size(); ++i)
+        for (auto& input : study.surfaces[i].measurements)
+            for (const auto& m : result.surfaces[i].measurements) {
+                if (m.file != input.file) continue;
+                if (exact(input.height_calibration)) input.height_calibration = m.inputs.height_calibration;
+                if (exact(input.lateral_calibration)) input.lateral_calibration = m.inputs.lateral_calibration;
+            }
+    return exact_inputs(study);
+}
+
 }  // namespace setae::study

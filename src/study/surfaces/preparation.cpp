@@ -44,13 +44,31 @@ void apply_instrument(topography::Instrument& instrument, const MeasurementInput
     if (input.resolution) instrument.resolution = input.resolution;
     if (!input.tip_radius) return;
     instrument.tip_radius = input.tip_radius->value;
-    if (input.tip_radius->standard_error > 0.0) instrument.tip_radius_standard_error = input.tip_radius->standard_error;
+    instrument.tip_radius_standard_error.reset();
+    if (input.tip_radius->uncertain()) instrument.tip_radius_standard_error = input.tip_radius->standard_error;
 }
 
-/// What the study says of the inputs of an instrument.
-InstrumentInputs inputs_of(const MeasurementInput& input) {
+/// What a container states of its instrument's factor: one input of all that the instrument measured there.
+std::optional<Estimate> stated_factor(const topography::Metadata& metadata, const char* key, const char* quantity) {
+    const auto stated = metadata.attributes.find(key), scope = metadata.attributes.find("instrument_of_container");
+    if (stated == metadata.attributes.end() || scope == metadata.attributes.end()) return std::nullopt;
+    auto factor = parse_uncertain_quantity(stated->second, positive(dimension::none));
+    factor.input = fmt::format("{} of {}", quantity, scope->second);
+    if (factor.value != 1.0) factor.input += fmt::format(" ({:.6g})", factor.value);
+    return factor;
+}
+
+std::string stated_tip(const topography::Metadata& metadata) {
+    const auto scope = metadata.attributes.find("instrument_of_container");
+    const auto& instrument = metadata.instrument;
+    if (scope == metadata.attributes.end() || !instrument.tip_radius_standard_error) return {};
+    return fmt::format("tip radius of {} ({})", scope->second, format_value(*instrument.tip_radius, "m", 3));
+}
+
+/// What the study says of the inputs of an instrument, else the container.
+InstrumentInputs inputs_of(const MeasurementInput& input, const topography::Metadata& metadata) {
     InstrumentInputs inputs;
-    if (input.tip_radius) inputs.tip_radius = input.tip_radius->input;
+    inputs.tip_radius = input.tip_radius ? input.tip_radius->input : stated_tip(metadata);
     if (input.foil_thickness) inputs.foil_thickness = input.foil_thickness->input;
     const auto take = [&](const std::optional<Estimate>& stated, Estimate& factor, const char* key) {
         if (!stated) return;
@@ -59,8 +77,13 @@ InstrumentInputs inputs_of(const MeasurementInput& input) {
                                               input.file, key, stated->value));
         factor = *stated;
     };
-    take(input.height_calibration, inputs.height_calibration, "height_calibration");
-    take(input.lateral_calibration, inputs.lateral_calibration, "lateral_calibration");
+    const auto or_stated = [&](const std::optional<Estimate>& said, const char* key, const char* quantity) {
+        return said ? said : stated_factor(metadata, key, quantity);
+    };
+    take(or_stated(input.height_calibration, "height_calibration", "height calibration"), inputs.height_calibration,
+         "height_calibration");
+    take(or_stated(input.lateral_calibration, "lateral_calibration", "lateral calibration"),
+         inputs.lateral_calibration, "lateral_calibration");
     return inputs;
 }
 
@@ -204,7 +227,7 @@ std::optional<TiledMeasurement> tiled_measurement(const formats::Channel& channe
     if (!map) return {};
     apply_instrument(map->metadata.instrument, input);
     const auto trend = trend_of(channel, input, map->metadata);
-    auto inputs = inputs_of(input);
+    auto inputs = inputs_of(input, map->metadata);
     calibrate(*map, inputs);
     return TiledMeasurement{std::move(*map), trend, channel.info.alerts, std::move(inputs), taken};
 }
@@ -239,8 +262,8 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     prepared.alerts = channel.info.alerts;
     prepared.direction = input.direction;
     prepared.optics = optics_of(input);
-    prepared.inputs = inputs_of(input);
     prepared.measurement = channel.read();
+    prepared.inputs = inputs_of(input, topography::metadata(prepared.measurement));
     apply_instrument(topography::metadata(prepared.measurement).instrument, input);
     if (!input.references.empty()) {
         const auto* scan = std::get_if<topography::LineScan>(&prepared.measurement);

@@ -81,6 +81,20 @@ TEST(ContainerIndex, SaysAllOfTheNewestGeneration) {
     EXPECT_EQ(file.alerts[0].subject, "surfaces/0/topographies/0/instrument/vendor");
 }
 
+TEST(ContainerIndex, KeepsWhatIsSaidOfAnInstrumentsErrors) {
+    const auto file = read_container(container({{"meta.yml",
+                                                 "surfaces:\n- name: s\n  topographies:\n  - name: t\n    instrument:\n"
+                                                 "      name: D\n      parameters:\n        tip_radius: 10 ± 2 nm\n"
+                                                 "        lateral_calibration: 1.00 ± 0.01\n"}}));
+    EXPECT_TRUE(file.alerts.empty());
+    const auto& parameters = *file.container.surfaces.at(0).topographies.at(0).instrument->parameters;
+    EXPECT_DOUBLE_EQ(parameters.tip_radius->estimate()->standard_error, 2e-9);
+    EXPECT_EQ(parameters.lateral_calibration, "1.00 ± 0.01");
+    const TemporaryFolder folder;
+    write_container(folder.path("c.zip"), file.container, {});
+    EXPECT_EQ(read_container(bytes::file_source(folder.path("c.zip"))).container.surfaces, file.container.surfaces);
+}
+
 TEST(ContainerIndex, NoValueIsMadeUpForAProperty) {
     const auto without = container(
         {{"index.json",

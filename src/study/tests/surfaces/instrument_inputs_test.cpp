@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "sample_files.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/formats/container.hpp"
 #include "setae/spectra/self_affine.hpp"
 #include "setae/study/study.hpp"
 #include "setae/study/surface_analysis.hpp"
@@ -204,6 +206,67 @@ TEST(CalibrationOfAMeasurement, IsAFactorAboveZero) {
     const auto result = analyse_surface(input, options(SpectrumMethod::average), {1});
     EXPECT_NE(result.measurements[0].error.find("height_calibration 0, expected"), std::string::npos)
         << result.measurements[0].error;
+}
+
+/// A container of one map of an AFM that states its tip and the calibration of its heights.
+std::string container_of(const TemporaryFolder& folder, const std::string& tip, const std::string& heights) {
+    formats::ContainerTopography map;
+    map.name = "map";
+    map.datafile.original = "a.txt";
+    map.size = {2.0, 2.0};
+    map.unit = "um";
+    map.instrument.emplace().name = "Dimension V";
+    map.instrument->parameters.emplace().tip_radius = formats::ContainerLength{.text = tip};
+    map.instrument->parameters->height_calibration = heights;
+    formats::ContainerSurface surface;
+    surface.name = "A";
+    surface.topographies = {map};
+    formats::Container container;
+    container.surfaces = {surface};
+    auto path = folder.path("set.zip");
+    formats::write_container(path, container, {{"a.txt", [] { return bytes::memory_source("a.txt", "1 2\n3 4\n"); }}});
+    return path;
+}
+
+TEST(InstrumentInputs, ComeFromContainers) {
+    const TemporaryFolder folder;
+    MeasurementInput input;
+    input.file = container_of(folder, "10 ± 2 nm", "1.00 ± 0.02");
+    const auto prepared = measurement_sources(input).front().prepare();
+    const auto& instrument = topography::metadata(prepared.measurement).instrument;
+    EXPECT_DOUBLE_EQ(instrument.tip_radius.value(), 1e-8);
+    EXPECT_DOUBLE_EQ(instrument.tip_radius_standard_error.value(), 2e-9);
+    EXPECT_EQ(prepared.inputs.tip_radius, "tip radius of Dimension V in set.zip (10.0 nm)");
+    EXPECT_EQ(prepared.inputs.height_calibration.input, "height calibration of Dimension V in set.zip");
+    EXPECT_DOUBLE_EQ(prepared.inputs.height_calibration.standard_error, 0.02);
+    EXPECT_FALSE(prepared.inputs.lateral_calibration.uncertain());
+    // what the study says comes first
+    input.tip_radius = Estimate{.value = 2e-8, .standard_error = 1e-9, .input = "mine"};
+    input.height_calibration = Estimate{.value = 1.1, .standard_error = 0.01, .input = "scale"};
+    const auto told = measurement_sources(input).front().prepare();
+    EXPECT_EQ(told.inputs.tip_radius, "mine");
+    EXPECT_EQ(told.inputs.height_calibration.input, "scale");
+}
+
+TEST(InstrumentInputs, OfContainersThatAreWrongAreSaidWithTheirLine) {
+    const TemporaryFolder folder;
+    const auto message = [&](const std::string& tip, const std::string& heights) -> std::string {
+        MeasurementInput input;
+        input.file = container_of(folder, tip, heights);
+        try {
+            (void)measurement_sources(input).front().prepare();
+        } catch (const FormatError& failure) {
+            return failure.what();
+        }
+        return "nothing";
+    };
+    EXPECT_NE(message("10 ± 2 nm", "1 ± -0.1").find("index.json:"), std::string::npos);
+    for (const auto* tip : {"10 ± 20 nm", "10 ± -1 nm", "10 ± 2", "-10 nm"}) {
+        const auto said = message(tip, "");
+        EXPECT_NE(said.find("set.zip: index.json:"), std::string::npos) << said;
+        EXPECT_NE(said.find(": tip_radius: "), std::string::npos) << said;
+        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    }
 }
 
 TEST(InstrumentInputs, AreNamedInStudyFiles) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "setae/bytes/source.hpp"
+#include "setae/core/estimate.hpp"
 #include "setae/core/quantity.hpp"
 
 /// Containers of contact.engineering: a ZIP of measured files and an index that says what each is. The types hold what
@@ -40,9 +41,12 @@ struct ContainerPublication {
 struct ContainerLength {
     std::optional<double> value;
     std::string unit, extra;
+    std::string text;  ///< "10 ± 2 nm", in place of value and unit
     bool operator==(const ContainerLength&) const = default;
 
-    /// [m]; nothing without value or unit. @throws InvalidArgument for a unit that is no length.
+    /// [m]; nothing without value or unit. @throws InvalidArgument for a unit that is no length, and for a text that is no
+    /// length > 0 with its ± and unit.
+    [[nodiscard]] std::optional<Estimate> estimate() const;
     [[nodiscard]] std::optional<double> metres() const;
 };
 
@@ -51,6 +55,7 @@ struct ContainerInstrument {
     std::string type;  ///< "contact-based", "microscope-based" or "undefined"
     struct Parameters {
         std::optional<ContainerLength> tip_radius, resolution;
+        std::string height_calibration, lateral_calibration;  ///< setae's own: true over stated, "1.00 ± 0.02"
         std::string extra;
         bool operator==(const Parameters&) const = default;
     };

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "setae/study/study.hpp"
+#include "setae/study/study_result.hpp"
 
 namespace setae::study {
 
@@ -17,5 +17,7 @@ struct ExactInputs {
 /// In the order in which they move W_int most, as a rule: surface energy and modulus of elastomers, sphere radius,
 /// calibrations of instruments and of loops, tips.
 [[nodiscard]] std::vector<ExactInputs> exact_inputs(const Study& study);
+/// The same without what containers gave a ± for.
+[[nodiscard]] std::vector<ExactInputs> exact_inputs(const StudyResult& result);
 
 }  // namespace setae::study
