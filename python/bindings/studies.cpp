@@ -2,6 +2,7 @@
 #include <memory>
 
 #include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/tuple.h>
 #include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
@@ -117,6 +118,20 @@ void bind_studies(nb::module_& module) {
         for (const auto& figure : study->figures) figures.push_back({study, &figure});
         return figures;
     });
+    module.def(
+        "quantity_html",
+        [](double value, double standard_error, const std::string& unit,
+           const std::optional<std::tuple<double, double, double>>& interval) {
+            Quantity quantity =
+                output::quantity("", "", Estimate{.value = value, .standard_error = standard_error}, unit);
+            if (interval) {
+                const auto [lower, upper, level] = *interval;
+                quantity.estimate.interval = Interval{lower, upper, level};
+            }
+            return report::as_html(quantity);
+        },
+        nb::arg("value"), nb::arg("standard_error"), nb::arg("unit"), nb::arg("interval").none(),
+        "a number in SI as a study's report shows it");
     module.def(
         "title_of_study", [](const std::string& file) { return read(file, {}).title; }, nb::arg("file"),
         "reads a study; what is wrong with its file is raised");

@@ -86,9 +86,13 @@ class Quantity:
     def __str__(self) -> str:
         return _setae.format_uncertain(self.value, self.standard_error, self.unit)
 
+    def to_html(self) -> str:
+        """The number with its ± and interval, as a study's report shows it."""
+        between = (self.interval.lower, self.interval.upper, self.interval.level) if self.interval else None
+        return _setae.quantity_html(self.value, self.standard_error, self.unit, between)
+
     def _repr_html_(self) -> str:
-        interval = f" [{self.interval.lower:.4g}, {self.interval.upper:.4g}] {self.unit}" if self.interval else ""
-        return f"<i>{html.escape(self.symbol)}</i> = {html.escape(str(self))}<small>{html.escape(interval)}</small>"
+        return f"<i>{html.escape(self.symbol)}</i> = {self.to_html()}"
 
     def to_uncertainties(self) -> Any:
         """As ``ufloat`` of the package uncertainties, in SI."""
@@ -194,13 +198,13 @@ class Answer(Mapping[str, Any]):
 
     def __repr__(self) -> str:
         quantities = self.quantities
-        said = [f"{q.symbol} = {q}" for q in quantities[:6]] if quantities else list(self._data)
+        said = [f"{q.symbol or q.quantity} = {q}" for q in quantities[:6]] if quantities else list(self._data)
         return f"{type(self).__name__}({', '.join(map(str, said))})"
 
     def _repr_html_(self) -> str:
         rows = "".join(
             f"<tr><td>{html.escape(q.quantity.replace('_', ' '))}</td><td><i>{html.escape(q.symbol)}</i></td>"
-            f"<td>{html.escape(str(q))}</td></tr>"
+            f"<td>{q.to_html()}</td></tr>"
             for q in self.quantities
         )
         remarks = "".join(f"<li>{html.escape(str(alert))}</li>" for alert in self.alerts)

@@ -73,6 +73,8 @@ def test_a_notebook_shows_them(scan):
     work = setae.work_of_adhesion(surface, E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2")
     for shown in (scan, scan.level(), setae.power_spectrum(scan), setae.parameters(scan), surface, work, work.estimate, scan.level().processing):
         assert shown._repr_html_().startswith("<") and repr(shown)
+    known = setae.Quantity("work_of_adhesion", "W", 0.03709, "J/m2", 0.0021, setae.Interval(0.03262, 0.04156))
+    assert known._repr_html_().startswith("<i>W</i> = <span") and "\u00a0mJ m⁻²" in known.to_html() and "95 % interval" in known.to_html()
     assert repr(work) == f"WorkOfAdhesion(W_app = {work.estimate})" and "mJ/m²" in repr(work)
 
 

@@ -12,6 +12,7 @@
 #include "sections.hpp"
 #include "setae/output/verdict.hpp"
 #include "summary.hpp"
+#include "table.hpp"
 #include "tables.hpp"
 
 namespace setae::report {
@@ -91,5 +92,7 @@ std::string as_html(const study::StudyResult& result, const std::vector<study_fi
     page += assets::program;
     return page + "</script>\n</body>\n</html>\n";
 }
+
+std::string as_html(const Quantity& quantity) { return quantity_html(output::to_json(quantity), "", true); }
 
 }  // namespace setae::report

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/core/quantity.hpp"
 #include "setae/study/study_result.hpp"
 #include "setae/study_figures/study_figures.hpp"
 
@@ -19,5 +20,8 @@ struct RunRecord {
 /// asks no network for anything. The same arguments give the same bytes.
 [[nodiscard]] std::string as_html(const study::StudyResult& result,
                                   const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run);
+
+/// A quantity within a sentence, as a report has it: "37.1 ± 2.1 mJ m⁻² (95 % interval 32.6 to 41.6 mJ m⁻²)".
+[[nodiscard]] std::string as_html(const Quantity& quantity);
 
 }  // namespace setae::report
