@@ -49,16 +49,17 @@ public:
 private:
     [[nodiscard]] bool in_contact() const { return !loop_.steps.empty() && loop_.steps.back().state.in_contact; }
 
-    /// To a position, in halves where the front jumps; false where it was told to end.
+    /// To a position, in halves where the front jumps, or until it has parted on its way back; false where it was told
+    /// to end.
     bool to(double target) {
-        while (loop_.steps.empty() || loop_.steps.back().position != target ||
-               loop_.steps.back().state.iterations == 0) {
-            const double here = loop_.steps.empty() ? target : loop_.steps.back().position;
+        const bool first = loop_.steps.empty();
+        for (;;) {
+            const double here = first ? target : loop_.steps.back().position;
             const auto kept = front_.edge();
             for (double share = 1.0;; share *= 0.5) {
                 const double position = share == 1.0 ? target : here + share * (target - here);
                 auto step = step_to(position);
-                if (loop_.steps.empty() || position == here || !hides_jump(step) || share < least_halved) {
+                if (position == here || share < least_halved || !hides_jump(step)) {
                     loop_.steps.push_back(std::move(step));
                     break;
                 }
@@ -66,10 +67,8 @@ private:
             }
             const auto& step = loop_.steps.back();
             if (path_.progress && !path_.progress(step)) return false;
-            if (!approaching_ && !step.state.in_contact) break;
-            if (step.position == target) break;
+            if (step.position == target || (!approaching_ && !step.state.in_contact)) return true;
         }
-        return true;
     }
 
     FrontStep step_to(double position) {
