@@ -45,6 +45,7 @@ struct ContactOutline {
 struct RecordedLine {
     std::vector<long> frames;                     ///< numbers of the frames, one a row of the line
     contact_line::ContactLine line;               ///< [s], [m]; its error is of pixel noise
+    double pixel_size = 0;                        ///< [m]
     double centre_x = 0, centre_y = 0;            ///< [px] of the whole frame: the mean of the frames'
     std::vector<std::vector<ContactVoid>> voids;  ///< of every frame
     std::vector<std::string> left_out;            ///< "frame 12: reaches beyond the frame: 80 % of its edge is seen"
