@@ -38,7 +38,10 @@ void there_and_back(double step, const Visit& visit) {
 
 class BothMethods : public testing::TestWithParam<EquilibriumMethod> {};
 INSTANTIATE_TEST_SUITE_P(CircularFront, BothMethods,
-                         testing::Values(EquilibriumMethod::rosso_krauth, EquilibriumMethod::trust_region));
+                         testing::Values(EquilibriumMethod::rosso_krauth, EquilibriumMethod::trust_region),
+                         [](const auto& method) {
+                             return method.param == EquilibriumMethod::rosso_krauth ? "RossoKrauth" : "TrustRegion";
+                         });
 
 TEST_P(BothMethods, StayCirclesOfJkrWhereTheWorkIsUniform) {
     CircularFront front(sphere, uniform(8), {.method = GetParam(), .tolerance = 1e-12});
