@@ -40,8 +40,8 @@ public:
           rows_(heights_, threads),
           points_(static_cast<double>(heights_.size())),
           radius_(2.0 * law.range) {
-        for (auto* place : {&here_, &trial_}) *place = {heights_, heights_, heights_, heights_};
-        for (auto* map : {&gradient_, &slopes_, &face_, &step_, &stiff_step_, &tangent_, &stiff_tangent_})
+        for (auto* place : {&here_, &trial_}) *place = {heights_, heights_, heights_, heights_, heights_};
+        for (auto* map : {&gradient_, &face_, &step_, &stiff_step_, &tangent_, &stiff_tangent_})
             *map = Array2D::Zero(heights_.rows(), heights_.cols());
         rigid_ = heights_;
         apply_stiffness(heights_, rigid_);
@@ -52,8 +52,7 @@ public:
     void begin_at(double mean_gap) {
         const double mean_height = heights_.mean();
         here_.gaps = mean_gap - (heights_ - mean_height);
-        refresh();
-        move_to_mean(here_, mean_gap);
+        move_to_mean(here_, mean_gap, 0.0);
         refresh();
         has_tangent_ = false;
     }
@@ -84,7 +83,12 @@ public:
     [[nodiscard]] const Grid& grid() const { return elastic_.grid(); }
     [[nodiscard]] const Interaction& interaction() const { return law_; }
     [[nodiscard]] const Array2D& gaps() const { return here_.gaps; }
+    [[nodiscard]] Array2D pressures() const { return here_.stiff - tension_; }
     [[nodiscard]] double conformal_energy() const { return conformal_energy_; }
+    [[nodiscard]] double felt_gap() const {
+        const double reach = law_.law == AttractionLaw::dugdale ? 0.9 : 2.5;
+        return heights_.maxCoeff() - heights_.mean() + reach * law_.range;
+    }
     [[nodiscard]] double far_gap() const {
         const double reach = law_.law == AttractionLaw::lennard_jones ? 15.0 : 5.0;
         const double longest = std::max(grid().nx > 1 ? grid().size_x : 0.0, grid().ny > 1 ? grid().size_y : 0.0);
@@ -99,6 +103,7 @@ private:
         Array2D stiff;    ///< K (g + h)
         Array2D energy;   ///< V
         Array2D tension;  ///< V'
+        Array2D slope;    ///< V''
         double mean = 0.0;
     };
 
@@ -114,16 +119,18 @@ private:
         here_.stiff += rigid_;
         attract(here_);
     }
+    void attract_row(Place& place, Index i) const {
+        attraction(place.gaps.cols(), row(place.gaps, i).data(), law_, row(place.energy, i).data(),
+                   row(place.tension, i).data(), row(place.slope, i).data());
+    }
     void attract(Place& place) {
         place.mean = rows_.sum([&](Index i) {
-            const double* g = place.gaps.data() + i * place.gaps.cols();
-            attraction(place.gaps.cols(), g, law_, place.energy.data() + i * place.gaps.cols(),
-                       place.tension.data() + i * place.gaps.cols(), nullptr);
+            attract_row(place, i);
             return row(place.gaps, i).sum();
         }) / points_;
     }
-    /// Shifts gaps so that, cut at 0, their mean is as given.
-    void move_to_mean(Place& place, double mean);
+    /// Shifts gaps so that, cut at 0, their mean is as given; `shift` is about by how much.
+    void move_to_mean(Place& place, double mean, double shift);
     /// From `from` to `trial_`, whose gaps are set: K of the difference, attraction, change of the energy.
     double energy_to_trial(bool stiff_known);
 
@@ -157,26 +164,24 @@ private:
     FaceModel model_;
     RowPasses rows_;
     double points_, radius_;
-    double conformal_energy_ = 0.0, multiplier_ = 0.0;
+    double conformal_energy_ = 0.0, multiplier_ = 0.0, tension_ = 0.0;
     AdhesiveControl control_;
     Place here_, trial_, kept_;
-    Array2D gradient_, slopes_, face_, step_, stiff_step_;
+    Array2D gradient_, face_, step_, stiff_step_;
     Array2D tangent_, stiff_tangent_, kept_tangent_, kept_stiff_tangent_;
     bool has_tangent_ = false, kept_has_tangent_ = false;
 };
 
-void AdhesiveCell::Work::move_to_mean(Place& place, double mean) {
+void AdhesiveCell::Work::move_to_mean(Place& place, double mean, double shift) {
+    if (mean == 0.0) return void(place.gaps.setZero());
     // Newton on a convex function, piecewise linear: from the right it falls onto the root
-    double shift = mean - place.gaps.mean();
     const double close = 1e-14 * std::max(mean, law_.range);
     for (int round = 0; round < 100; ++round) {
-        Array1D open(place.gaps.rows());
-        const double sum = rows_.sum([&](Index i) {
+        const auto sums = rows_.numbers<2>([&](Index i) {
             const auto g = row(place.gaps, i);
-            open[i] = static_cast<double>((g > -shift).count());
-            return (g + shift).max(0.0).sum();
+            return std::array{(g + shift).max(0.0).sum(), static_cast<double>((g > -shift).count())};
         });
-        const double excess = sum / points_ - mean, count = open.sum();
+        const double excess = sums.sum(0) / points_ - mean, count = sums.sum(1);
         if (std::abs(excess) <= close) break;
         shift = count > 0.0 ? shift - excess * points_ / count : shift - excess;
     }
@@ -185,46 +190,55 @@ void AdhesiveCell::Work::move_to_mean(Place& place, double mean) {
 
 double AdhesiveCell::Work::residual() {
     const double of_control = control_tension(here_.mean);
-    Array1D tensions(here_.gaps.rows()), least(here_.gaps.rows());
-    const double free = rows_.sum([&](Index i) {
+    const auto numbers = rows_.numbers<3>([&](Index i) {
         auto G = row(gradient_, i);
         G = row(here_.stiff, i) + row(here_.tension, i) + of_control;
         const auto g = row(here_.gaps, i);
         double sum = 0.0, count = 0.0;
-        for (Index j = 0; j < g.size(); ++j)
-            if (g[j] > 0.0) sum += G[j], ++count;
-        tensions[i] = sum;
-        least[i] = G.minCoeff();
-        return count;
+        for (Index j = 0; j < g.size(); ++j) {
+            const double free = g[j] > 0.0 ? 1.0 : 0.0;
+            sum += free * G[j];
+            count += free;
+        }
+        return std::array{sum, count, G.minCoeff()};
     });
-    multiplier_ = !mean_held() ? 0.0 : free > 0.0 ? pairwise_sum(tensions) / free : least.minCoeff();
+    const double free = numbers.sum(1);
+    multiplier_ = !mean_held() ? 0.0 : free > 0.0 ? numbers.sum(0) / free : numbers.least(2);
     const double stiffest = elastic_.greatest_stiffness();
     return rows_.largest(
         [&](Index i) { return (row(gradient_, i) - multiplier_).min(stiffest * row(here_.gaps, i)).abs().maxCoeff(); });
 }
 
 double AdhesiveCell::Work::energy_to_trial(bool stiff_known) {
-    if (!stiff_known)
+    RowSums<2> sums(here_.gaps.rows());
+    const auto compare = [&](Index i) {
+        attract_row(trial_, i);
+        const auto g = row(trial_.gaps, i);
+        sums.store(i, {(0.5 * (g - row(here_.gaps, i)) * (row(trial_.stiff, i) + row(here_.stiff, i)) +
+                        (row(trial_.energy, i) - row(here_.energy, i)))
+                           .sum(),
+                       g.sum()});
+    };
+    if (stiff_known) {
+        rows_.each(compare);
+    } else {
         elastic_.apply(
             model_.stiffness(),
             [&](Index i, double* line) { Row(line, here_.gaps.cols()) = row(trial_.gaps, i) - row(here_.gaps, i); },
             [&](Index i, const double* line) {
                 row(trial_.stiff, i) = row(here_.stiff, i) + ConstRow(line, here_.gaps.cols());
+                compare(i);
             });
-    if (!stiff_known) ++model_.transforms;
-    attract(trial_);
-    const double change = rows_.sum([&](Index i) {
-        return (0.5 * (row(trial_.gaps, i) - row(here_.gaps, i)) * (row(trial_.stiff, i) + row(here_.stiff, i)) +
-                (row(trial_.energy, i) - row(here_.energy, i)))
-            .sum();
-    });
-    return change / points_ + control_energy(here_.mean, trial_.mean);
+        ++model_.transforms;
+    }
+    trial_.mean = sums.sum(1) / points_;
+    return sums.sum(0) / points_ + control_energy(here_.mean, trial_.mean);
 }
 
 bool AdhesiveCell::Work::gradient_step() {
     const double length = 1.0 / (elastic_.greatest_stiffness() + control_stiffness());
     rows_.each([&](Index i) { row(trial_.gaps, i) = row(here_.gaps, i) - length * row(gradient_, i); });
-    if (mean_held()) move_to_mean(trial_, here_.mean);
+    if (mean_held()) move_to_mean(trial_, here_.mean, length * multiplier_);
     else rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
     const bool lower = energy_to_trial(false) <= 1e-14 * law_.work_of_adhesion;
     if (lower) take_trial();
@@ -232,22 +246,20 @@ bool AdhesiveCell::Work::gradient_step() {
 }
 
 bool AdhesiveCell::Work::newton_step(double residual) {
-    rows_.each([&](Index i) {
-        const auto g = row(here_.gaps, i);
-        attraction(g.size(), g.data(), law_, nullptr, nullptr, slopes_.data() + i * slopes_.cols());
-        row(face_, i) = (g > 0.0 || row(gradient_, i) < multiplier_).cast<double>();
+    const auto sums = rows_.numbers<2>([&](Index i) {
+        auto face = row(face_, i);
+        face = (row(here_.gaps, i) > 0.0 || row(gradient_, i) < multiplier_).cast<double>();
+        return std::array{face.sum(), (face * (row(gradient_, i) - multiplier_)).square().sum()};
     });
     const double forcing = std::min(0.1, std::sqrt(residual / law_.greatest_tension()));
-    const double count = face_.sum();
-    const double power =
-        rows_.sum([&](Index i) { return (row(face_, i) * (row(gradient_, i) - multiplier_)).square().sum(); });
+    const double tolerance = forcing * std::sqrt(sums.sum(1) / std::max(1.0, sums.sum(0)));
     const auto outcome = model_.minimise({.gradient = gradient_,
-                                          .slopes = slopes_,
+                                          .slopes = here_.slope,
                                           .face = face_,
                                           .mean_held = mean_held(),
                                           .control_stiffness = control_stiffness(),
                                           .radius = radius_,
-                                          .tolerance = forcing * std::sqrt(power / std::max(1.0, count))},
+                                          .tolerance = tolerance},
                                          step_, stiff_step_);
     double length = 1.0;
     for (int attempt = 0; attempt < 7; ++attempt, length *= 0.3) {
@@ -260,7 +272,7 @@ bool AdhesiveCell::Work::newton_step(double residual) {
         if (!cut) {
             rows_.each([&](Index i) { row(trial_.stiff, i) = row(here_.stiff, i) + length * row(stiff_step_, i); });
         } else if (mean_held()) {
-            move_to_mean(trial_, here_.mean);
+            move_to_mean(trial_, here_.mean, 0.0);
         } else {
             rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
         }
@@ -284,6 +296,7 @@ AdhesiveState AdhesiveCell::Work::state(double residual, int iterations, std::in
     if (const auto* held = std::get_if<HeldGap>(&control_)) result.mean_gap = held->mean_gap;
     if (const auto* load = std::get_if<DeadLoad>(&control_)) result.tension = load->tension;
     if (std::holds_alternative<Stage>(control_)) result.tension = -control_tension(here_.mean);
+    tension_ = result.tension;
     result.converged = result.residual <= options_.tolerance;
     result.elastic_energy = 0.5 * rows_.sum([&](Index i) {
         return ((row(here_.gaps, i) + row(heights_, i)) * row(here_.stiff, i)).sum();
@@ -301,7 +314,7 @@ AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
         if (!(held->mean_gap >= 0.0))
             throw InvalidArgument(fmt::format("mean gap is {} m, expected >= 0", held->mean_gap));
         if (std::abs(here_.mean - held->mean_gap) > 1e-14 * std::max(here_.mean, law_.range))
-            move_to_mean(here_, held->mean_gap);
+            move_to_mean(here_, held->mean_gap, held->mean_gap - here_.mean);
     }
     if (const auto* stage = std::get_if<Stage>(&control); stage && !(stage->stiffness > 0.0))
         throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m, expected > 0", stage->stiffness));
@@ -324,9 +337,7 @@ AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
 
 AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
     const double free = rows_.sum([&](Index i) {
-        const auto g = row(here_.gaps, i);
-        attraction(g.size(), g.data(), law_, nullptr, nullptr, slopes_.data() + i * slopes_.cols());
-        row(face_, i) = (g > 0.0).cast<double>();
+        row(face_, i) = (row(here_.gaps, i) > 0.0).cast<double>();
         return row(face_, i).sum();
     });
     const bool warm = has_tangent_;
@@ -339,10 +350,10 @@ AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
         else row(tangent_, i) = row(face_, i) * (points_ / free);
     });
     apply_stiffness(tangent_, stiff_tangent_);
-    rows_.each([&](Index i) { row(gradient_, i) = row(stiff_tangent_, i) + row(slopes_, i) * row(tangent_, i); });
-    const double power = rows_.sum([&](Index i) { return (row(slopes_, i) * row(tangent_, i)).square().sum(); });
+    rows_.each([&](Index i) { row(gradient_, i) = row(stiff_tangent_, i) + row(here_.slope, i) * row(tangent_, i); });
+    const double power = rows_.sum([&](Index i) { return (row(here_.slope, i) * row(tangent_, i)).square().sum(); });
     const auto outcome = model_.minimise({.gradient = gradient_,
-                                          .slopes = slopes_,
+                                          .slopes = here_.slope,
                                           .face = face_,
                                           .radius = std::numeric_limits<double>::infinity(),
                                           .tolerance = tangent_accuracy * std::sqrt(power / free)},
@@ -353,7 +364,7 @@ AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
     Tangent result{.stable = true};
     result.largest = rows_.largest([&](Index i) { return row(tangent_, i).abs().maxCoeff(); });
     result.tension_slope = rows_.sum([&](Index i) {
-        return (row(tangent_, i) * (row(stiff_tangent_, i) + row(slopes_, i) * row(tangent_, i))).sum();
+        return (row(tangent_, i) * (row(stiff_tangent_, i) + row(here_.slope, i) * row(tangent_, i))).sum();
     }) / points_;
     return result;
 }
@@ -368,7 +379,7 @@ void AdhesiveCell::Work::follow_tangent(double change) {
         // out of full contact the least pressed points open
         here_.gaps -= (here_.stiff + here_.tension) / elastic_.greatest_stiffness();
     }
-    move_to_mean(here_, mean);
+    move_to_mean(here_, mean, 0.0);
     here_.mean = mean;
 }
 
@@ -384,6 +395,8 @@ AdhesiveCell& AdhesiveCell::operator=(AdhesiveCell&&) noexcept = default;
 const Grid& AdhesiveCell::grid() const { return work_->grid(); }
 const Interaction& AdhesiveCell::interaction() const { return work_->interaction(); }
 const Array2D& AdhesiveCell::gaps() const { return work_->gaps(); }
+Array2D AdhesiveCell::pressures() const { return work_->pressures(); }
+double AdhesiveCell::felt_gap() const { return work_->felt_gap(); }
 double AdhesiveCell::conformal_energy() const { return work_->conformal_energy(); }
 double AdhesiveCell::far_gap() const { return work_->far_gap(); }
 void AdhesiveCell::begin_at(double mean_gap) { work_->begin_at(mean_gap); }
@@ -393,5 +406,11 @@ AdhesiveCell::Tangent AdhesiveCell::find_tangent() { return work_->find_tangent(
 void AdhesiveCell::follow_tangent(double mean_gap_change) { work_->follow_tangent(mean_gap_change); }
 void AdhesiveCell::keep() { work_->keep(); }
 void AdhesiveCell::restore() { work_->restore(); }
+
+AdhesiveState from_far(AdhesiveCell& cell, const AdhesiveControl& control) {
+    const auto* held = std::get_if<HeldGap>(&control);
+    cell.begin_at(held ? std::max(held->mean_gap, cell.felt_gap()) : cell.felt_gap());
+    return cell.solve(control);
+}
 
 }  // namespace setae::half_space

@@ -14,68 +14,116 @@ namespace {
 constexpr double ladder = 0.5;         ///< ratio of mean gaps close to full contact
 constexpr double last_rung = 1e-3;     ///< over ρ
 constexpr double least_halved = 1e-4;  ///< a step is not halved below this, over ρ
+constexpr double closed_step = 0.25;   ///< of a stage over full contact, over ρ
+constexpr double most_beyond = 10.0;   ///< of where it began, over the way from there to the turn
+constexpr std::size_t steps_between_checkpoints = 20;
 
 /// Steps of one loop.
 class Walk {
 public:
     Walk(AdhesiveCell& cell, const LoopOptions& options, double first)
-        : cell_(cell), options_(options), first_(first), range_(cell.interaction().range) {
+        : cell_(cell), options_(options), range_(cell.interaction().range) {
+        if (options.resume) {
+            steps_ = options.resume->steps;
+            halved_ = options.resume->halved;
+            cell_.begin_with(options.resume->gaps);
+            return;
+        }
         cell_.begin_at(first);
-        const auto state = cell_.solve(HeldGap{first});
-        add({.state = state});
+        add({.state = cell_.solve(control(first)), .position = first});
     }
 
-    /// To a mean gap, in steps; false where it was told to end.
-    bool to(double target) {
-        approaching_ = target < here().mean_gap;
-        double limit = std::numeric_limits<double>::infinity();
-        while (here().mean_gap != target) {
-            const auto tangent = cell_.find_tangent();
-            double step =
-                std::clamp(options_.largest_move * range_ / tangent.largest, options_.least_step * range_, range_);
-            if (!tangent.stable) step = std::min(step, 0.5 * range_);
+    /// Approaches to `turn`, goes back to `first` and, where it still holds on there, on until it parts and back; false
+    /// where it was told to end.
+    bool there_and_back(double turn, double first) {
+        const auto never = [] { return false; };
+        if (here().approaching && !to(turn, true, [&] { return pressed(); })) return false;
+        if (here().position < first && !to(first, false, never)) return false;
+        if (!parted() && !to(first + most_beyond * (first - turn), false, [&] { return parted(); })) return false;
+        return to(first, false, never);
+    }
+
+    [[nodiscard]] std::vector<LoopStep>& steps() { return steps_; }
+
+private:
+    /// How far to go: the position, and the mean gap that follows by the tangent.
+    struct Advance {
+        double position = 0.0, mean_gap = 0.0;
+    };
+
+    [[nodiscard]] const LoopStep& here() const { return steps_.back(); }
+    [[nodiscard]] AdhesiveControl control(double position) const {
+        if (options_.stage_stiffness) return Stage{position, *options_.stage_stiffness};
+        return HeldGap{position};
+    }
+
+    [[nodiscard]] bool pressed() const { return here().state.tension <= -options_.most_pressure; }
+    /// In the state it began with, as far as the ledger sees.
+    [[nodiscard]] bool parted() const {
+        return std::abs(here().state.energy() - steps_.front().state.energy()) <=
+               options_.jump_share * cell_.interaction().work_of_adhesion;
+    }
+
+    template <class Ended>
+    bool to(double target, bool approaching, const Ended& ended) {
+        while (here().position != target && !ended()) {
+            const Advance most = advance();
             cell_.keep();
-            double length = std::min(step, limit);
+            double length = std::min(most.position, halved_);
             for (;; length *= 0.5) {
-                const double gap = next_gap(target, length);
-                cell_.follow_tangent(gap - here().mean_gap);
-                LoopStep trial{.state = cell_.solve(HeldGap{gap}), .approaching = approaching_};
+                const double position = next(target, length);
+                const double moved = position - here().position;
+                cell_.follow_tangent(most.mean_gap * moved / most.position);
+                LoopStep trial{
+                    .state = cell_.solve(control(position)), .position = position, .approaching = approaching};
                 if (!halve(trial, length)) {
-                    limit = 2.0 * length;
+                    halved_ = 2.0 * length;
                     if (!add(trial)) return false;
                     break;
                 }
                 cell_.restore();
             }
         }
+        halved_ = std::numeric_limits<double>::infinity();
         return true;
     }
 
-    [[nodiscard]] std::vector<LoopStep>& steps() { return steps_; }
+    Advance advance() {
+        const auto tangent = cell_.find_tangent();
+        double step =
+            std::clamp(options_.largest_move * range_ / tangent.largest, options_.least_step * range_, range_);
+        if (!tangent.stable) step = std::min(step, 0.5 * range_);
+        if (!options_.stage_stiffness) return {.position = step, .mean_gap = step};
+        if (here().state.mean_gap == 0.0) return {.position = closed_step * range_, .mean_gap = 0.0};
+        // dz = d⟨g⟩ (1 + T'/k_m); where that is not positive the stage leads over a fold
+        const double stretch = tangent.stable ? 1.0 + tangent.tension_slope / *options_.stage_stiffness : 1.0;
+        const double position = std::max(step * stretch, options_.least_step * range_);
+        return {.position = position, .mean_gap = stretch > 0.0 ? std::min(step, position / stretch) : step};
+    }
 
-private:
-    [[nodiscard]] const AdhesiveState& here() const { return steps_.back().state; }
-
-    /// The mean gap a step leads to; near full contact gaps go by halves.
-    [[nodiscard]] double next_gap(double target, double length) const {
-        const double gap = here().mean_gap;
+    /// The position a step leads to; near full contact gaps go by halves.
+    [[nodiscard]] double next(double target, double length) const {
+        const double position = here().position;
+        const bool approaching = target < position;
+        if (options_.stage_stiffness)
+            return approaching ? std::max(position - length, target) : std::min(position + length, target);
         const double rung = last_rung * range_;
-        if (!approaching_) {
-            const double most = gap == 0.0 ? rung : gap / ladder;
-            return std::min({gap + length, most, target});
+        if (!approaching) {
+            const double most = position == 0.0 ? rung : position / ladder;
+            return std::min({position + length, most, target});
         }
-        const double next = std::max(gap - length, target);
-        if (next >= ladder * gap) return next;
-        return gap <= rung ? target : std::max({ladder * gap, target, 0.0});
+        const double next = std::max(position - length, target);
+        if (next >= ladder * position) return next;
+        return position <= rung ? target : std::max({ladder * position, target, 0.0});
     }
 
     /// Sets the dissipation of a step; whether it hides a jump that a shorter one would show.
     bool halve(LoopStep& step, double length) const {
-        const double change = step.state.mean_gap - here().mean_gap;
+        const AdhesiveState &before = here().state, &after = step.state;
         const double tolerance = options_.jump_share * cell_.interaction().work_of_adhesion;
-        step.dissipation =
-            0.5 * (here().tension + step.state.tension) * change - (step.state.energy() - here().energy());
-        const double missed = 0.5 * std::abs((step.state.tension - here().tension) * change);
+        step.dissipation = 0.5 * (before.tension + after.tension) * (after.mean_gap - before.mean_gap) -
+                           (after.energy() - before.energy());
+        const double missed = 0.5 * std::abs((after.tension - before.tension) * (step.position - here().position));
         // work that came from nowhere: the tangent led over a barrier
         const bool gained = step.dissipation < -tolerance;
         const bool jumped = step.dissipation > tolerance && missed > tolerance;
@@ -84,13 +132,18 @@ private:
 
     bool add(const LoopStep& step) {
         steps_.push_back(step);
-        return !options_.progress || options_.progress(step);
+        if (options_.progress && !options_.progress(step)) return false;
+        if (steps_.size() % steps_between_checkpoints == 0) {
+            cell_.begin_with(Array2D(cell_.gaps()));  // forgets what a loop that is resumed does not know
+            if (options_.checkpoint) options_.checkpoint({steps_, cell_.gaps(), halved_});
+        }
+        return true;
     }
 
     AdhesiveCell& cell_;
     const LoopOptions& options_;
-    double first_, range_;
-    bool approaching_ = true;
+    double range_;
+    double halved_ = std::numeric_limits<double>::infinity();
     std::vector<LoopStep> steps_;
 };
 
@@ -105,17 +158,27 @@ void sum_up(AdhesiveLoop& loop) {
     }
 }
 
+void require(const LoopOptions& options, double first) {
+    const bool stage = options.stage_stiffness.has_value();
+    if (stage && !(*options.stage_stiffness > 0.0 && std::isfinite(*options.stage_stiffness)))
+        throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m, expected > 0", *options.stage_stiffness));
+    if (!(options.most_pressure > 0.0))
+        throw InvalidArgument(fmt::format("a loop up to a pressure of {} Pa, expected > 0", options.most_pressure));
+    if (!(options.turn < first && std::isfinite(options.turn) && (stage || options.turn >= 0.0)))
+        throw InvalidArgument(
+            fmt::format("a loop from {} m to {} m and back; expected that it turns {}below where it begins", first,
+                        options.turn, stage ? "" : "at 0 or more, "));
+    if (options.resume && options.resume->steps.empty())
+        throw InvalidArgument("a loop is to go on from a checkpoint without steps");
+}
+
 }  // namespace
 
 AdhesiveLoop adhesive_loop(AdhesiveCell& cell, const LoopOptions& options) {
-    const double first = options.first_gap > 0.0 ? options.first_gap : cell.far_gap();
-    if (!(options.closest_gap >= 0.0 && options.closest_gap < first))
-        throw InvalidArgument(
-            fmt::format("a loop from {} m to {} m and back; expected a closest gap of 0 or more below "
-                        "the first",
-                        first, options.closest_gap));
+    const double first = options.first ? *options.first : cell.far_gap();
+    require(options, first);
     Walk walk(cell, options, first);
-    const bool ended = walk.to(options.closest_gap) && walk.to(first);
+    const bool ended = walk.there_and_back(options.turn, first);
     AdhesiveLoop loop{.steps = std::move(walk.steps()), .conformal_energy = cell.conformal_energy()};
     sum_up(loop);
     loop.complete = ended && std::ranges::all_of(loop.steps, [](const LoopStep& step) { return step.state.converged; });
@@ -133,7 +196,8 @@ Table loop_table(const AdhesiveLoop& loop) {
     double sum = 0.0;
     for (Index i = 0; i < n; ++i) total[i] = sum += loop.steps[static_cast<std::size_t>(i)].dissipation;
     Table table;
-    table.columns = {column("mean_gap", "m", [](const LoopStep& s) { return s.state.mean_gap; }),
+    table.columns = {column("position", "m", [](const LoopStep& s) { return s.position; }),
+                     column("mean_gap", "m", [](const LoopStep& s) { return s.state.mean_gap; }),
                      column("tension", "Pa", [](const LoopStep& s) { return s.state.tension; }),
                      column("elastic_energy", "J/m2", [](const LoopStep& s) { return s.state.elastic_energy; }),
                      column("adhesive_energy", "J/m2", [](const LoopStep& s) { return s.state.adhesive_energy; }),

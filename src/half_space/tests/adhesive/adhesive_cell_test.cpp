@@ -8,6 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/half_space/adhesive_loop.hpp"
+#include "setae/half_space/loop_checkpoint.hpp"
 #include "setae/spectra/self_affine.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
@@ -158,9 +159,10 @@ TEST(AdhesiveCell, GoesOnFromGapsThatWereKept) {
     EXPECT_EQ(here.tension, there.tension);
     EXPECT_EQ(here.energy(), there.energy());
     first.keep();
+    const auto again = first.solve(HeldGap{2.8});
     (void)first.solve(HeldGap{1.0});
     first.restore();
-    EXPECT_EQ(first.solve(HeldGap{2.9}).energy(), here.energy());
+    EXPECT_EQ(first.solve(HeldGap{2.8}).energy(), again.energy());
     EXPECT_THROW(second.begin_with(Array2D::Zero(3, 3)), InvalidArgument);
     EXPECT_THROW(second.begin_with(Array2D::Constant(64, 64, -1.0)), InvalidArgument);
 }
@@ -219,13 +221,72 @@ TEST(AdhesiveLoop, OfARoughMapLosesWhatItsJumpsDo) {
     EXPECT_GT(loop.smallest_dissipation, -2e-3);
 }
 
+TEST(AdhesiveCell, ReportsPressuresThatBalanceTheLoad) {
+    auto cell = patch(rough(64, 0.4, 1));
+    const auto state = from_far(cell, DeadLoad{-0.02});
+    ASSERT_TRUE(state.converged);
+    const Array2D pressures = cell.pressures();
+    EXPECT_NEAR(pressures.mean(), 0.02, 1e-12);
+    // where nothing touches the body is pulled by the attraction alone
+    double largest = 0.0;
+    for (Index i = 0; i < 64; ++i)
+        for (Index j = 0; j < 64; ++j)
+            if (const double gap = cell.gaps()(i, j); gap > 0.0)
+                largest = std::max(largest, std::abs(pressures(i, j) + attraction(gap, cell.interaction()).tension));
+    EXPECT_LT(largest, 1e-4 * cell.interaction().greatest_tension());
+}
+
+TEST(AdhesiveLoop, GoesOnFromACheckpointToTheSameBytes) {
+    const auto heights = rough(48, 0.3, 3);
+    auto whole = patch(heights), stopped = patch(heights);
+    std::vector<LoopCheckpoint> kept;
+    const auto loop = adhesive_loop(whole, {.checkpoint = [&](const LoopCheckpoint& now) { kept.push_back(now); }});
+    ASSERT_GE(kept.size(), 2U);
+    const auto file = ::testing::TempDir() + "sweep.checkpoint";
+    write_checkpoint(file, "key", kept[kept.size() / 2]);
+    const auto read = read_checkpoint(file, "key");
+    ASSERT_TRUE(read.has_value());
+    const auto rest = adhesive_loop(stopped, {.resume = &*read});
+    ASSERT_EQ(rest.steps.size(), loop.steps.size());
+    EXPECT_EQ(rest.loss(), loop.loss());
+    EXPECT_EQ(rest.steps.back().state.energy(), loop.steps.back().state.energy());
+    EXPECT_THROW((void)read_checkpoint(file, "another"), FormatError);
+    EXPECT_FALSE(read_checkpoint(file + "s", "key").has_value());
+}
+
+// a stage is the held gap with a spring: the same contact, another place for the jumps; the softer the more is lost
+TEST(AdhesiveLoop, LosesMoreTheSofterItsStage) {
+    double last = 0.0;
+    for (const double stiffness : {1e3, 0.2, 0.05}) {
+        AdhesiveCell cell(sine(64, 0.3), {1, 64, 1.0, 64.0}, body, {1.0, 2.0});
+        const auto loop = adhesive_loop(cell, {.stage_stiffness = stiffness});
+        ASSERT_TRUE(loop.complete) << stiffness;
+        EXPECT_GT(loop.loss(), last - 1e-3) << stiffness;
+        EXPECT_NEAR(loop.loss(), loop.approach_dissipation + loop.separation_dissipation, 1e-5) << stiffness;
+        last = loop.loss();
+    }
+    AdhesiveCell cell(sine(64, 0.3), {1, 64, 1.0, 64.0}, body, {1.0, 2.0});
+    EXPECT_THROW((void)adhesive_loop(cell, {.stage_stiffness = 0.0}), InvalidArgument);
+    EXPECT_THROW((void)adhesive_loop(cell, {.most_pressure = 0.0}), InvalidArgument);
+}
+
+TEST(AdhesiveLoop, TurnsAtAPressure) {
+    AdhesiveCell cell(sine(64, 0.6), {1, 64, 1.0, 64.0}, body, {1.0, 2.0});
+    const auto loop = adhesive_loop(cell, {.most_pressure = 0.01});
+    ASSERT_TRUE(loop.complete);
+    double least = 0.0;
+    for (const auto& step : loop.steps) least = std::min(least, step.state.tension);
+    EXPECT_LE(least, -0.01);
+    EXPECT_GT(least, -0.05);
+}
+
 TEST(AdhesiveLoop, EndsWhereItIsTold) {
     auto cell = patch(rough(48, 0.3, 3));
     int count = 0;
     const auto loop = adhesive_loop(cell, {.progress = [&](const LoopStep&) { return ++count < 5; }});
     EXPECT_EQ(loop.steps.size(), 5U);
     EXPECT_FALSE(loop.complete);
-    EXPECT_THROW((void)adhesive_loop(cell, {.first_gap = 1.0, .closest_gap = 2.0}), InvalidArgument);
+    EXPECT_THROW((void)adhesive_loop(cell, {.first = 1.0, .turn = 2.0}), InvalidArgument);
 }
 
 }  // namespace

@@ -74,11 +74,16 @@ public:
     [[nodiscard]] const Interaction& interaction() const;
     /// g [m] >= 0, exactly 0 in contact; where the cell is now.
     [[nodiscard]] const Array2D& gaps() const;
+    /// p [Pa] on the body in the state solved last, attraction counted: < 0 where it is pulled; its mean is −T.
+    [[nodiscard]] Array2D pressures() const;
     /// (E*/4) Σ|q||h_q|² of a half-space [J/m²]: elastic energy of full contact.
     [[nodiscard]] double conformal_energy() const;
     /// Mean gap [m] at which nothing attracts any more, seen from far: the highest point 5ρ away (cubic, dugdale: 3ρ
     /// more than where they end), and beyond where a flat cell would still jump, 1.4 √(w L/E*).
     [[nodiscard]] double far_gap() const;
+
+    /// Mean gap [m] at which the highest point of the body undeformed is felt.
+    [[nodiscard]] double felt_gap() const;
 
     /// The state from which all others are reached: the body undeformed at a mean gap. Not in equilibrium.
     void begin_at(double mean_gap);
@@ -109,5 +114,9 @@ private:
     class Work;
     std::unique_ptr<Work> work_;
 };
+
+/// Equilibrium met coming from far: the body undeformed where its highest point is felt, or at the gap that is held
+/// where that is wider, and let go. @throws as AdhesiveCell::solve().
+AdhesiveState from_far(AdhesiveCell& cell, const AdhesiveControl& control);
 
 }  // namespace setae::half_space

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "setae/core/table.hpp"
@@ -12,25 +14,43 @@ namespace setae::half_space {
 /// One equilibrium of a loop, and what the step to it dissipated.
 struct LoopStep {
     AdhesiveState state;
+    /// What is moved [m]: the mean gap, or the stage z = ⟨g⟩ + T/k_m.
+    double position = 0.0;
     /// D_n = ½ (T_{n−1} + T_n) Δ⟨g⟩ − ΔE [J/m²]: work of the machine that is stored nowhere; the same whether the gap,
     /// the load or a stage is held, and 0 for the first.
     double dissipation = 0.0;
     bool approaching = true;
 };
 
+/// Where a loop stands after some of its steps: what it takes to go on as if it had not been stopped, to the last byte.
+struct LoopCheckpoint {
+    std::vector<LoopStep> steps;
+    Array2D gaps;         ///< [m] of the last step
+    double halved = 0.0;  ///< longest step that its last one allows [m]; infinity: any
+};
+
 struct LoopOptions {
-    double first_gap = 0.0;    ///< [m] from where it approaches and to where it parts; 0: AdhesiveCell::far_gap()
-    double closest_gap = 0.0;  ///< [m] where it turns; 0: full contact
-    /// A step is halved while both its dissipation and ½|ΔT Δ⟨g⟩|, what the trapezoidal rule may miss, exceed this
+    /// Positions [m]: from where it approaches and to where it parts; absent: AdhesiveCell::far_gap().
+    std::optional<double> first;
+    double turn = 0.0;  ///< where it turns; a mean gap of 0: full contact. A stage may go on below 0.
+    /// k_m [Pa/m] per area of the cell of a stage that is moved; absent: the mean gap is.
+    std::optional<double> stage_stiffness;
+    /// It turns earlier where the pressure reaches this [Pa].
+    double most_pressure = std::numeric_limits<double>::infinity();
+    /// A step is halved while both its dissipation and ½|ΔT Δposition|, what the trapezoidal rule may miss, exceed this
     /// share of w: what is left in jumps is theirs.
     double jump_share = 1e-3;
     double largest_move = 1.0;  ///< of any gap by the tangent, over ρ
     double least_step = 0.01;   ///< of the mean gap by the tangent, over ρ
     /// Called after each step; false ends the loop.
     std::function<bool(const LoopStep&)> progress;
+    /// Called every so many steps with what resumes the loop.
+    std::function<void(const LoopCheckpoint&)> checkpoint;
+    /// Goes on from there; the same cell and the other options as they were.
+    const LoopCheckpoint* resume = nullptr;
 };
 
-/// A loop from far to the closest gap and back, the mean gap held.
+/// A loop from far to where it turns, and back.
 struct AdhesiveLoop {
     std::vector<LoopStep> steps;
     double approach_work = 0.0;    ///< W_appr = −∫ T d⟨g⟩ on approach: what the attraction did [J/m²]
@@ -44,14 +64,17 @@ struct AdhesiveLoop {
     [[nodiscard]] double loss() const { return separation_work - approach_work; }
 };
 
+/// Where it still holds on at the place where it began, as a sphere does, it is drawn on until it parts, and comes back.
+///
 /// Steps follow the tangent (AdhesiveCell::find_tangent), so that none moves a gap by more than ρ, halve where the cell
 /// jumps, and end in a ladder of halves close to full contact.
 ///
 /// W_appr = w − e − D_appr and W_sep = w − e + D_sep, of a loop between far and full contact.
-/// @throws InvalidArgument for gaps out of order.
+/// A soft stage is a dead load in the limit: where the cell jumps, its tension hardly changes.
+/// @throws InvalidArgument for positions out of order, a stage without stiffness, a pressure of 0 or less.
 [[nodiscard]] AdhesiveLoop adhesive_loop(AdhesiveCell& cell, const LoopOptions& options = {});
 
-/// columns: mean_gap [m], tension [Pa], elastic_energy, adhesive_energy [J/m2], area_fraction, dissipation,
+/// columns: position, mean_gap [m], tension [Pa], elastic_energy, adhesive_energy [J/m2], area_fraction, dissipation,
 /// total_dissipation [J/m2], approaching, residual, iterations, transforms.
 [[nodiscard]] Table loop_table(const AdhesiveLoop& loop);
 
