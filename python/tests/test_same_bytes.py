@@ -36,7 +36,7 @@ FUNCTIONS = {
     "vbw": "`setae.variable_bandwidth`",
     "params": "`setae.parameters`; of a standard (`--standard`) `setae.texture`",
     "adhesion": "`setae.work_of_adhesion`",
-    "contact solve": "`setae.contact`",
+    "contact solve": "`setae.contact`; with adhesion (`--w`) by the program alone",
     "contact persson": "`setae.persson`",
     "jkr radius": "`setae.contact_radii`; pictures with the edge drawn (`--overlay`) by the program alone",
     "jkr lens": "`setae.lens`",
@@ -51,6 +51,7 @@ FUNCTIONS = {
 GAPS = {
     "jkr line": "its table and JSON by the program; `--save-line` is an array of radii for NumPy",
     "profile": "slices of `Scan.heights`",
+    "contact sweep": "its table of steps and JSON by the program",
     "jkr import": "`setae.loop(…, mapping=…)` reads what it would write",
     "lab make": "writes files; `subprocess` with `python -m setae lab make`",
     "lab loops": "as lab make",

@@ -8,43 +8,41 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "contact/contact_problem.hpp"
 #include "convert/heights_output.hpp"
-#include "convert/pipeline_option.hpp"
-#include "files/file_options.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/answers/diagnosis.hpp"
-#include "setae/answers/hard_wall.hpp"
+#include "setae/answers/adhesive_contact.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
+#include "setae/half_space/adhesive_quantities.hpp"
 #include "setae/half_space/contact_quantities.hpp"
 #include "setae/half_space/hard_wall.hpp"
 #include "setae/output/quantity_table.hpp"
-#include "setae/study/pipeline_file.hpp"
 
 namespace setae::cli::contact_solve_command {
 namespace {
 
 constexpr const char* explanation =
-    "a rigid rough surface, its heights towards the body, pressed on an elastic half-space without adhesion and friction:\n"
+    "a rigid rough surface, its heights towards the body, pressed on an elastic half-space without friction:\n"
     "  p >= 0, g >= 0, p g = 0;  g = u - h + c;  u_q = p_q/k(q),  k = E* q/2, E* = E/(1 - nu^2)           Johnson 1985, ch. 13\n"
     "  two elastic bodies: 1/E* = sum of (1 - nu^2)/E, and heights of the one plus those of the other\n"
     "--layer         k of a layer on a rigid base, --bonded or --frictionless                             Carbone, Mangialardi 2008\n"
     "--free          no pressure beyond the map's edges; without it the map repeats itself\n"
     "--displacement  from first touch, of the far field (--free), a layer's base, or the mean plane\n"
     "--hardness      the body flows where the pressure reaches it\n"
+    "--w, --range    attraction V(g), V(0) = -w, V'(0) = w/range; the equilibrium met coming from far         docs/theory/adhesive-cells.md\n"
     "area_fraction   pixels under pressure; corrected: less (pi - 1 + ln 2)/24 of a pixel for each of their outer edges   Yastrebov et al. 2017\n"
     "duality_gap     bound of the energy above the least, over twice the stored energy; converged: <= --tolerance\n"
     "docs/theory/half-space.md\n";
 
-struct Arguments : answers::HardWallRequest {
+struct Arguments : answers::HardWallRequest, answers::InteractionRequest {
     Common common;
-    FileOptions file;
-    PipelineOption processing;
-    std::string path, output;
+    ContactSurface surface;
+    std::string output;
 };
 
 std::function<void(const half_space::SolveProgress&)> progress_line() {
@@ -66,27 +64,23 @@ void require_map_ending(const std::string& output) {
     throw InvalidArgument(fmt::format("{}: maps of pressure are no heights; expected an ending .npy or .csv", output));
 }
 
-void write_maps(const std::string& output, const half_space::HardWall& problem,
-                const half_space::HardWallContact& contact) {
-    const std::array size{problem.grid.size_x, problem.grid.size_y};
-    const bool periodic = problem.edges == half_space::Edges::periodic;
-    write_heights(map_path(output, "pressure"), topography::HeightMap{contact.pressures, size, periodic, {}});
-    write_heights(map_path(output, "gap"), topography::HeightMap{contact.gaps, size, periodic, {}});
+void write_maps(const std::string& output, const half_space::Grid& grid, bool periodic, const Array2D& pressures,
+                const Array2D& gaps) {
+    if (output.empty()) return;
+    const std::array size{grid.size_x, grid.size_y};
+    write_heights(map_path(output, "pressure"), topography::HeightMap{pressures, size, periodic, {}});
+    write_heights(map_path(output, "gap"), topography::HeightMap{gaps, size, periodic, {}});
 }
 
-ExitCode run(const Arguments& arguments) {
-    if (arguments.path.empty()) throw InvalidArgument("no file; expected a map");
-    require_map_ending(arguments.output);
-    arguments.require_complete();
-    const auto processed = processing::apply(arguments.processing.pipeline(),
-                                             answers::measurements_of(arguments.path, arguments.file).front(),
-                                             study::measurement_loader(arguments.file.read_options()));
+/// Without adhesion.
+ExitCode press(const processing::PipelineResult& processed, const Arguments& arguments) {
     const auto progress = progress_line();
-    const auto solved =
-        answers::hard_wall(arguments.path, processed.measurement, arguments, arguments.common.workers(), progress);
+    const auto solved = answers::hard_wall(arguments.surface.path, processed.measurement, arguments,
+                                           arguments.common.workers(), progress);
     const auto& [file, problem, contact, stiffness, quantities, alerts] = solved;
     if (progress) fmt::print(stderr, "\n");
-    if (!arguments.output.empty()) write_maps(arguments.output, problem, contact);
+    write_maps(arguments.output, problem.grid, problem.edges == half_space::Edges::periodic, contact.pressures,
+               contact.gaps);
     if (arguments.common.json) {
         print_json(answers::to_json(solved, processed.records));
         return ExitCode::done;
@@ -101,26 +95,45 @@ ExitCode run(const Arguments& arguments) {
     return ExitCode::done;
 }
 
+/// With adhesion, coming from far.
+ExitCode attract(const processing::PipelineResult& processed, const Arguments& arguments) {
+    const auto solved = answers::adhesive_contact(arguments.surface.path, processed.measurement, arguments, arguments,
+                                                  arguments.common.workers());
+    const auto& state = solved.state;
+    write_maps(arguments.output, solved.grid, true, solved.cell.pressures(), solved.cell.gaps());
+    if (arguments.common.json) {
+        print_json(answers::to_json(solved, processed.records));
+        return ExitCode::done;
+    }
+    const auto width = output_size().width;
+    print(wrapped(half_space::adhesive_sentence(solved.cell, state), width) + "\n\n" +
+          output::quantity_table("", solved.quantities, width) +
+          fmt::format("{} after {} iterations: residual {:.1e}\n", state.converged ? "converged" : "not_converged",
+                      state.iterations, state.residual));
+    show(solved.alerts);
+    return ExitCode::done;
+}
+
+ExitCode run(const Arguments& arguments) {
+    require_map_ending(arguments.output);
+    arguments.require_complete();
+    const auto processed = arguments.surface.processed();
+    return arguments.given() ? attract(processed, arguments) : press(processed, arguments);
+}
+
 }  // namespace
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("file", arguments->path, "a map or a line, or a file or container that holds one").of_inputs();
-    arguments->file.add_to(options);
-    arguments->processing.add_to(options);
-    options.add("--contact-modulus", arguments->contact_modulus, "E* of the body, such as \"1 GPa\"")
-        .quantity(positive(dimension::pressure));
+    arguments->surface.add_to(options);
+    add_body_options(options, *arguments);
+    add_interaction_options(options, *arguments);
     options.add("--pressure", arguments->pressure, "mean pressure over the map, such as \"10 MPa\"")
-        .quantity(positive(dimension::pressure));
+        .quantity(non_negative(dimension::pressure));
     options.add("--displacement", arguments->displacement, "approach from first touch, such as \"5 nm\"")
         .quantity(dimension::length);
     options.add("--mean-gap", arguments->mean_gap, "mean gap over the map").quantity(positive(dimension::length));
     options.flag("--free", arguments->free, "nothing touches beyond the map; without it the map repeats itself");
-    options.add("--layer", arguments->layer, "thickness of an elastic layer on a rigid base, such as \"1 um\"")
-        .quantity(positive(dimension::length));
-    options.flag("--bonded", arguments->bonded, "the layer sticks to its base");
-    options.flag("--frictionless", arguments->frictionless, "the layer slides on its base");
-    options.add("--nu,--poisson-ratio", arguments->poisson_ratio, "Poisson ratio of the layer, up to 0.5");
     options.add("--hardness", arguments->hardness, "pressure at which the body flows")
         .quantity(positive(dimension::pressure));
     options.add("--tolerance", arguments->tolerance, "of the duality gap").positive().default_shown();
@@ -135,6 +148,9 @@ Action declare(Options& options) {
     options.example(
         "setae contact solve tip.npy --size \"100 nm x 100 nm\" --unit nm --free --contact-modulus \"50 GPa\" --displacement \"1 nm\" -o contact.npy",
         "one asperity, with maps of pressure and gap");
+    options.example(
+        "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"2 MPa\" --w \"50 mJ/m2\" --range \"20 nm\" --pressure \"1 kPa\"",
+        "with adhesion, coming from far");
     return action(options, arguments, explanation, run);
 }
 

@@ -21,6 +21,7 @@ Action vbw_command(Options&);
 namespace params_command { Action declare(Options&); }
 namespace adhesion_command { Action declare(Options&); }
 namespace contact_solve_command { Action declare(Options&); }
+namespace contact_sweep_command { Action declare(Options&); }
 namespace contact_persson_command { Action declare(Options&); }
 namespace jkr_import_command { Action declare(Options&); }
 namespace jkr_line_command { Action declare(Options&); }
@@ -82,6 +83,8 @@ constexpr Command table[] = {
     {"", "adhesion", "apparent work of adhesion of a soft solid on a measured surface", adhesion_command::declare},
     {"contact", "solve", "a rough surface pressed on an elastic body: area, gap, stiffness, pressure point by point",
      contact_solve_command::declare},
+    {"contact", "sweep", "a rough surface that attracts, approached and parted: work, loss, every step's ledger",
+     contact_sweep_command::declare},
     {"contact", "persson", "area, gap, stiffness and energy of a rough contact from its spectrum, by Persson's theory",
      contact_persson_command::declare},
     {"jkr", "import", "turn tables, workbooks and force curves into loop files, columns guessed and shown",

@@ -2,31 +2,23 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "setae/core/quantity.hpp"
+#include "setae/answers/contact_problem.hpp"
 #include "setae/half_space/hard_wall.hpp"
-#include "setae/output/json.hpp"
-#include "setae/topography/measurement.hpp"
 
 namespace setae::answers {
 
 /// What `setae contact solve` is told beside the surface; see docs/theory/half-space.md.
-struct HardWallRequest {
-    std::string contact_modulus;                   ///< E* "1 GPa"
+struct HardWallRequest : BodyRequest {
     std::string pressure, displacement, mean_gap;  ///< one of them
-    std::string layer, hardness;                   ///< thickness "1 um" of a layer; "1 GPa"
-    std::optional<double> poisson_ratio;           ///< of a layer
+    std::string hardness;                          ///< "1 GPa"
     bool free = false;                             ///< nothing touches beyond the map
-    bool bonded = false, frictionless = false;     ///< how a layer lies on its base
     double tolerance = 1e-8;                       ///< of the duality gap
 
     /// @throws InvalidArgument where not one control is given, or a malformed one.
     [[nodiscard]] half_space::Control control() const;
-    /// @throws InvalidArgument for no modulus, a layer without its base or Poisson ratio, these without a layer.
-    [[nodiscard]] half_space::Body body() const;
     /// @throws as body() and control(): what is missing, before heights are read.
     void require_complete() const;
 };

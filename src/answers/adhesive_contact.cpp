@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/adhesive_contact.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/core/errors.hpp"
+#include "setae/half_space/adhesive_quantities.hpp"
+
+namespace setae::answers {
+namespace {
+
+half_space::AdhesiveControl adhesive_control(const HardWallRequest& request) {
+    if (request.free || !request.hardness.empty() || !request.displacement.empty())
+        throw InvalidArgument(
+            "--free, --hardness and --displacement are of a contact without adhesion; expected --pressure or --mean-gap "
+            "with --w");
+    const auto control = request.control();
+    if (const auto* gap = std::get_if<half_space::MeanGap>(&control)) return half_space::HeldGap{gap->value};
+    return half_space::DeadLoad{-std::get<half_space::MeanPressure>(control).value};
+}
+
+}  // namespace
+
+AdhesiveContactAnswer adhesive_contact(const std::string& file, const topography::Measurement& measurement,
+                                       const HardWallRequest& request, const InteractionRequest& attraction,
+                                       parallel::Threads threads) {
+    const auto control = adhesive_control(request);
+    const auto body = request.body();
+    const auto interaction = attraction.interaction();
+    const auto surface = touching_surface(file, measurement);
+    half_space::AdhesiveCell cell(surface.heights, surface.grid, body, interaction, {}, threads);
+    const auto state = half_space::from_far(cell, control);
+    auto alerts = alerts_of_grid(file, interaction, body, surface.grid);
+    if (!state.converged)
+        alerts.push_back(
+            {"CONTACT_NOT_CONVERGED", file,
+             fmt::format("gaps may be off: stresses depart from equilibrium by {:.1e} of the greatest tension",
+                         state.residual),
+             "resolve the range of the attraction with more points"});
+    auto quantities = half_space::adhesive_quantities(cell, state);
+    return {file, body, interaction, surface.grid, std::move(cell), state, std::move(quantities), std::move(alerts)};
+}
+
+output::Json to_json(const AdhesiveContactAnswer& answer, const std::vector<processing::StepRecord>& processing) {
+    const auto& state = answer.state;
+    auto json = quantities_json(answer.quantities);
+    json["status"] = half_space::name_of(state.converged ? half_space::SolveStatus::converged
+                                                         : half_space::SolveStatus::not_converged);
+    json["residual"] = state.residual;
+    json["iterations"] = state.iterations;
+    json["transform_pairs"] = state.transforms;
+    add_problem(json, answer.grid, answer.body);
+    add_interaction(json, answer.interaction, answer.body, answer.grid);
+    add_input(json, answer.file, processing, answer.alerts);
+    return json;
+}
+
+output::Json sweep_json(const half_space::AdhesiveLoop& loop, const half_space::Grid& grid,
+                        const half_space::Body& body, const half_space::Interaction& interaction) {
+    auto json = quantities_json(half_space::loop_quantities(loop));
+    json["status"] = loop.complete ? "complete" : "not_converged";
+    output::Json steps, units;
+    for (const auto& column : half_space::loop_table(loop).columns) {
+        steps[column.name] = output::numbers(column.values);
+        units[column.name] = column.unit;
+    }
+    steps["units"] = units;
+    json["steps"] = steps;
+    add_problem(json, grid, body);
+    add_interaction(json, interaction, body, grid);
+    return json;
+}
+
+}  // namespace setae::answers

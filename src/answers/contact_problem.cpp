@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/contact_problem.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::answers {
+
+half_space::Body BodyRequest::body() const {
+    if (contact_modulus.empty()) throw InvalidArgument("no modulus; expected --contact-modulus \"1 GPa\"");
+    half_space::Body body{.contact_modulus = parse_quantity(contact_modulus, dimension::pressure), .layer = {}};
+    const bool stands = bonded || frictionless;
+    if (layer.empty()) {
+        if (stands || poisson_ratio)
+            throw InvalidArgument("--bonded, --frictionless and --nu are of a layer; expected --layer \"1 um\"");
+        return body;
+    }
+    if (!stands || !poisson_ratio)
+        throw InvalidArgument(
+            "a layer without its base or Poisson ratio; expected --bonded or --frictionless, and "
+            "--nu");
+    body.layer = half_space::Layer{.thickness = parse_quantity(layer, dimension::length),
+                                   .poisson_ratio = *poisson_ratio,
+                                   .base = bonded ? half_space::Base::bonded : half_space::Base::frictionless};
+    return body;
+}
+
+half_space::Interaction InteractionRequest::interaction() const {
+    if (work_of_adhesion.empty() || range.empty())
+        throw InvalidArgument(
+            "attraction without its work or its range; expected both, --w \"50 mJ/m2\" --range \"0.3 nm\"");
+    return {.work_of_adhesion = parse_quantity(work_of_adhesion, positive(dimension::surface_energy)),
+            .range = parse_quantity(range, positive(dimension::length)),
+            .law = half_space::attraction_law_named(law)};
+}
+
+TouchingSurface touching_surface(const std::string& file, const topography::Measurement& measurement) {
+    TouchingSurface result;
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
+        result.grid = {map->heights.rows(), map->heights.cols(), map->size[0], map->size[1]};
+        result.heights = map->heights;
+    } else if (const auto* scan = std::get_if<topography::LineScan>(&measurement)) {
+        result.grid = {1, scan->heights.size(), 1.0, scan->size};
+        result.heights = scan->heights.transpose();
+        result.line = true;
+    } else {
+        throw InvalidArgument(
+            fmt::format("{}: a profile's points are not equally far apart; expected a map or a line", file));
+    }
+    if (const Index undefined = result.heights.isNaN().count(); undefined > 0)
+        throw InvalidArgument(fmt::format("{}: {} of {} heights are undefined; fill them with --step fill_undefined",
+                                          file, undefined, result.heights.size()));
+    return result;
+}
+
+output::Json quantities_json(const std::vector<Quantity>& quantities) {
+    output::Json json, units;
+    for (const auto& q : quantities) {
+        json[q.quantity] = output::number(q.estimate.value);
+        units[q.quantity] = q.unit;
+    }
+    json["units"] = units;
+    return json;
+}
+
+void add_problem(output::Json& json, const half_space::Grid& grid, const half_space::Body& body) {
+    json["points"] = {grid.nx, grid.ny};
+    json["size"] = {grid.size_x, grid.size_y};
+    json["contact_modulus"] = body.contact_modulus;
+    json["units"]["size"] = "m";
+    json["units"]["contact_modulus"] = "Pa";
+}
+
+void add_interaction(output::Json& json, const half_space::Interaction& interaction, const half_space::Body& body,
+                     const half_space::Grid& grid) {
+    json["work_of_adhesion"] = interaction.work_of_adhesion;
+    json["interaction_range"] = interaction.range;
+    json["law"] = half_space::name_of(interaction.law);
+    json["grid_ratio"] = half_space::resolution_of(interaction, body, grid).squared_ratio;
+    json["units"]["work_of_adhesion"] = "J/m2";
+    json["units"]["interaction_range"] = "m";
+    json["units"]["grid_ratio"] = "1";
+}
+
+std::vector<Alert> alerts_of_grid(const std::string& file, const half_space::Interaction& interaction,
+                                  const half_space::Body& body, const half_space::Grid& grid) {
+    const auto resolution = half_space::resolution_of(interaction, body, grid);
+    if (resolution.squared_ratio <= 0.5 + 1e-9) return {};
+    return {
+        {"ADHESION_GRID", file,
+         fmt::format("edges are caught between pixels: w dx/(E* rho^2) is {:.2g}; up to 0.5 works are right to a per "
+                     "cent, at 1 opening takes a sixth too much",
+                     resolution.squared_ratio),
+         fmt::format("pixels of {} or less, or a longer --range", format_value(resolution.pixel_of_warning, "m"))}};
+}
+
+void add_input(output::Json& json, const std::string& file, const std::vector<processing::StepRecord>& processing,
+               const std::vector<Alert>& alerts) {
+    json["file"] = file;
+    json["processing"] = output::to_json(processing);
+    json["alerts"] = output::to_json(alerts);
+}
+
+}  // namespace setae::answers

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setae/answers/hard_wall.hpp"
+#include "setae/half_space/adhesive_loop.hpp"
+#include "setae/parallel/for_each.hpp"
+
+namespace setae::answers {
+
+/// Surfaces that attract each other, in the equilibrium met coming from far.
+struct AdhesiveContactAnswer {
+    std::string file;
+    half_space::Body body;
+    half_space::Interaction interaction;
+    half_space::Grid grid;
+    half_space::AdhesiveCell cell;
+    half_space::AdhesiveState state;
+    std::vector<Quantity> quantities;
+    std::vector<Alert> alerts;
+};
+
+/// request: its control is a pressure or a mean gap; the cell repeats itself.
+/// @throws InvalidArgument for a displacement, a hardness or free edges; otherwise as hard_wall() and
+/// half_space::AdhesiveCell.
+[[nodiscard]] AdhesiveContactAnswer adhesive_contact(const std::string& file,
+                                                     const topography::Measurement& measurement,
+                                                     const HardWallRequest& request,
+                                                     const InteractionRequest& attraction,
+                                                     parallel::Threads threads = {});
+
+/// Quantities by name, what is known of their accuracy, the attraction, "file", "processing" and "alerts".
+[[nodiscard]] output::Json to_json(const AdhesiveContactAnswer& answer,
+                                   const std::vector<processing::StepRecord>& processing);
+
+/// Of a sweep: quantities, "status", "steps" with a list for each column, the attraction, "file", "processing" and
+/// "alerts".
+[[nodiscard]] output::Json sweep_json(const half_space::AdhesiveLoop& loop, const half_space::Grid& grid,
+                                      const half_space::Body& body, const half_space::Interaction& interaction);
+
+}  // namespace setae::answers
