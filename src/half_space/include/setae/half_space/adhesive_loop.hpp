@@ -64,7 +64,8 @@ struct AdhesiveLoop {
     [[nodiscard]] double loss() const { return separation_work - approach_work; }
 };
 
-/// Where it still holds on at the place where it began, as a sphere does, it is drawn on until it parts, and comes back.
+/// Where it still holds on at the place where it began, as a sphere does, it is drawn on until it parts, and comes
+/// back.
 ///
 /// Steps follow the tangent (AdhesiveCell::find_tangent), so that none moves a gap by more than ρ, halve where the cell
 /// jumps, and end in a ladder of halves close to full contact.
