@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# debian_in_a_chroot.sh PACKAGE.deb STUDY.toml: installs the package in a bare Debian 12 and runs a study there, as a user without a network would. Needs root
+# debian_in_a_chroot.sh PACKAGE.deb STUDY.toml: installs the package in a bare Debian 12 and runs a study there. Needs root
 # and debootstrap; exit code 77 (skipped) without them. The folder goes afterwards.
 set -euo pipefail
 package=$(realpath "$1") study=$(realpath "$2")
