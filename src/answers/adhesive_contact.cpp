@@ -6,6 +6,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/half_space/adhesive_quantities.hpp"
+#include "setae/half_space/contact_quantities.hpp"
 
 namespace setae::answers {
 namespace {
