@@ -11,33 +11,24 @@
 namespace setae::answers {
 namespace {
 
-/// What `find` finds, or nothing and why in the notes.
+/// What `find` finds; where it is undefined nothing, and why.
 template <class Find>
-auto found_or_noted(const char* what, std::vector<std::string>& notes, Find&& find) -> std::optional<decltype(find())> {
+auto if_defined(Find&& find, std::string* reason = nullptr) -> std::optional<decltype(find())> {
     try {
         return find();
     } catch (const UndefinedDataError& e) {
-        notes.push_back(fmt::format("{}: {}", what, e.what()));
+        if (reason) *reason = e.what();
         return std::nullopt;
     }
 }
 
-std::optional<LineMotion> motion(const contact_line::ContactLine& line, contact_line::Direction direction,
-                                 double ring_width, double threshold, std::vector<std::string>& notes) {
-    const bool receding = direction == contact_line::Direction::receding;
-    auto passage = found_or_noted(receding ? "receding" : "advancing", notes,
-                                  [&] { return contact_line::passage(line, direction, ring_width); });
-    if (!passage) return std::nullopt;
-    LineMotion found{.passage = std::move(*passage)};
+LineMotion motion_of(contact_line::Passage passage, double threshold) {
+    LineMotion found{.passage = std::move(passage)};
     found.jumps = contact_line::clusters(found.passage, contact_line::ClusterKind::jumps, threshold);
     found.arrests = contact_line::clusters(found.passage, contact_line::ClusterKind::arrests, threshold);
-    found.speed_tail = found_or_noted(receding ? "speeds while receding" : "speeds while advancing", notes, [&] {
-        return contact_line::power_law_tail(contact_line::relative_speeds(found.passage));
-    });
-    Array1D areas(static_cast<Index>(found.jumps.size()));
-    for (Index i = 0; i < areas.size(); ++i) areas[i] = found.jumps[static_cast<std::size_t>(i)].area;
-    found.jump_tail = found_or_noted(receding ? "jumps while receding" : "jumps while advancing", notes,
-                                     [&] { return contact_line::power_law_tail(areas); });
+    found.speed_tail =
+        if_defined([&] { return contact_line::power_law_tail(contact_line::relative_speeds(found.passage)); });
+    found.jump_tail = if_defined([&] { return contact_line::power_law_tail(areas_of(found.jumps)); });
     return found;
 }
 
@@ -89,6 +80,12 @@ output::Json roughness_json(const std::optional<contact_line::LineRoughness>& ro
 
 }  // namespace
 
+Array1D areas_of(const std::vector<contact_line::Cluster>& clusters) {
+    Array1D areas(static_cast<Index>(clusters.size()));
+    for (Index i = 0; i < areas.size(); ++i) areas[i] = clusters[static_cast<std::size_t>(i)].area;
+    return areas;
+}
+
 imaging::LineOptions LineRequest::line_options(parallel::Threads threads) const {
     imaging::LineOptions options{.smallest_void = smallest_void, .threads = threads};
     if (angles) options.angles = *angles;
@@ -111,16 +108,24 @@ LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest
     const double width =
         request.ring_width.empty() ? 0.0 : parse_quantity(request.ring_width, positive(dimension::length));
     answer.shape = contact_line::line_shape(line);
-    answer.roughness = found_or_noted("roughness", answer.notes, [&] {
-        return contact_line::line_roughness(
-            line, {.smallest_mode = request.smallest_mode, .largest_mode = request.largest_mode});
-    });
-    if (line.frames() < 2) {
-        answer.notes.emplace_back("one frame: nothing moves");
-        return answer;
-    }
-    answer.advancing = motion(line, contact_line::Direction::advancing, width, request.threshold, answer.notes);
-    answer.receding = motion(line, contact_line::Direction::receding, width, request.threshold, answer.notes);
+    std::string reason;
+    answer.roughness = if_defined(
+        [&] {
+            return contact_line::line_roughness(
+                line, {.smallest_mode = request.smallest_mode, .largest_mode = request.largest_mode});
+        },
+        &reason);
+    if (!answer.roughness) answer.notes.push_back("roughness: " + reason);
+    const auto motion = [&](contact_line::Direction direction) -> std::optional<LineMotion> {
+        if (line.frames() < 2) return std::nullopt;
+        auto passage = if_defined([&] { return contact_line::passage(line, direction, width); }, &reason);
+        if (!passage) return std::nullopt;
+        return motion_of(std::move(*passage), request.threshold);
+    };
+    answer.advancing = motion(contact_line::Direction::advancing);
+    answer.receding = motion(contact_line::Direction::receding);
+    if (!answer.advancing && !answer.receding)
+        answer.notes.push_back(line.frames() < 2 ? "one frame: nothing moves" : "motion: " + reason);
     return answer;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,6 +54,11 @@ imaging::RecordedLine recorded(const Arguments& arguments) {
     return imaging::measure_contact_line(source, radii, arguments.line_options(threads));
 }
 
+/// Whether the numbers of a tail may be of its law: 1.36/√n is passed by one law in twenty.
+bool fits(const std::optional<contact_line::PowerLawTail>& tail) {
+    return tail && tail->distance < 1.36 / std::sqrt(static_cast<double>(tail->count));
+}
+
 std::string motion_text(const char* direction, const std::optional<answers::LineMotion>& motion) {
     if (!motion) return {};
     auto text = fmt::format("{} {} on average, cells of {}: {} jumps, {} arrests", direction,
@@ -60,9 +66,10 @@ std::string motion_text(const char* direction, const std::optional<answers::Line
                             format_value(motion->passage.width, "m", 3), motion->jumps.size(), motion->arrests.size());
     if (!motion->jumps.empty())
         text += fmt::format("; the largest jump {}", format_value(motion->jumps.front().area, "m2", 3));
-    if (motion->jump_tail)
+    if (fits(motion->jump_tail))
         text += fmt::format("; areas of jumps fall as S^-{}", uncertain_number(motion->jump_tail->exponent));
-    if (motion->speed_tail) text += fmt::format("; speeds as v^-{}", uncertain_number(motion->speed_tail->exponent));
+    if (fits(motion->speed_tail))
+        text += fmt::format("; speeds as v^-{}", uncertain_number(motion->speed_tail->exponent));
     return text;
 }
 
@@ -83,15 +90,14 @@ std::string as_text(const answers::LineAnswer& answer) {
     std::size_t voids = 0;
     for (const auto& holes : recorded.voids) voids += holes.empty() ? 0 : 1;
     if (voids > 0) add(fmt::format("voids inside the contact in {} of {} frames", voids, recorded.frames.size()));
-    add(fmt::format("{} frames, {} places each, ± {} a place", recorded.frames.size(), recorded.line.angles(),
-                    format_value(recorded.line.place_error, "m", 2)));
+    const double error = recorded.line.place_error;
+    add(fmt::format("{} frames, {} places each, {}", recorded.frames.size(), recorded.line.angles(),
+                    error > 0.0 ? fmt::format("± {} a place", format_value(error, "m", 2)) : "their error not stated"));
     return text;
 }
 
-Array1D areas(const std::optional<answers::LineMotion>& motion) {
-    Array1D values(motion ? static_cast<Index>(motion->jumps.size()) : 0);
-    for (Index i = 0; i < values.size(); ++i) values[i] = motion->jumps[static_cast<std::size_t>(i)].area;
-    return values;
+Array1D jump_areas(const std::optional<answers::LineMotion>& motion) {
+    return motion ? answers::areas_of(motion->jumps) : Array1D();
 }
 
 Array1D speeds(const std::optional<answers::LineMotion>& motion) {
@@ -103,8 +109,8 @@ file_figures::StudyFigure figure(const answers::LineAnswer& answer, const Argume
                                               .roughness = answer.roughness.value_or(contact_line::LineRoughness{}),
                                               .receding_speeds = speeds(answer.receding),
                                               .advancing_speeds = speeds(answer.advancing),
-                                              .receding_jumps = areas(answer.receding),
-                                              .advancing_jumps = areas(answer.advancing)},
+                                              .receding_jumps = jump_areas(answer.receding),
+                                              .advancing_jumps = jump_areas(answer.advancing)},
                                              arguments.frames.front(), arguments.figure.look());
 }
 

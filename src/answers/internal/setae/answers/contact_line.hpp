@@ -28,11 +28,12 @@ struct LineRequest : RadiusRequest {
 /// How the edge moves in one direction.
 struct LineMotion {
     contact_line::Passage passage;
-    std::vector<contact_line::Cluster> jumps, arrests;
+    std::vector<contact_line::Cluster> jumps, arrests;                ///< largest first
     std::optional<contact_line::PowerLawTail> speed_tail, jump_tail;  ///< of v/⟨v⟩; of areas
 };
 
-/// All that is found of an edge; what cannot be told has its reason in `notes`.
+/// All that is found of an edge. No roughness, or no motion in either direction, has its reason in `notes`; a tail of
+/// too few numbers is left out.
 struct LineAnswer {
     imaging::RecordedLine recorded;  ///< of a table: without voids
     contact_line::LineShape shape;
@@ -47,6 +48,9 @@ struct LineAnswer {
 
 /// @throws InvalidArgument for a band of modes or a threshold outside their domain.
 [[nodiscard]] LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest& request);
+
+/// Areas of clusters [m²].
+[[nodiscard]] Array1D areas_of(const std::vector<contact_line::Cluster>& clusters);
 
 /// One row a frame: time, frame, mean_radius, area, perimeter, deviation, voids, void_area.
 [[nodiscard]] Table as_table(const LineAnswer& answer);
