@@ -24,7 +24,7 @@ Table as_table(const ContactLine& line, const std::vector<long>& frames) {
     Table table;
     table.columns = {{"time", "s", line.time}, {"frame", "1", std::move(numbers)}};
     for (Index j = 0; j < line.angles(); ++j) table.columns.push_back({radius_name(j), "m", line.radius.col(j)});
-    table.metadata["place_error"] = fmt::format("{:.9g} m", line.place_error);
+    table.metadata["place_error"] = fmt::format("{} m", line.place_error);
     return table;
 }
 

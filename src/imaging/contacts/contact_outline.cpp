@@ -15,12 +15,12 @@
 namespace setae::imaging {
 namespace {
 
-constexpr double sample = 0.5;                        // px along a ray
-constexpr Index half_step = 6, level_samples = 8;     // 3 px of a step, 4 px of a level
-constexpr Index reach = half_step + level_samples;    // samples that a place needs on either side
+constexpr double sample = 0.5;                              // px along a ray
+constexpr Index half_step = 6, level_samples = 8;           // 3 px of a step, 4 px of a level
+constexpr Index reach = half_step + level_samples;          // samples that a place needs on either side
 constexpr double smallest_place = 8.0, search_range = 0.3;  // px; of the radius
-constexpr double cost = 0.05, level_arc = 16.0;       // of a half pixel; px along the edge
-constexpr Index most_shift = 3;                       // samples from a ray to the next
+constexpr double cost = 0.05, level_arc = 16.0;             // of a half pixel; px along the edge
+constexpr Index most_shift = 3;                             // samples from a ray to the next
 
 double between(const FramePixels& pixels, double x, double y) {
     const auto column = static_cast<Index>(x), row = static_cast<Index>(y);
@@ -102,6 +102,25 @@ Places places_on(const std::vector<Index>& path, const Polar& polar, Index half_
     return places;
 }
 
+/// Standard deviation of a pixel's noise: of second differences along the rows that keep off the edge, 6 σ² of white
+/// noise, by their median. Grey levels of a contact without noise give 0.
+double pixel_noise(const FramePixels& pixels, const Array1D& radius, double centre_x, double centre_y) {
+    constexpr double off_edge = 5.0, normal = 1.4826;
+    const double a_radian = static_cast<double>(radius.size()) / (2.0 * pi), reach_of_disc = 1.5 * radius.maxCoeff();
+    std::vector<double> differences;
+    for (Index row = 0; row < pixels.rows(); ++row)
+        for (Index column = 1; column + 1 < pixels.cols(); ++column) {
+            const double dx = static_cast<double>(column) - centre_x, dy = static_cast<double>(row) - centre_y,
+                         r = std::hypot(dx, dy);
+            if (r > reach_of_disc) continue;
+            const auto ray = (std::lround(std::atan2(dy, dx) * a_radian) + radius.size()) % radius.size();
+            if (std::abs(r - radius[ray]) < off_edge) continue;
+            differences.push_back(std::abs(
+                static_cast<double>(pixels(row, column - 1) - 2.0F * pixels(row, column) + pixels(row, column + 1))));
+        }
+    return differences.empty() ? 0.0 : normal * median(differences) / std::sqrt(6.0);
+}
+
 }  // namespace
 
 ContactOutline trace_contact_outline(const FramePixels& pixels, const ContactFrame& contact, double centre_x,
@@ -112,7 +131,8 @@ ContactOutline trace_contact_outline(const FramePixels& pixels, const ContactFra
     if (angles < 16) throw InvalidArgument(fmt::format("an outline at {} angles; expected at least 16", angles));
     const double off = std::hypot(contact.ellipse.centre_x - centre_x, contact.ellipse.centre_y - centre_y);
     const double levels = sample * static_cast<double>(reach);
-    const double first = std::max(smallest_place - levels, (1.0 - search_range) * contact.ellipse.semi_minor - off - levels);
+    const double first =
+        std::max(smallest_place - levels, (1.0 - search_range) * contact.ellipse.semi_minor - off - levels);
     const double last = (1.0 + search_range) * contact.ellipse.semi_major + off + levels;
     const double room = std::min({centre_x, centre_y, static_cast<double>(pixels.cols()) - 2.0 - centre_x,
                                   static_cast<double>(pixels.rows()) - 2.0 - centre_y});
@@ -126,8 +146,11 @@ ContactOutline trace_contact_outline(const FramePixels& pixels, const ContactFra
     const auto half_arc = std::clamp<Index>(static_cast<Index>(std::lround(0.5 * level_arc / arc)), 0, angles / 4);
     const auto places = places_on(closed_path(steps(polar, sign), cost, most_shift), polar, half_arc);
     // white noise between pixels: a line across two of them sees (1 − u)² + u², 2/3 on average
-    const double window = 2.0 * sample * static_cast<double>(half_step);
-    return {places.radius, std::sqrt(window * 2.0 / 3.0) / contact.contrast_to_noise,
+    const double window = 2.0 * sample * static_cast<double>(half_step),
+                 contrast = std::abs(places.outer - places.inner);
+    const double place_error =
+        std::sqrt(window * 2.0 / 3.0) * pixel_noise(pixels, places.radius, centre_x, centre_y) / contrast;
+    return {places.radius, place_error,
             contact_voids(pixels, places.radius, centre_x, centre_y, places.inner, places.outer, smallest_void)};
 }
 

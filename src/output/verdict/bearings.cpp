@@ -20,6 +20,7 @@ const std::vector<Bearing>& bearings() {
     static const std::vector<Bearing> list{
         {{"NOT_CONVERGED", "TIP_NOT_CONVERGED", "CONTACT_NOT_CONVERGED"},
          "An iteration for {} ended before its changes were small: its result may move."},
+        {{"ADHESION_GRID"}, "Pixels of {} catch the edge of an adhesive contact: opening it takes too much work."},
         {{"UNREADABLE_MEMBER", "UNREADABLE_ARRAY"}, "What of {} cannot be read is in no number."},
         {{"CHECKSUM"}, "A checksum of {} is wrong: what was read may be damaged."},
         {{"UNIT_ASSUMED", "UNIT_GUESSED", "UNIT_MISMATCH", "UNITS_IMPLAUSIBLE"},
