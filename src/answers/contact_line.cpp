@@ -7,6 +7,7 @@
 #include "setae/contact_line/line_table.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::answers {
 namespace {
@@ -100,6 +101,13 @@ imaging::RecordedLine recorded_line(const Table& table) {
         recorded.frames.push_back(numbers ? static_cast<long>(numbers->values[i]) : static_cast<long>(i + 1));
     recorded.voids.resize(recorded.frames.size());
     return recorded;
+}
+
+std::string line_csv(const imaging::RecordedLine& recorded) {
+    const auto table = contact_line::as_table(recorded.line, recorded.frames);
+    std::string text;
+    for (const auto& [key, value] : table.metadata) text += fmt::format("# {}: {}\n", key, value);
+    return text + tables::as_csv(table);
 }
 
 LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest& request) {

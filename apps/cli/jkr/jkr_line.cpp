@@ -14,7 +14,7 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "setae/answers/contact_line.hpp"
-#include "setae/contact_line/line_table.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/uncertain_text.hpp"
@@ -118,8 +118,7 @@ ExitCode run(const Arguments& arguments) {
     require_table_or_figure(arguments.output);
     const auto answer = answers::contact_line_answer(recorded(arguments), arguments);
     const auto& kept = answer.recorded;
-    if (!arguments.save_line.empty())
-        tables::write_csv(arguments.save_line, contact_line::as_table(kept.line, kept.frames));
+    if (!arguments.save_line.empty()) bytes::write_whole_file(arguments.save_line, answers::line_csv(kept));
     write_table_or_figure(
         arguments.output, answers::as_table(answer), [&] { return figure(answer, arguments); }, arguments.common.json);
     if (arguments.common.json) print_json(answers::to_json(answer));

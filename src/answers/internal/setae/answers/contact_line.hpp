@@ -46,6 +46,9 @@ struct LineAnswer {
 /// @throws as contact_line::line_of.
 [[nodiscard]] imaging::RecordedLine recorded_line(const Table& table);
 
+/// What recorded_line() reads: contact_line::as_table() as CSV below "# place_error: …".
+[[nodiscard]] std::string line_csv(const imaging::RecordedLine& recorded);
+
 /// @throws InvalidArgument for a band of modes or a threshold outside their domain.
 [[nodiscard]] LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest& request);
 
