@@ -104,17 +104,15 @@ Places places_on(const std::vector<Index>& path, const Polar& polar, Index half_
 
 /// Standard deviation of a pixel's noise: of second differences along the rows that keep off the edge, 6 σ² of white
 /// noise, by their median. Grey levels of a contact without noise give 0.
-double pixel_noise(const FramePixels& pixels, const Array1D& radius, double centre_x, double centre_y) {
+double pixel_noise(const FramePixels& pixels, const TracedEdge& edge) {
     constexpr double off_edge = 5.0, normal = 1.4826;
-    const double a_radian = static_cast<double>(radius.size()) / (2.0 * pi), reach_of_disc = 1.5 * radius.maxCoeff();
+    const double reach_of_disc = 1.5 * edge.radius.maxCoeff();
     std::vector<double> differences;
     for (Index row = 0; row < pixels.rows(); ++row)
         for (Index column = 1; column + 1 < pixels.cols(); ++column) {
-            const double dx = static_cast<double>(column) - centre_x, dy = static_cast<double>(row) - centre_y,
-                         r = std::hypot(dx, dy);
-            if (r > reach_of_disc) continue;
-            const auto ray = (std::lround(std::atan2(dy, dx) * a_radian) + radius.size()) % radius.size();
-            if (std::abs(r - radius[ray]) < off_edge) continue;
+            const auto x = static_cast<double>(column), y = static_cast<double>(row);
+            if (std::hypot(x - edge.centre_x, y - edge.centre_y) > reach_of_disc) continue;
+            if (std::abs(edge.distance(x, y)) < off_edge) continue;
             differences.push_back(std::abs(
                 static_cast<double>(pixels(row, column - 1) - 2.0F * pixels(row, column) + pixels(row, column + 1))));
         }
@@ -146,12 +144,11 @@ ContactOutline trace_contact_outline(const FramePixels& pixels, const ContactFra
     const auto half_arc = std::clamp<Index>(static_cast<Index>(std::lround(0.5 * level_arc / arc)), 0, angles / 4);
     const auto places = places_on(closed_path(steps(polar, sign), cost, most_shift), polar, half_arc);
     // white noise between pixels: a line across two of them sees (1 − u)² + u², 2/3 on average
-    const double window = 2.0 * sample * static_cast<double>(half_step),
-                 contrast = std::abs(places.outer - places.inner);
+    const double window = 2.0 * sample * static_cast<double>(half_step);
+    const TracedEdge edge{places.radius, centre_x, centre_y};
     const double place_error =
-        std::sqrt(window * 2.0 / 3.0) * pixel_noise(pixels, places.radius, centre_x, centre_y) / contrast;
-    return {places.radius, place_error,
-            contact_voids(pixels, places.radius, centre_x, centre_y, places.inner, places.outer, smallest_void)};
+        std::sqrt(window * 2.0 / 3.0) * pixel_noise(pixels, edge) / std::abs(places.outer - places.inner);
+    return {places.radius, place_error, contact_voids(pixels, edge, places.inner, places.outer, smallest_void)};
 }
 
 }  // namespace setae::imaging

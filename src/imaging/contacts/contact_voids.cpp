@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_voids.hpp"
 
-#include <cmath>
-
 #include <opencv2/imgproc.hpp>
-
-#include "setae/core/units.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -14,15 +10,11 @@ constexpr double margin = 4.0, smoothing = 1.0;  // px
 constexpr int blurred_rim = 3;                   // px about a void, which its blurred rim does not leave
 
 /// 1 where a pixel lies more than the margin inside the edge.
-cv::Mat inside_of(const Array1D& radius, double centre_x, double centre_y, const cv::Size& size) {
-    const double a_radian = static_cast<double>(radius.size()) / (2.0 * pi);
+cv::Mat inside_of(const TracedEdge& edge, const cv::Size& size) {
     cv::Mat inside(size, CV_8U, cv::Scalar(0));
     for (int row = 0; row < size.height; ++row)
-        for (int column = 0; column < size.width; ++column) {
-            const double dx = column - centre_x, dy = row - centre_y;
-            const auto ray = (std::lround(std::atan2(dy, dx) * a_radian) + radius.size()) % radius.size();
-            if (std::hypot(dx, dy) < radius[ray] - margin) inside.at<std::uint8_t>(row, column) = 1;
-        }
+        for (int column = 0; column < size.width; ++column)
+            if (edge.distance(column, row) < -margin) inside.at<std::uint8_t>(row, column) = 1;
     return inside;
 }
 
@@ -48,13 +40,13 @@ double void_area(const cv::Mat& grey, const cv::Mat& counted, const cv::Mat& lab
 
 }  // namespace
 
-std::vector<ContactVoid> contact_voids(const FramePixels& pixels, const Array1D& radius, double centre_x,
-                                       double centre_y, double inner, double outer, double smallest) {
+std::vector<ContactVoid> contact_voids(const FramePixels& pixels, const TracedEdge& edge, double inner, double outer,
+                                       double smallest) {
     const cv::Mat grey(static_cast<int>(pixels.rows()), static_cast<int>(pixels.cols()), CV_32F,
                        const_cast<float*>(pixels.data()));
     cv::Mat smooth, labels, statistics, centres;
     cv::GaussianBlur(grey, smooth, {}, smoothing);
-    const auto inside = inside_of(radius, centre_x, centre_y, grey.size());
+    const auto inside = inside_of(edge, grey.size());
     cv::Mat apart = outer > inner ? smooth > 0.5 * (inner + outer) : smooth < 0.5 * (inner + outer);
     apart.setTo(0, inside == 0);
     const int count = cv::connectedComponentsWithStats(apart, labels, statistics, centres, 8);

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "setae/imaging/contact_outline.hpp"
+#include "traced_edge.hpp"
 
 namespace setae::imaging {
 
-/// Holes inside an edge: see trace_contact_outline. radius: of the edge about the centre [px of the frame]; levels of
-/// either side.
-[[nodiscard]] std::vector<ContactVoid> contact_voids(const FramePixels& pixels, const Array1D& radius, double centre_x,
-                                                     double centre_y, double inner, double outer, double smallest);
+/// Holes inside an edge of the frame: see trace_contact_outline. inner, outer: levels of either side.
+[[nodiscard]] std::vector<ContactVoid> contact_voids(const FramePixels& pixels, const TracedEdge& edge, double inner,
+                                                     double outer, double smallest);
 
 }  // namespace setae::imaging

@@ -43,12 +43,11 @@ figures::Panel edges_panel(const contact_line::ContactLine& line) {
 }
 
 figures::Panel spectrum_panel(const contact_line::LineRoughness& found, double noise_power) {
-    const double length = axis_unit(found.power.sqrt(), "m").factor, square = length * length;
-    figures::Panel panel{
-        .title = "B",
-        .x = {.quantity = "mode *n*", .logarithmic = true},
-        .y = {
-            .quantity = "power |*r_n*|^2", .unit = axis_unit(found.power.sqrt(), "m").name + "2", .logarithmic = true}};
+    const auto unit = axis_unit(found.power.sqrt(), "m");
+    const double square = unit.factor * unit.factor;
+    figures::Panel panel{.title = "B",
+                         .x = {.quantity = "mode *n*", .logarithmic = true},
+                         .y = {.quantity = "power |*r_n*|^2", .unit = unit.name + "2", .logarithmic = true}};
     panel.series.push_back({.label = "the edge, mean of frames",
                             .x = found.mode,
                             .y = found.power / square,
@@ -67,7 +66,7 @@ figures::Panel spectrum_panel(const contact_line::LineRoughness& found, double n
     return panel;
 }
 
-/// The share of numbers that are larger than each of at most 400 of them.
+/// The share of numbers that are no smaller than each of at most 400 of them; two numbers or more.
 figures::Series exceedance(const char* label, Array1D values, int colour) {
     std::sort(values.begin(), values.end());
     const Index n = values.size(), points = std::min(n, most_points);
@@ -77,13 +76,11 @@ figures::Series exceedance(const char* label, Array1D values, int colour) {
                            .mark = Mark::line,
                            .colour = colour,
                            .dash = colour};
-    for (Index k = 0; k < points; ++k) {
-        const Index at = n - 1 -
-                         static_cast<Index>(std::floor(
-                             std::expm1(std::log(static_cast<double>(n)) * static_cast<double>(points - 1 - k) /
-                                        std::max(1.0, static_cast<double>(points - 1)))));
-        series.x[k] = values[std::clamp<Index>(at, 0, n - 1)];
-        series.y[k] = static_cast<double>(n - std::clamp<Index>(at, 0, n - 1)) / static_cast<double>(n);
+    for (Index k = 0; k < points; ++k) {  // ranks in steps of one factor, from the smallest number
+        const double share = static_cast<double>(points - 1 - k) / static_cast<double>(points - 1);
+        const auto rank = std::clamp<Index>(static_cast<Index>(std::pow(static_cast<double>(n), share)), 1, n);
+        series.x[k] = values[n - rank];
+        series.y[k] = static_cast<double>(rank) / static_cast<double>(n);
     }
     return series;
 }
