@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
+#include <utility>
+
 #include <nanobind/stl/shared_ptr.h>
 #include <nlohmann/json.hpp>
 
 #include "heights.hpp"
+#include "setae/answers/adhesive_contact.hpp"
+#include "setae/answers/adhesive_sweep.hpp"
 #include "setae/answers/hard_wall.hpp"
 #include "setae/answers/persson_contact.hpp"
 #include "setae/core/errors.hpp"
@@ -13,10 +18,24 @@ namespace setae::python {
 namespace {
 
 /// A contact that was solved, and what `--json` says of it.
-struct HardWallContact {
-    answers::HardWallAnswer answer;
+struct SolvedContact {
+    Array2D pressures, gaps;
+    std::vector<Quantity> quantities;
     std::string json;
 };
+
+/// A sweep, and what `--json` says of it.
+struct Sweep {
+    Table steps;
+    std::vector<Quantity> quantities;
+    std::string json;
+};
+
+std::string texts_of(const std::vector<Quantity>& quantities) {
+    auto list = output::Json::array();
+    for (const auto& q : quantities) list.push_back(output::to_json(q));
+    return output::as_text(list);
+}
 
 nb::object map_of(const Array2D& values, nb::handle owner) {
     const std::array shape{static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols())};
@@ -56,56 +75,114 @@ void bind_persson(nb::module_& module) {
         nb::arg("items"), nb::arg("analysis"), nb::arg("request"), nb::arg("every_measurement"));
 }
 
+/// The elastic body, which every request of a contact begins with.
+template <class Request, class Class>
+void bind_body(Class& request) {
+    request.def(nb::init<>())
+        .def_rw("contact_modulus", &Request::contact_modulus)
+        .def_rw("layer", &Request::layer)
+        .def_rw("poisson_ratio", &Request::poisson_ratio)
+        .def_rw("bonded", &Request::bonded)
+        .def_rw("frictionless", &Request::frictionless);
+}
+
+template <class Request, class Class>
+void bind_attraction(Class& request) {
+    request.def_rw("work_of_adhesion", &Request::work_of_adhesion)
+        .def_rw("range", &Request::range)
+        .def_rw("law", &Request::law);
+}
+
+SolvedContact pressed(const Item& item, const answers::HardWallRequest& request, const std::atomic<bool>& cancelled) {
+    request.require_complete();
+    const auto prepared = prepared_of(item);
+    const auto stop_where_asked = [&](const half_space::SolveProgress&) {
+        if (cancelled) throw Interrupted();
+    };
+    auto answer = answers::hard_wall(item.path, prepared.measurement, request, {}, stop_where_asked);
+    auto json = output::as_text(answers::to_json(answer, prepared.records));
+    return {std::move(answer.contact.pressures), std::move(answer.contact.gaps), std::move(answer.quantities),
+            std::move(json)};
+}
+
+SolvedContact attracted(const Item& item, const answers::HardWallRequest& request,
+                        const answers::InteractionRequest& attraction) {
+    request.require_complete();
+    (void)attraction.interaction();
+    const auto prepared = prepared_of(item);
+    auto answer = answers::adhesive_contact(item.path, prepared.measurement, request, attraction);
+    auto json = output::as_text(answers::to_json(answer, prepared.records));
+    return {answer.cell.pressures(), answer.cell.gaps(), std::move(answer.quantities), std::move(json)};
+}
+
+Sweep swept(const Item& item, const answers::SweepRequest& request, const std::atomic<bool>& cancelled) {
+    request.require_complete();
+    const auto prepared = prepared_of(item);
+    const auto go_on = [&](const answers::SweepProgress&) {
+        if (cancelled) throw Interrupted();
+        return true;
+    };
+    auto answer = answers::adhesive_sweep(item.path, prepared.measurement, request, {}, go_on);
+    auto json = output::as_text(answers::to_json(answer, prepared.records));
+    return {std::move(answer.steps), std::move(answer.quantities), std::move(json)};
+}
+
+void bind_solve(nb::module_& module) {
+    using Request = answers::HardWallRequest;
+    nb::class_<Request> request(module, "HardWallRequest");
+    bind_body<Request>(request);
+    request.def_rw("pressure", &Request::pressure)
+        .def_rw("displacement", &Request::displacement)
+        .def_rw("mean_gap", &Request::mean_gap)
+        .def_rw("hardness", &Request::hardness)
+        .def_rw("free", &Request::free)
+        .def_rw("tolerance", &Request::tolerance);
+    nb::class_<answers::InteractionRequest> attraction(module, "InteractionRequest");
+    attraction.def(nb::init<>());
+    bind_attraction<answers::InteractionRequest>(attraction);
+    nb::class_<SolvedContact>(module, "SolvedContact")
+        .def_prop_ro("pressures",
+                     [](nb::handle self) { return map_of(nb::cast<const SolvedContact&>(self).pressures, self); })
+        .def_prop_ro("gaps", [](nb::handle self) { return map_of(nb::cast<const SolvedContact&>(self).gaps, self); })
+        .def("quantities", [](const SolvedContact& contact) { return texts_of(contact.quantities); })
+        .def_ro("json", &SolvedContact::json);
+    module.def(
+        "contact",
+        [](const Item& item, const Request& asked, const answers::InteractionRequest& attracting) {
+            return unlocked([&](const std::atomic<bool>& cancelled) {
+                return attracting.given() ? attracted(item, asked, attracting) : pressed(item, asked, cancelled);
+            });
+        },
+        nb::arg("item"), nb::arg("request"), nb::arg("attraction"), "as `setae contact solve --json` prints it");
+}
+
+void bind_sweep(nb::module_& module) {
+    using Request = answers::SweepRequest;
+    nb::class_<Request> request(module, "SweepRequest");
+    bind_body<Request>(request);
+    bind_attraction<Request>(request);
+    request.def_rw("stage_stiffness", &Request::stage_stiffness)
+        .def_rw("to_gap", &Request::to_gap)
+        .def_rw("to_pressure", &Request::to_pressure);
+    nb::class_<Sweep>(module, "Sweep")
+        .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Sweep&>(self).steps, self); })
+        .def_prop_ro("units", [](const Sweep& sweep) { return units(sweep.steps); })
+        .def("quantities", [](const Sweep& sweep) { return texts_of(sweep.quantities); })
+        .def_ro("json", &Sweep::json);
+    module.def(
+        "contact_sweep",
+        [](const Item& item, const Request& asked) {
+            return unlocked([&](const std::atomic<bool>& cancelled) { return swept(item, asked, cancelled); });
+        },
+        nb::arg("item"), nb::arg("request"), "as `setae contact sweep --json` prints it");
+}
+
 }  // namespace
 
 void bind_contact(nb::module_& module) {
     bind_persson(module);
-    using Request = answers::HardWallRequest;
-    nb::class_<Request>(module, "HardWallRequest")
-        .def(nb::init<>())
-        .def_rw("contact_modulus", &Request::contact_modulus)
-        .def_rw("pressure", &Request::pressure)
-        .def_rw("displacement", &Request::displacement)
-        .def_rw("mean_gap", &Request::mean_gap)
-        .def_rw("layer", &Request::layer)
-        .def_rw("hardness", &Request::hardness)
-        .def_rw("poisson_ratio", &Request::poisson_ratio)
-        .def_rw("free", &Request::free)
-        .def_rw("bonded", &Request::bonded)
-        .def_rw("frictionless", &Request::frictionless)
-        .def_rw("tolerance", &Request::tolerance);
-    nb::class_<HardWallContact>(module, "HardWallContact")
-        .def_prop_ro("pressures",
-                     [](nb::handle self) {
-                         return map_of(nb::cast<const HardWallContact&>(self).answer.contact.pressures, self);
-                     })
-        .def_prop_ro(
-            "gaps",
-            [](nb::handle self) { return map_of(nb::cast<const HardWallContact&>(self).answer.contact.gaps, self); })
-        .def("quantities",
-             [](const HardWallContact& contact) {
-                 auto list = output::Json::array();
-                 for (const auto& q : contact.answer.quantities) list.push_back(output::to_json(q));
-                 return output::as_text(list);
-             })
-        .def_ro("json", &HardWallContact::json);
-    module.def(
-        "hard_wall",
-        [](const Item& item, const answers::HardWallRequest& request) {
-            return unlocked([&](const std::atomic<bool>& cancelled) {
-                request.require_complete();
-                const auto prepared = prepared_of(item);
-                const auto stop_where_asked = [&](const half_space::SolveProgress&) {
-                    if (cancelled) throw Interrupted();
-                };
-                HardWallContact contact{
-                    .answer = answers::hard_wall(item.path, prepared.measurement, request, {}, stop_where_asked),
-                    .json = {}};
-                contact.json = output::as_text(answers::to_json(contact.answer, prepared.records));
-                return contact;
-            });
-        },
-        nb::arg("item"), nb::arg("request"));
+    bind_solve(module);
+    bind_sweep(module);
 }
 
 }  // namespace setae::python

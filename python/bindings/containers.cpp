@@ -4,6 +4,7 @@
 #include "bindings.hpp"
 #include "setae/answers/containers.hpp"
 #include "setae/answers/format_list.hpp"
+#include "setae/answers/json_schemas.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::python {
@@ -46,6 +47,9 @@ void bind_containers(nb::module_& module) {
         nb::arg("files"), "as `setae container check --json` prints it");
     module.def(
         "formats", [] { return output::as_text(answers::formats_json()); }, "as `setae formats --json` prints them");
+    module.def(
+        "schema", [](const std::string& verb) { return output::as_text(answers::json_schema(verb)); }, nb::arg("verb"),
+        "as `setae schema VERB` prints it");
 }
 
 }  // namespace setae::python

@@ -3,11 +3,13 @@
 
 #include "bindings.hpp"
 #include "setae/answers/camera_scale.hpp"
+#include "setae/answers/contact_line.hpp"
 #include "setae/answers/contact_radii.hpp"
 #include "setae/answers/contour.hpp"
 #include "setae/answers/lens.hpp"
 #include "setae/answers/replicates.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/contact_line/line_table.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/contour_file.hpp"
 
@@ -80,10 +82,10 @@ struct Radii {
     std::string csv, json;
 };
 
-void bind_radii(nb::module_& module) {
-    using Request = answers::RadiusRequest;
-    nb::class_<Request>(module, "RadiusRequest")
-        .def(nb::init<>())
+/// What is told of a recording.
+template <class Request, class Class>
+void bind_recording(Class& request) {
+    request.def(nb::init<>())
         .def_rw("pixel", &Request::pixel)
         .def_rw("region", &Request::region)
         .def_rw("polarity", &Request::polarity)
@@ -96,6 +98,12 @@ void bind_radii(nb::module_& module) {
         .def_rw("least_confidence", &Request::least_confidence)
         .def_rw("fringes", &Request::fringes)
         .def_rw("ignore_stated_pixel_size", &Request::ignore_stated_pixel_size);
+}
+
+void bind_radii(nb::module_& module) {
+    using Request = answers::RadiusRequest;
+    nb::class_<Request> bound(module, "RadiusRequest");
+    bind_recording<Request>(bound);
     nb::class_<Radii>(module, "Radii")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Radii&>(self).table, self); })
         .def_prop_ro("units", [](const Radii& radii) { return units(radii.table); })
@@ -113,6 +121,42 @@ void bind_radii(nb::module_& module) {
             });
         },
         nb::arg("frames"), nb::arg("request"));
+}
+
+/// The edge of a contact, and what `--json` says of it.
+struct Edge {
+    Table frames, edge;  ///< a row a frame; with the radius at every angle
+    std::string csv, json;
+};
+
+void bind_line(nb::module_& module) {
+    using Request = answers::LineRequest;
+    nb::class_<Request> bound(module, "LineRequest");
+    bind_recording<Request>(bound);
+    bound.def_rw("angles", &Request::angles)
+        .def_rw("smallest_void", &Request::smallest_void)
+        .def_rw("ring_width", &Request::ring_width)
+        .def_rw("threshold", &Request::threshold)
+        .def_rw("smallest_mode", &Request::smallest_mode)
+        .def_rw("largest_mode", &Request::largest_mode);
+    nb::class_<Edge>(module, "Edge")
+        .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Edge&>(self).frames, self); })
+        .def_prop_ro("units", [](const Edge& edge) { return units(edge.frames); })
+        .def_prop_ro("edge", [](nb::handle self) { return columns(nb::cast<const Edge&>(self).edge, self); })
+        .def("save", [](const Edge& edge, const std::string& file) { bytes::write_whole_file(file, edge.csv); })
+        .def_ro("json", &Edge::json);
+    module.def(
+        "contact_line",
+        [](const std::vector<std::string>& files, const Request& asked) {
+            return unlocked([&](const auto&) {
+                auto recorded = answers::recorded_edge(files, asked).line;
+                const auto answer = answers::contact_line_answer(std::move(recorded), asked);
+                const auto& kept = answer.recorded;
+                return Edge{answers::as_table(answer), contact_line::as_table(kept.line, kept.frames),
+                            answers::line_csv(kept), output::as_text(answers::to_json(answer))};
+            });
+        },
+        nb::arg("files"), nb::arg("request"));
 }
 
 /// A traced picture, and how it was traced.
@@ -170,6 +214,7 @@ void bind_laboratory(nb::module_& module) {
     bind_lens(module);
     bind_replicates(module);
     bind_radii(module);
+    bind_line(module);
     bind_contour(module);
 }
 

@@ -12,18 +12,20 @@ Numbers are SI and carry unit, ±, band and source; what has a unit goes in as a
 from __future__ import annotations
 
 from ._adhesion import WorkOfAdhesion, work_of_adhesion
-from ._contact import Contact, PerssonContact, contact, persson
+from ._contact import Contact, ContactSweep, PerssonContact, contact, contact_sweep, persson
 from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
 from ._diagnosis import Diagnosis, Finding, check
 from ._errors import Error, FileError, FormatError, InternalError, InvalidArgument, UndefinedDataError
 from ._laboratory import (
     Camera,
+    ContactLine,
     ContactRadii,
     Contour,
     ForceCurves,
     Lens,
     Replicates,
     camera,
+    contact_line,
     contact_radii,
     contour,
     force_curves,
@@ -33,6 +35,7 @@ from ._laboratory import (
 from ._loops import Loop, LoopEnergy, LoopFit, MachineStiffness, loop
 from ._quantities import Alert, Answer, Band, Interval, Quantity
 from ._scales import FunctionOfScale, autocorrelation, scale_dependent, variable_bandwidth
+from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
 from ._setae import limit_threads, steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
@@ -48,7 +51,9 @@ __all__ = [
     "Band",
     "Camera",
     "Contact",
+    "ContactLine",
     "ContactRadii",
+    "ContactSweep",
     "Container",
     "ContainerReport",
     "Contour",
@@ -93,7 +98,9 @@ __all__ = [
     "check",
     "check_container",
     "contact",
+    "contact_line",
     "contact_radii",
+    "contact_sweep",
     "contour",
     "force_curves",
     "formats",
@@ -109,6 +116,7 @@ __all__ = [
     "replicates",
     "scale_dependent",
     "scan",
+    "schema",
     "steps",
     "study",
     "surface",

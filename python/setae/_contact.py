@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact of rough surfaces: a hard wall pressed on an elastic body, and Persson's theory of it."""
+"""Contact of rough surfaces: pressed on an elastic body without and with adhesion, and Persson's theory of it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 class Contact(Answer):
     """A rigid rough surface pressed on an elastic body, as ``setae contact solve --json`` says it.
 
-    ``pressures`` [Pa] and ``gaps`` [m]: maps, first index x; of a line one row.
+    ``pressures`` [Pa], below 0 where it is drawn, and ``gaps`` [m]: maps, first index x; of a line one row.
     """
 
     pressures: Array = field(compare=False)
@@ -52,14 +52,19 @@ def contact(
     frictionless: bool = False,
     nu: float | None = None,
     hardness: Text | None = None,
+    W_int: Text | None = None,
+    range: Text | None = None,
+    law: str = "exponential",
     tolerance: float = 1e-8,
     size: Text | None = None,
     unit: str | None = None,
 ) -> Contact:
-    """A rigid rough surface pressed on an elastic half-space without adhesion and friction: p ≥ 0, g ≥ 0, p g = 0 [Johnson 1985, ch. 13].
+    """A rigid rough surface pressed on an elastic half-space without friction: p ≥ 0, g ≥ 0, p g = 0 [Johnson 1985, ch. 13].
 
     contact_modulus: E* = E/(1 − ν²).  One of pressure, displacement (from first touch) and mean_gap.  free: nothing touches beyond the map.
     layer: its thickness on a rigid base, with ``nu`` and ``bonded`` or ``frictionless``.  hardness: the body flows there.
+    W_int, range: both bodies attract each other, V(0) = −W_int and V'(0) = W_int/range; ``law`` says how that falls with the gap,
+    "exponential", "cubic", "dugdale" or "lennard_jones". The equilibrium is the one met coming from far; pressure or mean_gap, no hardness.
 
     Full contact of a wave needs p = E* q A/2:
 
@@ -82,8 +87,75 @@ def contact(
         hardness=hardness,
         tolerance=tolerance,
     )
-    solved: Any = _setae.hard_wall(one(measurement, size, unit), request)
+    attraction = filled(_setae.InteractionRequest(), work_of_adhesion=W_int, range=range, law=law)
+    solved: Any = _setae.contact(one(measurement, size, unit), request, attraction)
     return Contact(solved.json, solved.pressures, solved.gaps, tuple(map(quantity_from, json.loads(solved.quantities()))))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ContactSweep(Columns):
+    """A loop from far into contact and back, a row a step, as ``setae contact sweep --json`` says it; ``quantities``: works and losses."""
+
+    quantities: tuple[Quantity, ...] = field(default=())
+
+    @property
+    def n(self) -> int:
+        """Steps."""
+        return len(self["position"])
+
+    @property
+    def complete(self) -> bool:
+        """It came back to where it began, and every step converged."""
+        return bool(self.data["status"] == "complete")
+
+    def __repr__(self) -> str:
+        return f"ContactSweep({self.n} steps, {', '.join(f'{q.symbol} = {q}' for q in self.quantities)})"
+
+
+def contact_sweep(
+    measurement: Measured,
+    *,
+    contact_modulus: Text,
+    W_int: Text,
+    range: Text,
+    law: str = "exponential",
+    stage_stiffness: Text | None = None,
+    to_gap: Text | None = None,
+    to_pressure: Text | None = None,
+    layer: Text | None = None,
+    bonded: bool = False,
+    frictionless: bool = False,
+    nu: float | None = None,
+    size: Text | None = None,
+    unit: str | None = None,
+) -> ContactSweep:
+    """A rigid rough surface and an elastic body that attract each other, brought together and parted; the cell repeats itself.
+
+    W_int, range, law and the body: as of :func:`contact`.  stage_stiffness: of a stage that is moved, "10 N/m"; else the mean gap is.
+    to_gap, to_pressure: where it turns; without them at full contact.  A cell has a loss of its own, even a flat one.
+
+    >>> import numpy, setae
+    >>> flat = setae.scan(numpy.zeros((8, 8)), size="80 nm x 80 nm", unit="m", periodic=True)
+    >>> sweep = setae.contact_sweep(flat, contact_modulus="1 GPa", W_int="50 mJ/m2", range="10 nm")
+    >>> sweep.complete, sweep.units["tension"]
+    (True, 'Pa')
+    """
+    request = filled(
+        _setae.SweepRequest(),
+        contact_modulus=contact_modulus,
+        work_of_adhesion=W_int,
+        range=range,
+        law=law,
+        stage_stiffness=stage_stiffness,
+        to_gap=to_gap,
+        to_pressure=to_pressure,
+        layer=layer,
+        bonded=bonded,
+        frictionless=frictionless,
+        poisson_ratio=nu,
+    )
+    swept: Any = _setae.contact_sweep(one(measurement, size, unit), request)
+    return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))))
 
 
 class PerssonContact(Columns):

@@ -11,7 +11,7 @@ from . import _setae
 from ._columns import Columns
 from ._loops import bodies_of, files_of
 from ._options import Path, Text, filled, path, text
-from ._quantities import Alert, Answer, Quantity
+from ._quantities import Alert, Answer, Quantity, quantity_from
 
 #: One file or several.
 Paths = Union[Path, Sequence[Path]]
@@ -57,8 +57,8 @@ def camera(pictures: Paths, pitch: Text) -> Camera:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ContactRadii(Columns):
-    """Contact radii of a recording, a row a frame; ``save("radius.csv")`` writes what ``loop(…, camera=…)`` reads."""
+class Recording(Columns):
+    """What was found in the frames of a recording, a row a frame."""
 
     handle: Any = field(default=None, repr=False)
 
@@ -69,17 +69,21 @@ class ContactRadii(Columns):
         self.__dict__.update(state)
 
     @property
-    def n(self) -> int:
-        """Frames that were measured."""
-        return int(self.data["summary"]["measured"])
-
-    @property
     def alerts(self) -> tuple[Alert, ...]:
         """Notes on the recording stand in ``data["notes"]``."""
         return ()
 
     def save(self, file: Path) -> None:
         self.handle.save(path(file))
+
+
+class ContactRadii(Recording):
+    """Contact radii of a recording, a row a frame; ``save("radius.csv")`` writes what ``loop(…, camera=…)`` reads."""
+
+    @property
+    def n(self) -> int:
+        """Frames that were measured."""
+        return int(self.data["summary"]["measured"])
 
     def __repr__(self) -> str:
         return f"ContactRadii({len(self['time'])} frames, {self.n} measured)"
@@ -123,6 +127,62 @@ def contact_radii(
     )
     found = _setae.contact_radii(paths(frames), request)
     return ContactRadii(found.columns, found.units, found.json, found)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ContactLine(Recording):
+    """The edge of a contact, as ``setae jkr line --json`` says it: a row a frame; ``edge``: "time", "frame", "radius_1" … at every angle [m].
+
+    ``save("edge.csv")`` writes what :func:`contact_line` reads again.
+    """
+
+    edge: dict[str, Any] = field(default_factory=dict, repr=False)
+
+    @property
+    def n(self) -> int:
+        """Frames."""
+        return len(self["time"])
+
+    @property
+    def roughness_exponent(self) -> Quantity | None:
+        """ζ of ⟨|r_n|²⟩ ∝ n^−(1 + 2ζ); None where too few frames or places say anything."""
+        roughness = self.data["roughness"]
+        return None if roughness is None else quantity_from(roughness["exponent"])
+
+    def __repr__(self) -> str:
+        return f"ContactLine({self.n} frames, {self.data['angles']} places each)"
+
+
+def contact_line(
+    frames: Paths,
+    *,
+    angles: int | None = None,
+    smallest_void: float = 16.0,
+    ring_width: Text | None = None,
+    threshold: float = 3.0,
+    smallest_mode: int = 3,
+    largest_mode: int = 0,
+    **recording: Any,
+) -> ContactLine:
+    """How rough the edge of a contact is and how it moves: roughness exponent, speeds, jumps, arrests, voids inside.
+
+    frames: a recording as of :func:`contact_radii`, whose arguments are taken too; or a table, of ``save()`` or a simulation, with columns
+    "time", "radius_1" … "radius_N".  angles: places along the edge, else one every 2 px.  smallest_void: in px².
+    ring_width: of the cells that speeds are told of, "5 um".  threshold: a jump is faster than the mean by it, an arrest slower.
+    smallest_mode, largest_mode: of the roughness; 0: a quarter of the places.
+    """
+    request = filled(
+        _setae.LineRequest(),
+        angles=angles,
+        smallest_void=smallest_void,
+        ring_width=ring_width,
+        threshold=threshold,
+        smallest_mode=smallest_mode,
+        largest_mode=largest_mode,
+        **recording,
+    )
+    found: Any = _setae.contact_line(paths(frames), request)
+    return ContactLine(found.columns, found.units, found.json, found, found.edge)
 
 
 @dataclass(frozen=True, repr=False)

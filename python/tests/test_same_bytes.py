@@ -36,9 +36,11 @@ FUNCTIONS = {
     "vbw": "`setae.variable_bandwidth`",
     "params": "`setae.parameters`; of a standard (`--standard`) `setae.texture`",
     "adhesion": "`setae.work_of_adhesion`",
-    "contact solve": "`setae.contact`; with adhesion (`--w`) by the program alone",
+    "contact solve": "`setae.contact`",
+    "contact sweep": "`setae.contact_sweep`; its figure, and going on from `--restart`, by the program alone",
     "contact persson": "`setae.persson`",
     "jkr radius": "`setae.contact_radii`; pictures with the edge drawn (`--overlay`) by the program alone",
+    "jkr line": "`setae.contact_line`; its figure by the program alone",
     "jkr lens": "`setae.lens`",
     "jkr camera": "`setae.camera`",
     "jkr stiffness": "`setae.loop(…).machine_stiffness()`",
@@ -47,11 +49,10 @@ FUNCTIONS = {
     "jkr summary": "`setae.replicates`; its figure and tables by the program alone",
     "synthesize": "`setae.synthesize`",
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
+    "schema": "`setae.schema`",
 }
 GAPS = {
-    "jkr line": "its table and JSON by the program; `--save-line` is an array of radii for NumPy",
     "profile": "slices of `Scan.heights`",
-    "contact sweep": "its table of steps and JSON by the program",
     "jkr import": "`setae.loop(…, mapping=…)` reads what it would write",
     "lab make": "writes files; `subprocess` with `python -m setae lab make`",
     "lab loops": "as lab make",
@@ -222,8 +223,26 @@ def test_contact(printed):
     assert setae.contact("rough.nc", **body, **layer).json() == printed(
         "contact", "solve", "rough.nc", *typed, "--layer", "1 um", "--bonded", "--nu", 0.4
     )
+    attraction = {"W_int": "50 mJ/m2", "range": "200 nm"}
+    attracted = setae.contact("rough.nc", contact_modulus="1 GPa", mean_gap="150 nm", **attraction, law="cubic")
+    attracted_typed = ("--contact-modulus", "1 GPa", "--mean-gap", "150 nm", "--w", "50 mJ/m2", "--range", "200 nm", "--law", "cubic")
+    assert attracted.json() == printed("contact", "solve", "rough.nc", *attracted_typed)
+    assert attracted.pressures.min() < 0 and attracted["status"] == "converged"
     levelled = setae.read("rough.nc").level()
     assert setae.contact(levelled, **body).json() == printed("contact", "solve", "rough.nc", "--step", "level_plane", *typed)
+
+
+def test_contact_sweep(printed):
+    setae.synthesize(**{**SELF_AFFINE, "pixels": "16x16"}).scan.save("coarse.nc")
+    asked = {"contact_modulus": "1 MPa", "W_int": "50 mJ/m2", "range": "400 nm"}
+    typed = ("--contact-modulus", "1 MPa", "--w", "50 mJ/m2", "--range", "400 nm")
+    swept = setae.contact_sweep("coarse.nc", **asked)
+    assert swept.json() == printed("contact", "sweep", "coarse.nc", *typed)
+    assert swept.complete and swept.n == len(swept["tension"]) and {q.quantity for q in swept.quantities} >= {"loss", "separation_work"}
+    on_a_stage = setae.contact_sweep("coarse.nc", **asked, stage_stiffness="0.1 N/m", to_pressure="1 kPa")
+    assert on_a_stage.json() == printed("contact", "sweep", "coarse.nc", *typed, "--stage-stiffness", "0.1 N/m", "--to-pressure", "1 kPa")
+    with pytest.raises(TypeError, match="W_int"):
+        setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", range="400 nm")
 
 
 def test_persson(printed):
@@ -268,6 +287,21 @@ def test_recordings(printed):
     radii.save("mine.csv")
     assert pathlib.Path("mine.csv").read_text() == pathlib.Path("theirs.csv").read_text()
     assert len(radii["contact_radius"]) == len(radii["time"]) and radii.units["time"] == "s"
+
+
+def test_contact_line(printed):
+    frames = CASES / "jkr/jkr_radius_folder/frames"
+    mine = setae.contact_line(frames, pixel="2 um", frame_rate=10, angles=64)
+    typed = ("--pixel", "2 um", "--fps", 10, "--angles", 64, "--save-line", "edge.csv")
+    assert mine.json() == printed("jkr", "line", frames, *typed)
+    mine.save("my_edge.csv")
+    assert pathlib.Path("my_edge.csv").read_bytes() == pathlib.Path("edge.csv").read_bytes()
+    assert mine.edge["radius_64"].size == mine.n == len(mine["area"])
+    again = setae.contact_line("my_edge.csv")
+    assert again.json() == printed("jkr", "line", "edge.csv")
+    assert (again["mean_radius"] == mine["mean_radius"]).all()
+    with pytest.raises(TypeError, match="unknown argument 'pixels'"):
+        setae.contact_line(frames, pixels="2 um")
 
 
 def test_machine_stiffness(printed):

@@ -57,20 +57,4 @@ output::Json to_json(const AdhesiveContactAnswer& answer, const std::vector<proc
     return json;
 }
 
-output::Json sweep_json(const half_space::AdhesiveLoop& loop, const half_space::Grid& grid,
-                        const half_space::Body& body, const half_space::Interaction& interaction) {
-    auto json = quantities_json(half_space::loop_quantities(loop));
-    json["status"] = loop.complete ? "complete" : "not_converged";
-    output::Json steps, units;
-    for (const auto& column : half_space::loop_table(loop).columns) {
-        steps[column.name] = output::numbers(column.values);
-        units[column.name] = column.unit;
-    }
-    steps["units"] = units;
-    json["steps"] = steps;
-    add_problem(json, grid, body);
-    add_interaction(json, interaction, body, grid);
-    return json;
-}
-
 }  // namespace setae::answers

@@ -103,6 +103,16 @@ imaging::RecordedLine recorded_line(const Table& table) {
     return recorded;
 }
 
+RecordedEdge recorded_edge(const std::vector<std::string>& files, const LineRequest& request,
+                           parallel::Threads threads) {
+    if (files.size() == 1 && files[0].ends_with(".csv")) return {recorded_line(tables::read_table(files[0])), {}};
+    const auto options = request.radius_options(threads);
+    const imaging::FrameSource source(files, request.frame_options());
+    auto radii = imaging::measure_contact_radii(source, options);
+    auto line = imaging::measure_contact_line(source, radii, request.line_options(threads));
+    return {std::move(line), std::move(radii)};
+}
+
 std::string line_csv(const imaging::RecordedLine& recorded) {
     const auto table = contact_line::as_table(recorded.line, recorded.frames);
     std::string text;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "setae/answers/columns.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/scales/autocorrelation.hpp"
@@ -197,13 +198,7 @@ FunctionsOfScale functions_of_scale(ScaleFunction function, const ScaleRequest& 
 }
 
 output::Json to_json(const FunctionsOfScale& found) {
-    const auto& table = found.table;
-    output::Json json, units;
-    for (const auto& column : table.columns) {
-        json[column.name] = output::numbers(column.values);
-        units[column.name] = column.unit;
-    }
-    json["units"] = units;
+    auto json = columns_json(found.table);
     json["measurements"] = output::Json::array();
     for (const auto& function : found.functions)
         json["measurements"].push_back({{"file", function.metadata.file},

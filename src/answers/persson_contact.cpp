@@ -7,26 +7,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "setae/answers/columns.hpp"
 #include "setae/answers/pressures.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::answers {
-namespace {
-
-output::Json columns_json(const Table& table) {
-    output::Json json, units;
-    for (const auto& column : table.columns) {
-        json[column.name] = output::numbers(column.values);
-        units[column.name] = column.unit;
-    }
-    json["units"] = units;
-    return json;
-}
-
-}  // namespace
-
 half_space::Body PerssonRequest::body() const {
     if (modulus.empty() || pressure.empty())
         throw InvalidArgument(

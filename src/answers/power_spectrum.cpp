@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "setae/answers/columns.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/spectra/abel.hpp"
@@ -100,12 +101,7 @@ PowerSpectrum power_spectrum(const PowerSpectrumRequest& request, parallel::Thre
 
 output::Json to_json(const PowerSpectrum& spectrum) {
     const auto& [surface, table, fit] = spectrum;
-    output::Json json, units;
-    for (const auto& column : table.columns) {
-        json[column.name] = output::numbers(column.values);
-        units[column.name] = column.unit;
-    }
-    json["units"] = units;
+    auto json = columns_json(table);
     for (const auto& [key, text] : table.metadata) json["conventions"][key] = text;
     json["band"] = {
         {"lower", surface.average.curve.band.lower}, {"upper", surface.average.curve.band.upper}, {"unit", "1/m"}};

@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -14,13 +13,11 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/answers/adhesive_contact.hpp"
-#include "setae/core/errors.hpp"
+#include "setae/answers/adhesive_sweep.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/sweep_figure.hpp"
 #include "setae/half_space/adhesive_quantities.hpp"
-#include "setae/half_space/loop_checkpoint.hpp"
 #include "setae/output/quantity_table.hpp"
 
 namespace setae::cli::contact_sweep_command {
@@ -34,100 +31,61 @@ constexpr const char* explanation =
     "D_n       1/2 (T_(n-1) + T_n) d(gap) - dE, work of the machine that is stored nowhere; their sum is the area of the loop\n"
     "a cell has a loss of its own, even a flat one: it jumps into contact and out of it as a whole   docs/theory/adhesive-cells.md\n";
 
-struct Arguments : answers::BodyRequest, answers::InteractionRequest {
+struct Arguments : answers::SweepRequest {
     Common common;
     ContactSurface surface;
-    std::string stage_stiffness, to_gap, to_pressure, restart, output;
+    std::string output;
     FigureOption figure;
 };
-
-half_space::LoopOptions options_of(const Arguments& arguments, const half_space::Grid& grid) {
-    half_space::LoopOptions options;
-    if (!arguments.stage_stiffness.empty())
-        options.stage_stiffness =
-            parse_quantity(arguments.stage_stiffness, positive(dimension::stiffness)) / grid.area();
-    if (!arguments.to_gap.empty()) options.turn = parse_quantity(arguments.to_gap, non_negative(dimension::length));
-    if (!arguments.to_pressure.empty())
-        options.most_pressure = parse_quantity(arguments.to_pressure, positive(dimension::pressure));
-    return options;
-}
 
 /// A line on a terminal, now and then: how far on the way, and how long the rest takes at the speed so far.
 class ProgressLine {
 public:
-    /// first, turn: positions [m]; steps so far were of another run.
-    ProgressLine(double first, double turn) : first_(first), turn_(turn) {}
-
-    void show(const half_space::LoopStep& step) {
-        if (isatty(STDERR_FILENO) == 0) return;
-        const double way = (first_ - step.position) / (first_ - turn_);  // 0 … 1 and back
-        const double done = 0.5 * (step.approaching ? way : 2.0 - way);
+    bool show(const answers::SweepProgress& progress) {
+        if (isatty(STDERR_FILENO) == 0) return true;
+        const double done = progress.share;
         if (steps_++ == 0) begun_ = done;
         const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
         const double left = done > begun_ ? elapsed * (1.0 - done) / (done - begun_) : 0.0;
-        fmt::print(stderr, "\r{}, step {}, {:.0f} % of the way{}    ", step.approaching ? "approach" : "separation",
+        fmt::print(stderr, "\r{}, step {}, {:.0f} % of the way{}    ", progress.approaching ? "approach" : "separation",
                    steps_, 100.0 * done,
                    elapsed > 2.0 && done > begun_ ? fmt::format(", about {:.0f} s left", left) : "");
+        return true;
     }
     ~ProgressLine() {
         if (steps_ > 0 && isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\n");
     }
 
 private:
-    double first_, turn_, begun_ = 0.0;
+    double begun_ = 0.0;  ///< steps so far were of another run
     int steps_ = 0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-half_space::AdhesiveLoop sweep(const answers::TouchingSurface& surface, const Arguments& arguments,
-                               const half_space::Body& body, const half_space::Interaction& interaction) {
-    auto options = options_of(arguments, surface.grid);
-    half_space::AdhesiveCell cell(surface.heights, surface.grid, body, interaction, {}, arguments.common.workers());
-    ProgressLine line(cell.far_gap(), options.turn);
-    options.progress = [&](const half_space::LoopStep& step) {
-        line.show(step);
-        return true;
-    };
-    std::optional<half_space::LoopCheckpoint> begun;
-    if (!arguments.restart.empty()) {
-        const auto key = half_space::loop_key(surface.heights, surface.grid, body, interaction, options);
-        begun = half_space::read_checkpoint(arguments.restart, key);
-        if (begun) options.resume = &*begun;
-        options.checkpoint = [&, key](const half_space::LoopCheckpoint& checkpoint) {
-            half_space::write_checkpoint(arguments.restart, key, checkpoint);
-        };
-    }
-    return half_space::adhesive_loop(cell, options);
+answers::SweepAnswer sweep(const topography::Measurement& measurement, const Arguments& arguments) {
+    ProgressLine line;
+    return answers::adhesive_sweep(arguments.surface.path, measurement, arguments, arguments.common.workers(),
+                                   [&](const answers::SweepProgress& progress) { return line.show(progress); });
 }
 
 ExitCode run(const Arguments& arguments) {
     require_table_or_figure(arguments.output);
-    const auto body = arguments.body();
-    const auto interaction = arguments.interaction();
+    arguments.require_complete();
     const auto processed = arguments.surface.processed();
-    const auto surface = answers::touching_surface(arguments.surface.path, processed.measurement);
-    const auto loop = sweep(surface, arguments, body, interaction);
-    const auto table = half_space::loop_table(loop);
+    const auto answer = sweep(processed.measurement, arguments);
     write_table_or_figure(
-        arguments.output, table,
-        [&] { return file_figures::sweep_figure(table, arguments.surface.path, arguments.figure.look()); },
+        arguments.output, answer.steps,
+        [&] { return file_figures::sweep_figure(answer.steps, answer.file, arguments.figure.look()); },
         arguments.common.json);
-    if (!arguments.restart.empty()) std::filesystem::remove(arguments.restart);
-    auto alerts = answers::alerts_of_grid(arguments.surface.path, interaction, body, surface.grid);
-    if (!loop.complete)
-        alerts.push_back({"CONTACT_NOT_CONVERGED", arguments.surface.path, "some steps of the sweep did not converge",
-                          "resolve the range of the attraction with more points"});
+    arguments.finish();
     if (arguments.common.json) {
-        auto json = answers::sweep_json(loop, surface.grid, body, interaction);
-        answers::add_input(json, arguments.surface.path, processed.records, alerts);
-        print_json(json);
+        print_json(answers::to_json(answer, processed.records));
         return ExitCode::done;
     }
     const auto width = output_size().width;
-    print(wrapped(half_space::loop_sentence(loop, interaction), width) + "\n\n" +
-          output::quantity_table("", half_space::loop_quantities(loop), width) +
-          fmt::format("{} steps\n", loop.steps.size()));
-    show(alerts);
+    print(wrapped(half_space::loop_sentence(answer.loop, answer.interaction), width) + "\n\n" +
+          output::quantity_table("", answer.quantities, width) + fmt::format("{} steps\n", answer.loop.steps.size()));
+    show(answer.alerts);
     return ExitCode::done;
 }
 

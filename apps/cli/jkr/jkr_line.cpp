@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,7 +21,6 @@
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/contact_line_figure.hpp"
-#include "setae/tables/table_file.hpp"
 
 namespace setae::cli::jkr_line_command {
 namespace {
@@ -44,14 +44,9 @@ struct Arguments : answers::LineRequest {
 };
 
 imaging::RecordedLine recorded(const Arguments& arguments) {
-    const auto& files = arguments.frames;
-    if (files.size() == 1 && files[0].ends_with(".csv")) return answers::recorded_line(tables::read_table(files[0]));
-    const auto threads = arguments.common.workers();
-    const auto options = arguments.radius_options(threads);
-    const imaging::FrameSource source(files, arguments.frame_options());
-    const auto radii = imaging::measure_contact_radii(source, options);
-    tell(radii);
-    return imaging::measure_contact_line(source, radii, arguments.line_options(threads));
+    auto edge = answers::recorded_edge(arguments.frames, arguments, arguments.common.workers());
+    if (edge.radii) tell(*edge.radii);
+    return std::move(edge.line);
 }
 
 /// Whether the numbers of a tail may be of its law: 1.36/√n is passed by one law in twenty.

@@ -44,6 +44,7 @@ namespace lab_area_command { Action declare(Options&); }
 namespace lab_loops_command { Action declare(Options&); }
 namespace lab_contours_command { Action declare(Options&); }
 namespace lab_foil_command { Action declare(Options&); }
+namespace schema_command { Action declare(Options&); }
 namespace cache_command { Action declare(Options&); }
 namespace completion_command { Action declare(Options&); }
 namespace man_command { Action declare(Options&); }
@@ -118,6 +119,7 @@ constexpr Command table[] = {
      lab_contours_command::declare},
     {"lab", "foil", "what the silhouette of a foil shows of a surface with a given spectrum",
      lab_foil_command::declare},
+    {"", "schema", "what each verb's JSON holds: names, types, units and meanings as JSON Schema", schema_command::declare},
     {"", "cache", "results kept between runs: show, prune or clear them", cache_command::declare},
     {"", "completion", "what bash, zsh or fish need to complete setae's verbs and options",
      completion_command::declare},

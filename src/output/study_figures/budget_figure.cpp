@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "arrangement.hpp"
 #include "drawing.hpp"
+#include "setae/core/layout.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/budget.hpp"
@@ -15,15 +17,11 @@ namespace {
 using figures::Mark;
 
 /// The end of a long name says more than its beginning: "…E07.surface_energy".
-std::string shortened_name(const std::string& name) {
+std::string shortened_name(std::string_view name) {
     constexpr std::size_t longest = 34;
-    const auto letters = utf8_length(name);
-    if (letters <= longest) return name;
-    std::size_t at = 0;
-    for (auto left = letters - (longest - 1); left > 0; --left)
-        do ++at;
-        while (at < name.size() && (static_cast<unsigned char>(name[at]) & 0xc0U) == 0x80U);
-    return "…" + name.substr(at);
+    if (display_width(name) <= longest) return std::string(name);
+    while (display_width(name) >= longest) name.remove_prefix(std::max<std::size_t>(1, utf8_length(name)));
+    return "…" + std::string(name);
 }
 
 /// A bar from 0 to `length` [%] at a height.

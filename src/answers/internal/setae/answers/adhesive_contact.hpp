@@ -35,9 +35,4 @@ struct AdhesiveContactAnswer {
 [[nodiscard]] output::Json to_json(const AdhesiveContactAnswer& answer,
                                    const std::vector<processing::StepRecord>& processing);
 
-/// Of a sweep: quantities, "status", "steps" with a list for each column, the attraction, "file", "processing" and
-/// "alerts".
-[[nodiscard]] output::Json sweep_json(const half_space::AdhesiveLoop& loop, const half_space::Grid& grid,
-                                      const half_space::Body& body, const half_space::Interaction& interaction);
-
 }  // namespace setae::answers

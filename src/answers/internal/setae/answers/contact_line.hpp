@@ -46,6 +46,16 @@ struct LineAnswer {
 /// @throws as contact_line::line_of.
 [[nodiscard]] imaging::RecordedLine recorded_line(const Table& table);
 
+/// An edge, and the radii from whose centres its rays go out; a table has none.
+struct RecordedEdge {
+    imaging::RecordedLine line;
+    std::optional<imaging::ContactRadii> radii;
+};
+
+/// Of pictures, or of one table that recorded_line() reads, "….csv". @throws as reading them does.
+[[nodiscard]] RecordedEdge recorded_edge(const std::vector<std::string>& files, const LineRequest& request,
+                                         parallel::Threads threads = {});
+
 /// What recorded_line() reads: contact_line::as_table() as CSV below "# place_error: …".
 [[nodiscard]] std::string line_csv(const imaging::RecordedLine& recorded);
 

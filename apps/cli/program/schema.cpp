@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/pages.hpp"
+#include "program/print_json.hpp"
+#include "setae/answers/json_schemas.hpp"
+#include "setae/bytes/whole_file.hpp"
+
+namespace setae::cli::schema_command {
+namespace {
+
+constexpr const char* explanation =
+    "JSON Schema, draft 2020-12, of what each verb prints with --json and of study.json; $id holds the version.\n"
+    "Later versions add names and keep those there are: docs/reference/versions.md.\n";
+
+struct Arguments {
+    Common common;
+    std::vector<std::string> verb;
+    std::string documentation, output;
+};
+
+void write_all(const std::vector<std::string>& verbs, const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    for (const auto& verb : verbs)
+        bytes::write_whole_file((folder / answers::schema_file(verb)).string(),
+                                output::as_text(answers::json_schema(verb)));
+    print(fmt::format("{}: {} schemas\n", folder.string(), verbs.size()));
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.documentation.empty()) {
+        write_page(arguments.documentation, answers::json_page());
+        return ExitCode::done;
+    }
+    const auto verbs = answers::verbs_with_schema();
+    if (!arguments.output.empty()) {
+        write_all(verbs, arguments.output);
+    } else if (!arguments.verb.empty()) {
+        print_json(answers::json_schema(fmt::format("{}", fmt::join(arguments.verb, " "))));
+    } else if (arguments.common.json) {
+        print_json({{"verbs", verbs}});
+    } else {
+        print(fmt::format("{}\n", fmt::join(verbs, "\n")));
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("verb", arguments->verb, "of whose JSON, such as psd or contact solve; without it those that have one");
+    options.add("-o,--output", arguments->output, "write all of them to this folder, a file a verb");
+    options.add("--documentation", arguments->documentation, "write the page on all names to this file");
+    options.example("setae schema study", "the names of study.json, their types, units and meanings");
+    options.example("setae schema contact solve", "likewise of what setae contact solve --json prints");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::schema_command

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Schemas say what is printed: the JSON of every verb, and of studies, holds no other names, types or units."""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+import pathlib
+import shlex
+import subprocess
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import jsonschema
+import pytest
+import setae
+
+from conftest import PROGRAM, ROOT
+
+Json = Any
+HERE = pathlib.Path(__file__).parent
+VERBS = subprocess.run([PROGRAM, "schema"], capture_output=True, text=True, check=True).stdout.split("\n")[:-1]
+
+
+#: What no run of tests/cli prints as JSON.
+OTHERS = [
+    "lab loops --runs 2 --snr 30",
+    "lab contours --runs 1 --size 240 --kind 'SNR 2 + overhangs'",
+    "lab closure tests/reference/validation/surfaces.toml --runs 1 -o {0}/closure",
+    "lab causes tests/reference/validation/surfaces.toml --runs 1 -o {0}/causes",
+    "lab next examples/closure/next.toml --runs 1 --measure lens_1 -o {0}/next",
+    "lab make examples/tutorial/recipe.toml -o {0}/made",
+    "study init {1} -o {0}/draft.toml",
+    "cache",
+]
+
+
+def closed(schema: Json) -> Json:
+    """The same where names that it does not know are errors."""
+    if isinstance(schema, dict):
+        made = {key: closed(value) for key, value in schema.items()}
+        return {**made, "additionalProperties": False} if "properties" in made and "additionalProperties" not in made else made
+    return [closed(entry) for entry in schema] if isinstance(schema, list) else schema
+
+
+VALIDATORS = {verb: jsonschema.Draft202012Validator(closed(setae.schema(verb))) for verb in VERBS}
+
+
+def verb_of(words: list[str]) -> str | None:
+    """The longest verb that a command line begins with."""
+    return max((verb for verb in VERBS if words[: len(verb.split())] == verb.split()), key=len, default=None)
+
+
+def run_case(case: pathlib.Path, runner: pathlib.Path, kept: pathlib.Path) -> None:
+    environment = {**os.environ, "SETAE_KEPT": str(kept), "SETAE_PROGRAM": PROGRAM}
+    subprocess.run([runner, HERE / "kept_run.sh", case], cwd=ROOT, env=environment, capture_output=True)
+
+
+@pytest.fixture(scope="module")
+def printed_json(tmp_path_factory: pytest.TempPathFactory, data: pathlib.Path, printed: Callable[..., str]) -> dict[str, list[Json]]:
+    """What the runs of tests/cli and the others print as JSON, by verb, and study.json of two studies."""
+    kept = tmp_path_factory.mktemp("kept")
+    runner = pathlib.Path(PROGRAM).with_name("cli_case")
+    cases = [case.parent for case in sorted((ROOT / "tests/cli").glob("*/*/case.toml")) if "--json" in case.read_text()]
+    found: dict[str, list[Json]] = {verb: [] for verb in VERBS}
+    with ThreadPoolExecutor(os.cpu_count()) as threads:
+        list(threads.map(lambda case: run_case(case, runner, kept), cases))
+        others = [shlex.split(words.format(kept / "others", data)) for words in OTHERS]
+        for words, text in zip(others, threads.map(lambda words: printed(*words), others)):
+            found[verb_of(words) or ""].append(json.loads(text))
+    for words in kept.glob("????????"):
+        told, printed = words.read_text().split("\n")[:-1], pathlib.Path(f"{words}.out").read_text()
+        verb = verb_of(told)
+        if verb and "--json" in told and printed:
+            found[verb].append(json.loads(printed))
+    for study in (ROOT / "examples/nanodiamond/published.toml", data / "study.toml"):
+        folder = kept / study.stem
+        subprocess.run([PROGRAM, "study", study, "--output", folder], check=True, capture_output=True)
+        found["study"].append(json.loads((folder / "study.json").read_text()))
+    return found
+
+
+def resolved(schema: Json, whole: Json) -> Json:
+    return whole["$defs"][schema["$ref"].rpartition("/")[2]] if "$ref" in schema else schema
+
+
+def wrong_units(value: Json, schema: Json, whole: Json, place: str = "") -> Iterator[str]:
+    """Places of quantities and columns whose unit is not the one that the schema states."""
+    inner = resolved(schema, whole)
+    for one in schema.get("anyOf", []):
+        yield from wrong_units(value, one, whole, place)
+    if isinstance(value, list):
+        for entry in value:
+            yield from wrong_units(entry, inner.get("items", {}), whole, f"{place}[]")
+    if not isinstance(value, dict):
+        return
+    units = value.get("units", {})
+    for name, entry in value.items():
+        own = inner.get("properties", {}).get(name, inner.get("additionalProperties", {}))
+        stated = own.get("unit")
+        unit = entry.get("unit") if isinstance(entry, dict) else units.get(name)
+        if stated and unit and unit != stated:
+            yield f"{place}.{name}: {unit}, stated {stated}"
+        yield from wrong_units(entry, own, whole, f"{place}.{name}")
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_what_is_printed_is_what_the_schema_says(verb: str, printed_json: dict[str, list[Json]]) -> None:
+    schema = setae.schema(verb)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    assert printed_json[verb], "no run prints it"
+    for printed in printed_json[verb]:
+        errors = [f"{error.json_path}: {error.message[:200]}" for error in VALIDATORS[verb].iter_errors(printed)]
+        assert not errors, "\n".join(errors)
+        assert not list(wrong_units(printed, schema, schema))
+
+
+def names_in(schema: Json) -> Iterator[tuple[str, Json]]:
+    if isinstance(schema, dict):
+        yield from schema.get("properties", {}).items()
+        for entry in schema.values():
+            yield from names_in(entry)
+    elif isinstance(schema, list):
+        for entry in schema:
+            yield from names_in(entry)
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_every_name_has_a_meaning(verb: str) -> None:
+    assert setae.schema(verb)["description"]
+    assert not [name for name, entry in names_in(setae.schema(verb)) if not entry.get("description")]
+
+
+def test_a_wrong_answer_is_seen(printed_json: dict[str, list[Json]]) -> None:
+    wrong = copy.deepcopy(printed_json["psd"][0])
+    wrong["wavevector"] = "long"
+    assert not VALIDATORS["psd"].is_valid(wrong)
+    assert not VALIDATORS["psd"].is_valid({**printed_json["psd"][0], "colour": 1})
+    assert list(wrong_units({"C1D": [1.0], "units": {"C1D": "m4"}}, setae.schema("psd"), setae.schema("psd")))
+
+
+def test_a_verb_without_one_says_which_have() -> None:
+    with pytest.raises(setae.InvalidArgument, match="contact solve"):
+        setae.schema("plots")

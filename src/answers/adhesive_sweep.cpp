@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/adhesive_sweep.hpp"
+
+#include <filesystem>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "setae/answers/columns.hpp"
+#include "setae/core/units.hpp"
+#include "setae/half_space/adhesive_quantities.hpp"
+#include "setae/half_space/loop_checkpoint.hpp"
+
+namespace setae::answers {
+namespace {
+
+/// Shares of the way from `first` to `turn` and back.
+SweepProgress progress_of(const half_space::LoopStep& step, double first, double turn) {
+    const double way = (first - step.position) / (first - turn);
+    return {.approaching = step.approaching, .share = 0.5 * (step.approaching ? way : 2.0 - way)};
+}
+
+half_space::AdhesiveLoop loop_of(const TouchingSurface& surface, const SweepRequest& request,
+                                 const half_space::Body& body, const half_space::Interaction& interaction,
+                                 parallel::Threads threads, const std::function<bool(const SweepProgress&)>& progress) {
+    auto options = request.options(surface.grid);
+    half_space::AdhesiveCell cell(surface.heights, surface.grid, body, interaction, {}, threads);
+    if (progress)
+        options.progress = [&, first = cell.far_gap(), turn = options.turn](const half_space::LoopStep& step) {
+            return progress(progress_of(step, first, turn));
+        };
+    std::optional<half_space::LoopCheckpoint> begun;
+    if (!request.restart.empty()) {
+        const auto key = half_space::loop_key(surface.heights, surface.grid, body, interaction, options);
+        begun = half_space::read_checkpoint(request.restart, key);
+        if (begun) options.resume = &*begun;
+        options.checkpoint = [&, key](const half_space::LoopCheckpoint& checkpoint) {
+            half_space::write_checkpoint(request.restart, key, checkpoint);
+        };
+    }
+    return half_space::adhesive_loop(cell, options);
+}
+
+}  // namespace
+
+void SweepRequest::require_complete() const {
+    (void)body();
+    (void)interaction();
+}
+
+half_space::LoopOptions SweepRequest::options(const half_space::Grid& grid) const {
+    half_space::LoopOptions options;
+    if (!stage_stiffness.empty())
+        options.stage_stiffness = parse_quantity(stage_stiffness, positive(dimension::stiffness)) / grid.area();
+    if (!to_gap.empty()) options.turn = parse_quantity(to_gap, non_negative(dimension::length));
+    if (!to_pressure.empty()) options.most_pressure = parse_quantity(to_pressure, positive(dimension::pressure));
+    return options;
+}
+
+void SweepRequest::finish() const {
+    if (!restart.empty()) std::filesystem::remove(restart);
+}
+
+SweepAnswer adhesive_sweep(const std::string& file, const topography::Measurement& measurement,
+                           const SweepRequest& request, parallel::Threads threads,
+                           const std::function<bool(const SweepProgress&)>& progress) {
+    const auto surface = touching_surface(file, measurement);
+    SweepAnswer answer{.file = file,
+                       .grid = surface.grid,
+                       .body = request.body(),
+                       .interaction = request.interaction(),
+                       .loop = {},
+                       .steps = {},
+                       .quantities = {},
+                       .alerts = {}};
+    answer.loop = loop_of(surface, request, answer.body, answer.interaction, threads, progress);
+    answer.steps = half_space::loop_table(answer.loop);
+    answer.quantities = half_space::loop_quantities(answer.loop);
+    answer.alerts = alerts_of_grid(file, answer.interaction, answer.body, answer.grid);
+    if (!answer.loop.complete)
+        answer.alerts.push_back({"CONTACT_NOT_CONVERGED", file, "some steps of the sweep did not converge",
+                                 "resolve the range of the attraction with more points"});
+    return answer;
+}
+
+output::Json to_json(const SweepAnswer& answer, const std::vector<processing::StepRecord>& processing) {
+    auto json = quantities_json(answer.quantities);
+    json["status"] = answer.loop.complete ? "complete" : "not_converged";
+    json["steps"] = columns_json(answer.steps);
+    add_problem(json, answer.grid, answer.body);
+    add_interaction(json, answer.interaction, answer.body, answer.grid);
+    add_input(json, answer.file, processing, answer.alerts);
+    return json;
+}
+
+}  // namespace setae::answers

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/json_schemas.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "schemas/schema_texts.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::answers {
+namespace {
+
+using output::Json;
+
+/// The file of what several verbs print.
+constexpr std::string_view shared = "shared";
+constexpr std::string_view place_of_shared = "#/$defs/";
+
+std::string verb_of(std::string_view file) {
+    std::string verb(file);
+    std::replace(verb.begin(), verb.end(), '_', ' ');
+    return verb;
+}
+
+Json parsed(std::string_view file) {
+    for (const auto& [name, text] : schemas::texts)
+        if (name == file) return Json::parse(text);
+    throw InternalError(fmt::format("no schema is called {}", file));
+}
+
+std::string file_of(std::string verb) {
+    std::replace(verb.begin(), verb.end(), ' ', '_');
+    return verb;
+}
+
+/// Names of the shared parts that a schema refers to, and those that these refer to.
+void add_references(const Json& schema, const Json& parts, std::set<std::string>& names) {
+    for (const auto& [key, value] : schema.items()) {
+        if (value.is_structured()) add_references(value, parts, names);
+        if (key != "$ref") continue;
+        const auto name = value.get<std::string>().substr(place_of_shared.size());
+        if (names.insert(name).second) add_references(parts.at(name), parts, names);
+    }
+}
+
+/// The parts in their own order.
+Json chosen(const Json& parts, const std::set<std::string>& names) {
+    Json some = Json::object();
+    for (const auto& [name, part] : parts.items())
+        if (names.contains(name)) some[name] = part;
+    return some;
+}
+
+}  // namespace
+
+Json shared_json_parts() { return parsed(shared); }
+
+std::string schema_file(const std::string& verb) { return file_of(verb) + ".schema.json"; }
+
+std::vector<std::string> verbs_with_schema() {
+    std::vector<std::string> verbs;
+    for (const auto& [name, text] : schemas::texts)
+        if (name != shared) verbs.push_back(verb_of(name));
+    return verbs;
+}
+
+Json json_schema(const std::string& verb) {
+    const auto verbs = verbs_with_schema();
+    if (std::find(verbs.begin(), verbs.end(), verb) == verbs.end())
+        throw InvalidArgument(fmt::format("'{}' has no schema; expected {}", verb, fmt::join(verbs, ", ")));
+    const auto own = parsed(file_of(verb));
+    const auto parts = shared_json_parts();
+    std::set<std::string> names;
+    add_references(own, parts, names);
+    Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                {"$id", fmt::format("urn:setae:{}:{}", SETAE_VERSION, file_of(verb))},
+                {"title", fmt::format("setae {} --json", verb)}};
+    schema.update(own);
+    schema["$defs"] = chosen(parts, names);
+    return schema;
+}
+
+}  // namespace setae::answers

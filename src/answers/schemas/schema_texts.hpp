@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+/// The schemas beside this header, put into the program when it is built.
+namespace setae::answers::schemas {
+
+struct NamedText {
+    std::string_view name;  ///< of the file, without ending
+    std::string_view text;
+};
+
+extern const std::span<const NamedText> texts;
+
+}  // namespace setae::answers::schemas
