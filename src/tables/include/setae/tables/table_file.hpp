@@ -15,7 +15,7 @@ namespace setae::tables {
 /// How a text table is to be taken; what is left open is found from the text.
 struct TableOptions {
     bytes::Encoding encoding = bytes::Encoding::detect;  ///< byte order mark, else UTF-8 where valid, else latin-1
-    std::optional<char> separator;                       ///< '\t', ',', ';', or ' ' for runs of blanks
+    std::optional<char> separator;                       ///< a tab, ',', ';', or ' ' for runs of blanks
     std::optional<char> decimal_point;                   ///< '.' or ','
     std::optional<std::string> header_end;               ///< the line after which numbers begin, such as "eoh"
     std::optional<std::string> sheet;                    ///< of a workbook; else the first that holds a table

@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python_pages.py FOLDER: a page for each module of the Python package, with the names that setae.__all__ has of it; mkdocstrings fills them."""
+
+from __future__ import annotations
+
+import ast
+import pathlib
+import sys
+
+PACKAGE = pathlib.Path("python/setae")
+
+
+def public() -> dict[str, list[str]]:
+    """Names by module, as __init__.py imports them."""
+    tree = ast.parse((PACKAGE / "__init__.py").read_text())
+    names = next(ast.literal_eval(line.value) for line in tree.body if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "__all__")
+    imports = [line for line in tree.body if isinstance(line, ast.ImportFrom) and line.level == 1]
+    found = {str(line.module): [name.name for name in line.names if name.name in names] for line in imports}
+    missing = set(names) - {"__version__", *(name for those in found.values() for name in those)}
+    if missing:
+        raise SystemExit(f"python/setae/__init__.py: no page would show {', '.join(sorted(missing))}")
+    return found
+
+
+def says(module: str) -> str:
+    """The first line of a module's docstring."""
+    source = PACKAGE / f"{module}.py"
+    docstring = ast.get_docstring(ast.parse(source.read_text())) if source.exists() else None
+    return (docstring or "The library itself.").partition("\n")[0]
+
+
+def main(folder: pathlib.Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    index = "# Python reference\n\nWhat `import setae` gives. How it is used: [setae in Python](../docs/guides/python.md).\n\n"
+    index += "| page | names |\n|---|---|\n"
+    for module, names in public().items():
+        title = module.strip("_").capitalize()
+        functions_first = sorted(names, key=lambda name: name[0].isupper())
+        page = f"# {title}\n\n{says(module)}\n\n" + "".join(f"::: setae.{name}\n\n" for name in functions_first)
+        (folder / f"{module.strip('_')}.md").write_text(page)
+        index += f"| [{title}]({module.strip('_')}.md) | {', '.join(f'[`{name}`][setae.{name}]' for name in functions_first)} |\n"
+    (folder / "index.md").write_text(index)
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]))
