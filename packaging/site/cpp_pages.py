@@ -131,16 +131,19 @@ class Writer:
         if tag in SIGNS:
             return SIGNS[tag]
         if tag == "ref":
-            target = self.target.get(element.get("refid", ""))
-            return f'<a href="{target}">{inside}</a>' if target else inside
+            return self.linked(element, inside)
         if tag == "ulink":
             return f'<a href="{html.escape(element.get("url", ""))}">{inside}</a>'
         raise ValueError(f"a comment holds <{tag}>, of which pages know nothing: {plain(element)}")
 
+    def linked(self, element: xml.Element, inside: str) -> str:
+        target = self.target.get(element.get("refid", ""))
+        return f'<a href="{target}">{inside}</a>' if target else inside
+
     def said(self, element: xml.Element) -> str:
         """What the comment says, as paragraphs and formulas."""
         paras = [para for name in ("briefdescription", "detaileddescription") for para in element.iterfind(f"{name}/para")]
-        return "\n".join(block for para in paras for block in self.blocks(para)).replace("</pre>\n<pre>", "\n")
+        return "\n".join(block for para in paras for block in self.blocks(para)).replace("</code></pre>\n<pre><code>", "\n")
 
     def blocks(self, para: xml.Element, lead: str = "") -> list[str]:
         """A paragraph of Doxygen's holds formulas and sections such as @throws, too."""
@@ -155,7 +158,7 @@ class Writer:
 
     def section(self, element: xml.Element) -> list[str]:
         if element.tag == "verbatim":
-            return [f"<pre>{self.inside(element).strip()}</pre>"]
+            return [f"<pre><code>{self.inside(element).strip()}</code></pre>"]
         lead, items = f"<strong>{SECTIONS[element.get('kind', '')]}</strong> ", [element] if element.tag == "simplesect" else list(element)
         found = []
         for item in items:
@@ -167,7 +170,7 @@ class Writer:
         """A declaration as the header has it, with links, in lines that are not too long."""
         kind = element.get("kind")
         if kind in ("struct", "class"):
-            bases = ", ".join(self.inside(base).replace("setae::", "") for base in element.iterfind("basecompoundref"))
+            bases = ", ".join(self.linked(base, self.inside(base).replace("setae::", "")) for base in element.iterfind("basecompoundref"))
             return self.template(element) + f"{kind} {plain(element.find('compoundname')).rpartition('::')[2]}" + (f" : {bases}" if bases else "")
         name = plain(element.find("name"))
         if kind == "enum":

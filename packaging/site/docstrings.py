@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Docstrings as mkdocstrings reads them: examples as a Python prompt shows them are blocks of code."""
+"""Docstrings as mkdocstrings reads them: examples at a Python prompt are blocks of code, names are links."""
 
 from __future__ import annotations
 
@@ -9,12 +9,18 @@ from typing import Any
 import griffe
 
 EXAMPLE = re.compile(r"^>>> .*(?:\n.+)*", re.M)
+ROLE = re.compile(r":(?:func|class):`(\w+)`")
 
 
-class Examples(griffe.Extension):
+class Markdown(griffe.Extension):
     def on_object(self, *, obj: griffe.Object, **_: Any) -> None:
         if obj.docstring:
-            obj.docstring.value = EXAMPLE.sub(lambda block: f"```pycon\n{without_options(block[0])}\n```", obj.docstring.value)
+            obj.docstring.value = as_markdown(obj.docstring.value)
+
+
+def as_markdown(docstring: str) -> str:
+    docstring = ROLE.sub(r"[`\1`][setae.\1]", docstring)
+    return EXAMPLE.sub(lambda example: f"```pycon\n{without_options(example[0])}\n```", docstring)
 
 
 def without_options(example: str) -> str:

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from typing import Any
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 
-SECTIONS = {  # in the order of the tabs; a page belongs to the first whose folder it lies in
+SECTIONS = {  # in the order of the tabs, with their folders
     "Tutorials": "docs/tutorials/",
     "Guides": "docs/guides/",
     "Theory": "docs/theory/",
@@ -37,29 +38,40 @@ def notebook_page(name: str, notebook: str) -> str:
     return f"{title}\n\n[The notebook]({name}) as a file: Jupyter opens it with jupytext, Python runs it.\n{rest}"
 
 
-def order(page: str, listed: list[str]) -> tuple[bool, int, str]:
-    """A section's own first page, then as docs/README.md lists them, then by name."""
-    index = page.endswith(("/README.md", "/index.md"))
-    return (not index, listed.index(page) if page in listed else len(listed), page)
+def links(files: Files, page: str) -> list[str]:
+    """Pages that a page leads to, from the top."""
+    file = files.get_file_from_path(page)
+    assert file
+    folder = page.rpartition("/")[0]
+    return [posixpath.normpath(posixpath.join(folder, link)) for link in re.findall(r"\]\(([^()#:]+)", as_page(file.content_string))]
+
+
+def is_index(page: str) -> bool:
+    return page.endswith(("/README.md", "/index.md"))
+
+
+def section(pages: list[str], folder: str) -> list[Any]:
+    """Pages of a folder, and sections of the folders in it."""
+    own = [page for page in pages if "/" not in page.removeprefix(folder)]
+    rooms = sorted({page.removeprefix(folder).partition("/")[0] for page in pages if page not in own})
+    return own + [{room.capitalize(): section([page for page in pages if page.startswith(f"{folder}{room}/")], f"{folder}{room}/")} for room in rooms]
 
 
 def navigation(pages: list[str], listed: list[str]) -> list[Any]:
-    rest = sorted((page for page in pages if page not in FIRST), key=lambda page: order(page, listed))
-    sections: dict[str, list[Any]] = {"setae": [*FIRST], **{name: [] for name in SECTIONS}}
-    for page in rest:
-        name = next((name for name, folder in SECTIONS.items() if page.startswith(folder)), "setae")
-        sections[name].append(page)
-    return [{name: pages} for name, pages in sections.items() if pages]
+    """Sections with their pages: a folder's own first page, then as they are listed, then by name."""
+    pages = sorted(pages, key=lambda page: (not is_index(page), listed.index(page) if page in listed else len(listed), page))
+    sections = {name: section([page for page in pages if page.startswith(folder)], folder) for name, folder in SECTIONS.items()}
+    others = [page for page in pages if page not in FIRST and not page.startswith(tuple(SECTIONS.values()))]
+    return [{"setae": FIRST + others}, *({name: found} for name, found in sections.items() if found)]
 
 
 def on_files(files: Files, config: MkDocsConfig, **_: Any) -> Files:
     for file in [file for file in files if file.src_uri.startswith("docs/notebooks/")]:
         page = notebook_page(file.name + ".py", file.content_string)
         files.append(File.generated(config, file.src_uri.replace(".py", ".md"), content=page))
-    top = files.get_file_from_path("docs/README.md")
-    assert top
-    listed = ["docs/" + link for link in re.findall(r"\]\(([^()#:]+)", as_page(top.content_string))]
-    config.nav = navigation([file.src_uri for file in files.documentation_pages()], listed)
+    pages = [file.src_uri for file in files.documentation_pages()]
+    listing = ["docs/README.md", *filter(is_index, pages)]
+    config.nav = navigation(pages, [link for page in listing for link in links(files, page)])
     return files
 
 
@@ -71,3 +83,13 @@ def as_page(markdown: str) -> str:
 
 def on_page_markdown(markdown: str, **_: Any) -> str:
     return as_page(markdown)
+
+
+def on_page_content(html: str, **_: Any) -> str:
+    """The corner of a table that names nothing is no heading."""
+    return html.replace("<th></th>", "<td></td>")
+
+
+def on_post_page(output: str, **_: Any) -> str:
+    """The theme leaves its search without a name."""
+    return output.replace('data-md-component="search" role="dialog"', 'data-md-component="search" role="dialog" aria-label="Search"')

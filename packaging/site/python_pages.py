@@ -27,7 +27,7 @@ def says(module: str) -> str:
     """The first line of a module's docstring."""
     source = PACKAGE / f"{module}.py"
     docstring = ast.get_docstring(ast.parse(source.read_text())) if source.exists() else None
-    return (docstring or "The library itself.").partition("\n")[0]
+    return (docstring or "Of the library itself.").partition("\n")[0]
 
 
 def main(folder: pathlib.Path) -> None:
@@ -35,11 +35,11 @@ def main(folder: pathlib.Path) -> None:
     index = "# Python reference\n\nWhat `import setae` gives. How it is used: [setae in Python](../docs/guides/python.md).\n\n"
     index += "| page | names |\n|---|---|\n"
     for module, names in public().items():
-        title = module.strip("_").capitalize()
+        title = module.removeprefix("_").capitalize() if module != "_setae" else "Library"
         functions_first = sorted(names, key=lambda name: name[0].isupper())
         page = f"# {title}\n\n{says(module)}\n\n" + "".join(f"::: setae.{name}\n\n" for name in functions_first)
-        (folder / f"{module.strip('_')}.md").write_text(page)
-        index += f"| [{title}]({module.strip('_')}.md) | {', '.join(f'[`{name}`][setae.{name}]' for name in functions_first)} |\n"
+        (folder / f"{title.lower()}.md").write_text(page)
+        index += f"| [{title}]({title.lower()}.md) | {', '.join(f'[`{name}`][setae.{name}]' for name in functions_first)} |\n"
     (folder / "index.md").write_text(index)
 
 

@@ -5,7 +5,6 @@ and copy, figures that switch and save what they show, no accessibility finding 
 
 import argparse
 import csv
-import hashlib
 import io
 import json
 import os
@@ -13,15 +12,12 @@ import re
 import shutil
 import subprocess
 import sys
-import tarfile
 import time
-import urllib.request
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from devtools import Browser  # noqa: E402
+from npm import AXE, script  # noqa: E402
 
-AXE = "https://registry.npmjs.org/axe-core/-/axe-core-4.14.1.tgz"
-AXE_SHA512 = "1477dafa598d8d065f273d6af302aa203c02e83131707b7fa648cd41bd3d6b734f8c22a0dab86ee6a6f64b8afbe804b214d36db85a2826965edfb3a0b9d546b5"
 HOSTILE = "</script><script>alert(1)</script>\"'&~/"
 
 failures = []
@@ -34,26 +30,12 @@ def check(true, message):
 
 
 def axe_source(cache):
-    """axe-core, fetched once into the build tree; None without network."""
-    path = os.path.join(cache, "axe-core-4.14.1.js")
-    if not os.path.exists(path):
-        try:
-            with urllib.request.urlopen(AXE, timeout=30) as answer:
-                archive = answer.read()
-        except OSError as error:
-            print(f"axe-core cannot be fetched ({error}): accessibility rules are not checked")
-            return None
-        digest = hashlib.sha512(archive).hexdigest()
-        if digest != AXE_SHA512:
-            raise SystemExit(f"{AXE}: SHA-512 {digest}, expected {AXE_SHA512}")
-        with tarfile.open(fileobj=io.BytesIO(archive)) as files:
-            text = files.extractfile("package/axe.min.js").read()
-        os.makedirs(cache, exist_ok=True)
-        with open(path + ".part", "wb") as file:
-            file.write(text)
-        os.replace(path + ".part", path)
-    with open(path, encoding="utf-8") as file:
-        return file.read()
+    """axe-core, kept in the build tree; None without network."""
+    try:
+        return script(AXE, cache)
+    except OSError as error:
+        print(f"axe-core cannot be fetched ({error}): accessibility rules are not checked")
+        return None
 
 
 def draw_all(page):
