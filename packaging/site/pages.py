@@ -3,12 +3,18 @@
 
 from __future__ import annotations
 
+import pathlib
 import posixpath
 import re
+import sys
 from typing import Any
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "tests/browser"))
+from npm import IFRAME_WORKER, script
 
 SECTIONS = {  # in the order of the tabs, with their folders
     "Tutorials": "docs/tutorials/",
@@ -69,6 +75,7 @@ def on_files(files: Files, config: MkDocsConfig, **_: Any) -> Files:
     for file in [file for file in files if file.src_uri.startswith("docs/notebooks/")]:
         page = notebook_page(file.name + ".py", file.content_string)
         files.append(File.generated(config, file.src_uri.replace(".py", ".md"), content=page))
+    files.append(File.generated(config, "assets/iframe-worker.js", content=script(IFRAME_WORKER, TOP / "build/_deps")))
     pages = [file.src_uri for file in files.documentation_pages()]
     listing = ["docs/README.md", *filter(is_index, pages)]
     config.nav = navigation(pages, [link for page in listing for link in links(files, page)])
