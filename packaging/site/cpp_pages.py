@@ -226,12 +226,15 @@ class Writer:
             return [table("value", [(plain(value.find("name")), self.said(value)) for value in element.iterfind("enumvalue")])]
         public = [member for member in element.iter("memberdef") if member.get("prot") == "public" and member.get("kind") not in ("enum", "typedef")]
         fields = [member for member in public if member.get("kind") == "variable"]
-        rows = [(self.signature(field), self.said(field)) for field in fields]
-        return ([table("member", rows)] if rows else []) + [self.declared([member]) for member in public if member not in fields]
+        functions = [self.declared([member]) for member in public if member not in fields]
+        if not any(map(described, fields)):
+            return ([self.declared(fields)] if fields else []) + functions
+        return [table("member", [(self.signature(field), self.said(field)) for field in fields]), *functions]
 
 
 def table(what: str, rows: list[tuple[str, str]]) -> str:
-    lines = "\n".join(f"<tr><td><code>{name}</code></td><td>{said}</td></tr>" for name, said in rows)
+    """Names with what they are; the full stop behind some is Doxygen's."""
+    lines = "\n".join(f"<tr><td><code>{name}</code></td><td>{re.sub('[.]</p>$', '</p>', said)}</td></tr>" for name, said in rows)
     return f"<table>\n<thead><tr><th>{what}</th><th>what it is</th></tr></thead>\n<tbody>\n{lines}\n</tbody>\n</table>"
 
 

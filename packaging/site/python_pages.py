@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import ast
 import pathlib
+import re
 import sys
 
 PACKAGE = pathlib.Path("python/setae")
@@ -30,6 +31,12 @@ def says(module: str) -> str:
     return (docstring or "Of the library itself.").partition("\n")[0]
 
 
+def kinds_of_arguments() -> dict[str, str]:
+    """Names in signatures that are short for others, and the comment above them."""
+    sources = "\n".join(path.read_text() for path in sorted(PACKAGE.glob("*.py")))
+    return {name: said for said, name in re.findall(r"^#: (.*)\n(\w+) = ", sources, re.M)}
+
+
 def main(folder: pathlib.Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     index = "# Python reference\n\nWhat `import setae` gives. How it is used: [setae in Python](../docs/guides/python.md).\n\n"
@@ -40,6 +47,8 @@ def main(folder: pathlib.Path) -> None:
         page = f"# {title}\n\n{says(module)}\n\n" + "".join(f"::: setae.{name}\n\n" for name in functions_first)
         (folder / f"{title.lower()}.md").write_text(page)
         index += f"| [{title}]({title.lower()}.md) | {', '.join(f'[`{name}`][setae.{name}]' for name in functions_first)} |\n"
+    index += "\nIn signatures these stand for:\n\n| name | what it is |\n|---|---|\n"
+    index += "".join(f"| `{name}` | {said} |\n" for name, said in kinds_of_arguments().items())
     (folder / "index.md").write_text(index)
 
 
