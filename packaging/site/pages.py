@@ -11,6 +11,7 @@ from typing import Any
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "tests/browser"))
@@ -88,8 +89,13 @@ def as_page(markdown: str) -> str:
     return re.sub(r"^(\s*```\w+) .*$", r"\1", markdown, flags=re.M)
 
 
-def on_page_markdown(markdown: str, **_: Any) -> str:
-    return as_page(markdown)
+def without_tags(markdown: str) -> str:
+    """Outside code < is less than, and <z> a mean: documents hold no tags but comments."""
+    return re.sub(r"(^```.*?^```|^ {4}[^\n]*|`(?:[^`\n]|\n(?!\n))*`|<!--)|<", lambda found: found[1] or "&lt;", markdown, flags=re.M | re.S)
+
+
+def on_page_markdown(markdown: str, page: Page, **_: Any) -> str:
+    return as_page(markdown if page.file.src_uri.startswith("cpp/") else without_tags(markdown))
 
 
 def on_page_content(html: str, **_: Any) -> str:
