@@ -240,11 +240,14 @@ void bind_heights(nb::module_& module) {
             });
         },
         nb::arg("paths"), nb::arg("about"), nb::arg("heights").none(), "as `setae info --json` prints it");
-    module.def("steps", [] {
-        std::vector<std::string> names;
-        for (const auto& step : processing::step_descriptions()) names.push_back(step.name);
-        return names;
-    });
+    module.def(
+        "steps",
+        [] {
+            std::vector<std::string> names;
+            for (const auto& step : processing::step_descriptions()) names.push_back(step.name);
+            return names;
+        },
+        "names of the steps that Scan.process() takes");
 }
 
 }  // namespace setae::python
