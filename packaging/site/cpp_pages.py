@@ -28,6 +28,7 @@ GENERATE_XML = YES
 XML_PROGRAMLISTING = NO
 QUIET = YES
 WARN_IF_UNDOCUMENTED = NO
+WARN_IF_INCOMPLETE_DOC = NO
 WARN_AS_ERROR = FAIL_ON_WARNINGS
 """
 WIDTH = 92  # of a signature; a longer one has a line for each argument
@@ -39,7 +40,8 @@ def compounds(headers: list[pathlib.Path]) -> list[xml.Element]:
     """Namespaces and classes as Doxygen writes them."""
     with tempfile.TemporaryDirectory() as folder:
         settings = f"{SETTINGS}OUTPUT_DIRECTORY = {folder}\nINPUT = {' '.join(map(str, headers))}\n"
-        subprocess.run(["doxygen", "-"], input=settings, text=True, check=True)
+        if subprocess.run(["doxygen", "-"], input=settings, text=True).returncode:
+            raise SystemExit("Doxygen cannot read what headers say, see above")
         written = [xml.parse(path).getroot()[0] for path in sorted(pathlib.Path(folder, "xml").glob("*.xml")) if path.stem != "index"]
     return [compound for compound in written if compound.get("kind") in ("namespace", "struct", "class")]
 
@@ -171,7 +173,11 @@ class Writer:
         kind = element.get("kind")
         if kind in ("struct", "class"):
             bases = ", ".join(self.linked(base, self.inside(base).replace("setae::", "")) for base in element.iterfind("basecompoundref"))
-            return self.template(element) + f"{kind} {plain(element.find('compoundname')).rpartition('::')[2]}" + (f" : {bases}" if bases else "")
+            return (
+                self.template(element)
+                + f"{kind} {plain(element.find('compoundname')).rpartition('::')[2]}"
+                + (f" : {bases}" if bases else "")
+            )
         name = plain(element.find("name"))
         if kind == "enum":
             return ("enum class " if element.get("strong") == "yes" else "enum ") + name
@@ -195,9 +201,8 @@ class Writer:
         return line
 
     def argument(self, param: xml.Element) -> str:
-        default = self.part(param, "defval")
-        return " ".join(filter(None, [self.part(param, "type"), self.part(param, "declname") + self.part(param, "array")])) + (
-            f" = {default}" if default else "")
+        name, default = self.part(param, "declname") + self.part(param, "array"), self.part(param, "defval")
+        return " ".join(filter(None, [self.part(param, "type"), name, f"= {default}" if default else ""]))
 
     def template(self, element: xml.Element) -> str:
         given = element.find("templateparamlist")
@@ -224,7 +229,11 @@ class Writer:
     def members(self, element: xml.Element) -> list[str]:
         if element.get("kind") == "enum":
             return [table("value", [(plain(value.find("name")), self.said(value)) for value in element.iterfind("enumvalue")])]
-        public = [member for member in element.iter("memberdef") if member.get("prot") == "public" and member.get("kind") not in ("enum", "typedef")]
+        public = [
+            member
+            for member in element.iter("memberdef")
+            if member.get("prot") == "public" and member.get("kind") not in ("enum", "typedef")
+        ]
         fields = [member for member in public if member.get("kind") == "variable"]
         functions = [self.declared([member]) for member in public if member not in fields]
         if not any(map(described, fields)):

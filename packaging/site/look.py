@@ -18,7 +18,9 @@ from npm import AXE, script
 WINDOWS = ((1366, 900), (390, 844))
 SCHEMES = {"light": "default", "dark": "slate"}
 COLOURS = ["color-contrast", "link-in-text-block"]  # what a second scheme can change
-WIDER = "[...document.querySelectorAll('main *')].filter(e => e.getBoundingClientRect().right > innerWidth).slice(0, 2).map(e => e.outerHTML.slice(0, 120))"
+STILL = "document.head.insertAdjacentHTML('beforeend', '<style>* { transition: none !important }</style>')"
+WIDE = "[...document.querySelectorAll('main *')].filter(e => e.getBoundingClientRect().right > innerWidth)"
+WIDER = f"{WIDE}.slice(0, 2).map(e => e.outerHTML.slice(0, 120))"
 VIOLATIONS = "r.violations.map(v => `${v.id} × ${v.nodes.length}: ${v.nodes[0].html.slice(0, 160)}`)"
 
 
@@ -33,12 +35,14 @@ def looked_at(browser: Browser, path: pathlib.Path, width: int, axe: str) -> lis
             found += [f"asks for {url}" for url in browser.requests if not url.startswith(("file:", "data:", "blob:"))][:2]
             if browser.run("document.documentElement.scrollWidth > innerWidth"):
                 found.append(f"wider than the window: {browser.run(WIDER)}")
-            browser.run(axe)
+            browser.run(f"{axe}; {STILL}")
         browser.frames(2)
         if browser.run("document.body.dataset.mdColorScheme") != name:
             found.append(f"is not {scheme} where the system is")
         rules = "undefined" if scheme == "light" else str(COLOURS)
-        found += browser.run(f"axe.run(document, {{resultTypes: ['violations'], preload: false, runOnly: {rules}}}).then(r => {VIOLATIONS})")
+        found += browser.run(
+            f"axe.run(document, {{resultTypes: ['violations'], preload: false, runOnly: {rules}}}).then(r => {VIOLATIONS})"
+        )
     return [f"{width} px: {problem}" for problem in found]
 
 
@@ -61,7 +65,8 @@ def search(program: str, top: pathlib.Path) -> list[str]:
     try:
         browser.open(top / "index.html")
         browser.run("document.querySelector('[data-md-toggle=search]').click()")
-        browser.run("const box = document.querySelector('.md-search__input'); box.focus(); box.value = 'maugis'; box.dispatchEvent(new Event('keyup'))")
+        browser.run("document.querySelector('.md-search__input').focus()")
+        browser.run("document.activeElement.value = 'maugis'; document.activeElement.dispatchEvent(new Event('keyup'))")
         shown = "document.querySelectorAll('.md-search-result__item').length"
         browser.run(f"new Promise(done => {{ const look = n => {shown} || n === 0 ? done(0) : setTimeout(look, 100, n - 1); look(100); }})")
         return [] if browser.run(shown) else ["search finds nothing"]
@@ -78,7 +83,9 @@ def main(top: pathlib.Path, cache: str) -> int:
     workers = os.cpu_count() or 1
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
         parts = list(pool.map(lambda n: look(program, pages[n::workers], axe), range(workers)))
-    problems = [f"{path.relative_to(top)}: {problem}" for part in parts for path, found in part.items() for problem in found] + search(program, top)
+    problems = [f"{path.relative_to(top)}: {problem}" for part in parts for path, found in part.items() for problem in found] + search(
+        program, top
+    )
     print("\n".join(problems) or f"{len(pages)} pages looked at")
     return 1 if problems or not pages else 0
 

@@ -61,7 +61,9 @@ def section(pages: list[str], folder: str) -> list[Any]:
     """Pages of a folder, and sections of the folders in it."""
     own = [page for page in pages if "/" not in page.removeprefix(folder)]
     rooms = sorted({page.removeprefix(folder).partition("/")[0] for page in pages if page not in own})
-    return own + [{room.capitalize(): section([page for page in pages if page.startswith(f"{folder}{room}/")], f"{folder}{room}/")} for room in rooms]
+    return own + [
+        {room.capitalize(): section([page for page in pages if page.startswith(f"{folder}{room}/")], f"{folder}{room}/")} for room in rooms
+    ]
 
 
 def navigation(pages: list[str], listed: list[str]) -> list[Any]:

@@ -15,7 +15,9 @@ PACKAGE = pathlib.Path("python/setae")
 def public() -> dict[str, list[str]]:
     """Names by module, as __init__.py imports them; what it makes itself stands with the library's."""
     tree = ast.parse((PACKAGE / "__init__.py").read_text())
-    names = next(ast.literal_eval(line.value) for line in tree.body if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "__all__")
+    names = next(
+        ast.literal_eval(line.value) for line in tree.body if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "__all__"
+    )
     imports = [line for line in tree.body if isinstance(line, ast.ImportFrom) and line.level == 1]
     found = {str(line.module): [name.name for name in line.names if name.name in names] for line in imports}
     found["_setae"] += sorted(set(names) - {name for those in found.values() for name in those})

@@ -7,11 +7,19 @@ import os
 import tarfile
 import urllib.request
 
-AXE = ("axe-core", "4.14.1", "axe.min.js",
-       "1477dafa598d8d065f273d6af302aa203c02e83131707b7fa648cd41bd3d6b734f8c22a0dab86ee6a6f64b8afbe804b214d36db85a2826965edfb3a0b9d546b5")
+AXE = (
+    "axe-core",
+    "4.14.1",
+    "axe.min.js",
+    "1477dafa598d8d065f273d6af302aa203c02e83131707b7fa648cd41bd3d6b734f8c22a0dab86ee6a6f64b8afbe804b214d36db85a2826965edfb3a0b9d546b5",
+)
 # a worker of files that no server hands out: by it the site's search works in a folder
-IFRAME_WORKER = ("iframe-worker", "1.0.4", "shim/index.js",
-                 "ae879a688f8b8352c935f8290a3a117bff96cc48f2f7e674f0ba04beef393023db063c26faa5f3f00839534e651dae95d42cac6721b313448e900b52500e6aed")
+IFRAME_WORKER = (
+    "iframe-worker",
+    "1.0.4",
+    "shim/index.js",
+    "ae879a688f8b8352c935f8290a3a117bff96cc48f2f7e674f0ba04beef393023db063c26faa5f3f00839534e651dae95d42cac6721b313448e900b52500e6aed",
+)
 
 
 def script(package, folder):
