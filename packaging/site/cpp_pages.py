@@ -119,10 +119,13 @@ class Writer:
     def __init__(self, known: list[Entity]) -> None:
         taken: set[tuple[str, str]] = set()
         self.target: dict[str, str] = {}
+        self.exceptions: dict[str, str] = {}
         for entity in known:
             names = itertools.chain([entity.anchor], (f"{entity.anchor}-{number}" for number in itertools.count(2)))
             entity.anchor = next(name for name in names if (entity.module, name) not in taken)
             taken.add((entity.module, entity.anchor))
+            if entity.is_class and entity.header.endswith("/errors.hpp"):
+                self.exceptions[entity.name] = f"{entity.module}.html#{entity.anchor}"
             self.target.update(dict.fromkeys(entity.identifiers(), f"{entity.module}.html#{entity.anchor}"))
 
     def inside(self, element: xml.Element) -> str:
@@ -141,6 +144,11 @@ class Writer:
     def linked(self, element: xml.Element, inside: str) -> str:
         target = self.target.get(element.get("refid", ""))
         return f'<a href="{target}">{inside}</a>' if target else inside
+
+    def named(self, name: str) -> str:
+        """With a link where it is setae's: an exception."""
+        word = name.rstrip(";,.")
+        return f'<a href="{self.exceptions[word]}">{word}</a>{name.removeprefix(word)}' if word in self.exceptions else html.escape(name)
 
     def said(self, element: xml.Element) -> str:
         """What the comment says, as paragraphs and formulas."""
@@ -164,7 +172,7 @@ class Writer:
         lead, items = f"<strong>{SECTIONS[element.get('kind', '')]}</strong> ", [element] if element.tag == "simplesect" else list(element)
         found = []
         for item in items:
-            names = ", ".join(self.inside(name) for name in item.iter("parametername"))
+            names = ", ".join(self.named(plain(name)) for name in item.iter("parametername"))
             found += [block for para in item.iter("para") for block in self.blocks(para, lead + names + " ")]
         return found
 
