@@ -279,12 +279,15 @@ def page(module: str, said: str, entities: list[Entity], namespaces: list[xml.El
 
 def main(folder: pathlib.Path) -> None:
     found = compounds(sorted(path for path in pathlib.Path("src").rglob("*.hpp") if "include" in path.parts))
-    known = entities(found)
+    known, all_modules = entities(found), modules()
+    nowhere = {entity.header for entity in known if entity.module not in all_modules}
+    if nowhere:
+        raise SystemExit(f"src/CMakeLists.txt names no module of {', '.join(sorted(nowhere))}")
     namespaces, writer = [compound for compound in found if compound.get("kind") == "namespace"], Writer(known)
     folder.mkdir(parents=True, exist_ok=True)
     index = "# C++ reference\n\nWhat public headers declare, by module, in the order of the method: a module builds on those above it.\n\n"
     index += "| module | what it is |\n|---|---|\n"
-    for module, said in modules().items():
+    for module, said in all_modules.items():
         own = [entity for entity in known if entity.module == module]
         if own:
             index += f"| [{module}]({module}.md) | {said} |\n"

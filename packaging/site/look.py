@@ -83,9 +83,8 @@ def main(top: pathlib.Path, cache: str) -> int:
     workers = os.cpu_count() or 1
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
         parts = list(pool.map(lambda n: look(program, pages[n::workers], axe), range(workers)))
-    problems = [f"{path.relative_to(top)}: {problem}" for part in parts for path, found in part.items() for problem in found] + search(
-        program, top
-    )
+    problems = [f"{path.relative_to(top)}: {problem}" for part in parts for path, found in part.items() for problem in found]
+    problems += search(program, top)
     print("\n".join(problems) or f"{len(pages)} pages looked at")
     return 1 if problems or not pages else 0
 
