@@ -62,13 +62,26 @@ formats::StoredMeasurement stored(const std::string& file, const ContainerReques
     return measurement;
 }
 
+/// "1 ± 0.02"; empty for a factor that is not stated.
+std::string factor_text(const std::optional<Estimate>& factor) {
+    if (!factor) return {};
+    return factor->uncertain() ? fmt::format("{} ± {}", factor->value, factor->standard_error)
+                               : fmt::format("{}", factor->value);
+}
+
 formats::StoredMeasurement stored(const study::MeasurementInput& input, const std::filesystem::path& folder) {
     formats::StoredMeasurement measurement{
         .path = (folder / input.file).lexically_normal().string(), .channel = input.channel, .trend = input.trend};
     measurement.options.unit = input.unit;
     measurement.options.size = input.size;
     measurement.instrument.type = input.instrument;
-    if (input.tip_radius) measurement.instrument.tip_radius = input.tip_radius->value;
+    if (input.tip_radius) {
+        measurement.instrument.tip_radius = input.tip_radius->value;
+        if (input.tip_radius->uncertain())
+            measurement.instrument.tip_radius_standard_error = input.tip_radius->standard_error;
+    }
+    measurement.height_calibration = factor_text(input.height_calibration);
+    measurement.lateral_calibration = factor_text(input.lateral_calibration);
     measurement.instrument.resolution = input.resolution;
     if (measurement.trend == topography::Trend::none) measurement.trend = topography::Trend::mean;
     return measurement;

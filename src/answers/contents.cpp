@@ -102,6 +102,7 @@ output::Json channel_json(const std::string& file, const ListedChannel& channel)
     json["instrument"] = {{"name", instrument.name},
                           {"type", instrument.type},
                           {"tip_radius", optional_number(instrument.tip_radius)},
+                          {"tip_radius_standard_error", optional_number(instrument.tip_radius_standard_error)},
                           {"resolution", optional_number(instrument.resolution)}};
     json["acquisition_time"] = info.metadata.acquisition_time;
     json["recommended_trend"] =

@@ -129,19 +129,31 @@ double without_rounding(double number) { return std::stod(fmt::format("{:.15g}",
 
 ContainerLength in_nanometres(double length) { return {.value = without_rounding(length / units::nm), .unit = "nm"}; }
 
-std::optional<ContainerInstrument> container_instrument(topography::Instrument instrument,
-                                                        const topography::Instrument& given) {
+/// What a file says of its instrument, and what is known beside it.
+topography::Instrument with_given(topography::Instrument instrument, const topography::Instrument& given) {
     if (!given.name.empty()) instrument.name = given.name;
     if (!given.type.empty()) instrument.type = given.type;
-    if (given.tip_radius) instrument.tip_radius = given.tip_radius;
-    if (given.resolution) instrument.resolution = given.resolution;
-    ContainerInstrument result{.name = instrument.name, .type = instrument_type(instrument)};
-    if (result.name.empty() && result.type == "undefined") return std::nullopt;
-    if (instrument.tip_radius) result.parameters.emplace().tip_radius = in_nanometres(*instrument.tip_radius);
-    if (instrument.resolution) {
-        if (!result.parameters) result.parameters.emplace();
-        result.parameters->resolution = in_nanometres(*instrument.resolution);
+    if (given.tip_radius) {
+        instrument.tip_radius = given.tip_radius;
+        instrument.tip_radius_standard_error = given.tip_radius_standard_error;
     }
+    if (given.resolution) instrument.resolution = given.resolution;
+    return instrument;
+}
+
+std::optional<ContainerInstrument> container_instrument(const topography::Instrument& of_file,
+                                                        const StoredMeasurement& given) {
+    const auto instrument = with_given(of_file, given.instrument);
+    ContainerInstrument::Parameters parameters{.height_calibration = given.height_calibration,
+                                               .lateral_calibration = given.lateral_calibration};
+    if (instrument.tip_radius) parameters.tip_radius = in_nanometres(*instrument.tip_radius);
+    if (instrument.tip_radius && instrument.tip_radius_standard_error)
+        parameters.tip_radius_standard_error = in_nanometres(*instrument.tip_radius_standard_error);
+    if (instrument.resolution) parameters.resolution = in_nanometres(*instrument.resolution);
+    ContainerInstrument result{.name = instrument.name, .type = instrument_type(instrument)};
+    const bool has_parameters = parameters != ContainerInstrument::Parameters{};
+    if (result.name.empty() && result.type == "undefined" && !has_parameters) return std::nullopt;
+    if (has_parameters) result.parameters = std::move(parameters);
     return result;
 }
 
@@ -344,8 +356,9 @@ void replace_given(const StoredMeasurement& given, ContainerTopography& topograp
     topography::Instrument known;
     if (topography.instrument) known.name = topography.instrument->name;
     const bool any = !given.instrument.name.empty() || !given.instrument.type.empty() || given.instrument.tip_radius ||
-                     given.instrument.resolution;
-    if (any) topography.instrument = container_instrument(known, given.instrument);
+                     given.instrument.resolution || !given.height_calibration.empty() ||
+                     !given.lateral_calibration.empty();
+    if (any) topography.instrument = container_instrument(known, given);
 }
 
 }  // namespace
@@ -370,7 +383,7 @@ void add_measurement(ContainerDraft& draft, ContainerSurface& surface, const Sto
     topography.detrend_mode = detrend_mode(trend);
     describe_heights(heights, topography);
     topography.measurement_date = date_of(channel.info.metadata.acquisition_time);
-    topography.instrument = container_instrument(topography::metadata(heights).instrument, measurement.instrument);
+    topography.instrument = container_instrument(topography::metadata(heights).instrument, measurement);
 
     draft.alerts.insert(draft.alerts.end(), channel.info.alerts.begin(), channel.info.alerts.end());
     draft.members.push_back(

@@ -52,6 +52,7 @@ template <class Fields>
 void fields_of(ContainerInstrument::Parameters& parameters, Fields& fields) {
     fields("tip_radius", parameters.tip_radius);
     fields("resolution", parameters.resolution);
+    fields("tip_radius_standard_error", parameters.tip_radius_standard_error);
     fields("height_calibration", parameters.height_calibration);
     fields("lateral_calibration", parameters.lateral_calibration);
 }

@@ -71,6 +71,8 @@ void take_instrument(const ContainerInstrument& instrument, const std::string& f
     if (const auto radius = parameters.tip_radius ? parameters.tip_radius->estimate() : std::nullopt) {
         entry.instrument.tip_radius = radius->value;
         if (radius->uncertain()) entry.instrument.tip_radius_standard_error = radius->standard_error;
+        else if (parameters.tip_radius_standard_error)
+            entry.instrument.tip_radius_standard_error = parameters.tip_radius_standard_error->metres();
     }
     if (parameters.resolution) entry.instrument.resolution = parameters.resolution->metres();
     if (!parameters.height_calibration.empty()) entry.attributes["height_calibration"] = parameters.height_calibration;

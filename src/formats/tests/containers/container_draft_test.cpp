@@ -88,6 +88,20 @@ TEST(ContainerDraft, SourcesOfAContainerAreTakenAlong) {
     EXPECT_EQ(std::get<topography::Profile>(open(written(folder, other), {}).at(0).read()).standard_error[2], 7e-11);
 }
 
+// Others read value and unit of the radius; the ± stands beside them.
+TEST(ContainerDraft, KeepsWhatIsKnownOfErrors) {
+    const TemporaryFolder folder;
+    const auto container = one_file(
+        folder, {.path = folder.write("l.csv", two_lines),
+                 .instrument = {.name = "D", .type = "afm", .tip_radius = 1e-8, .tip_radius_standard_error = 2e-9},
+                 .height_calibration = "1.01 ± 0.02"});
+    EXPECT_TRUE(schema_violations(read_container(container).container).empty());
+    const auto metadata = open(container, {}).at(0).info.metadata;
+    EXPECT_DOUBLE_EQ(*metadata.instrument.tip_radius, 1e-8);
+    EXPECT_DOUBLE_EQ(*metadata.instrument.tip_radius_standard_error, 2e-9);
+    EXPECT_EQ(metadata.attributes.at("height_calibration"), "1.01 ± 0.02");
+}
+
 TEST(ContainerDraft, ATextThatOthersDoNotReadGetsAnOriginalTheyDo) {
     const TemporaryFolder folder;
     const auto container =

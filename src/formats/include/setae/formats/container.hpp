@@ -55,6 +55,7 @@ struct ContainerInstrument {
     std::string type;  ///< "contact-based", "microscope-based" or "undefined"
     struct Parameters {
         std::optional<ContainerLength> tip_radius, resolution;
+        std::optional<ContainerLength> tip_radius_standard_error;  ///< setae's own
         std::string height_calibration, lateral_calibration;  ///< setae's own: true over stated, "1.00 ± 0.02"
         std::string extra;
         bool operator==(const Parameters&) const = default;

@@ -25,6 +25,7 @@ struct StoredMeasurement {
     std::optional<topography::Trend>
         trend;                          ///< what the container says to remove: mean (the default), tilt or parabola
     topography::Instrument instrument;  ///< what is known of it beside the file
+    std::string height_calibration, lateral_calibration;  ///< true over stated, "1.00 ± 0.02"; empty: none
 };
 
 /// Adds a measured file to a surface: the file itself, byte for byte, and its processed copy, heights less their trend
