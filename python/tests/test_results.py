@@ -106,3 +106,21 @@ def test_parts_of_an_answer(scan):
         work["no such thing"]
     with pytest.raises(TypeError, match="analysed already"):
         setae.work_of_adhesion(setae.surface(scan), E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2", tip_radius="3 nm")
+
+
+def test_measured_values_say_what_inputs_of_loops_add(data, tmp_path):
+    """W ∝ F/R, E_loss ∝ F: one per cent of the lens and two of the force, planted in a study."""
+    text = (data / "study.toml").read_text().replace('file = "', f'file = "{data}/')
+    text = text.replace('sphere_radius = "0.00125 m"', 'sphere_radius = "lens = 0.00125 ± 0.0000125 m"')
+    text = text.replace("[[experiments]]\n", '[[experiments]]\nforce_calibration = "cell = 1 ± 0.02"\n')
+    (tmp_path / "study.toml").write_text(text)
+    pairs = setae.study(tmp_path / "study.toml").run(output=tmp_path / "results").data["pairs"]
+    assert len(pairs) == 4
+    both = math.hypot(0.01, 0.02)
+    for name, share in (("work_of_adhesion_approach", both), ("work_of_adhesion_retraction", both), ("energy_loss", 0.02)):
+        for pair in pairs:
+            value = pair["measured"][name]
+            parts = value["standard_error_budget"]
+            assert parts["shared_inputs"] == pytest.approx(share * value["value"], rel=2e-3)
+            assert parts["own_noise"] == value["standard_error"] > 0
+            assert parts["all"] ** 2 == pytest.approx(parts["own_noise"] ** 2 + parts["shared_inputs"] ** 2)
