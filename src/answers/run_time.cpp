@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/answers/run_time.hpp"
 
-#include <array>
+#include <chrono>
 #include <cstdlib>
 #include <ctime>
 
@@ -30,12 +30,13 @@ std::time_t seconds_of_run() {
 }  // namespace
 
 std::string time_of_run() {
-    const auto now = seconds_of_run();
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text.data();
+    const std::chrono::sys_seconds now{std::chrono::seconds(seconds_of_run())};
+    const auto day = std::chrono::floor<std::chrono::days>(now);
+    const std::chrono::year_month_day date(day);
+    const std::chrono::hh_mm_ss time(now - day);
+    return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", static_cast<int>(date.year()),
+                       static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), time.hours().count(),
+                       time.minutes().count(), time.seconds().count());
 }
 
 }  // namespace setae::answers

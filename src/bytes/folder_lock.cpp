@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/bytes/folder_lock.hpp"
 
-#include <cerrno>
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
+#include "setae/platform/files.hpp"
 
 namespace setae::bytes {
 
-FolderLock::FolderLock(const std::string& folder)
-    : descriptor_(open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ < 0) return;
-    while (flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
-    }
-}
+FolderLock::FolderLock(const std::string& folder) : lock_(platform::lock_folder(folder)) {}
 
-FolderLock::~FolderLock() {
-    if (descriptor_ < 0) return;
-    flock(descriptor_, LOCK_UN);  // a child of this process may hold the descriptor still
-    close(descriptor_);
-}
+FolderLock::~FolderLock() { platform::unlock_folder(lock_); }
 
 }  // namespace setae::bytes

@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/bytes/protected_inputs.hpp"
 
-#include <sys/stat.h>
-
 #include <map>
 #include <mutex>
 #include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/platform/files.hpp"
 
 namespace setae::bytes {
 namespace {
 
-/// Device and number on it: the same for every name of a file.
-using FileIdentity = std::pair<dev_t, ino_t>;
+using platform::FileIdentity;
 
 std::optional<FileIdentity> regular_file(const std::string& path) {
-    struct stat found {};
-    if (::stat(path.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
-    return FileIdentity{found.st_dev, found.st_ino};
+    const auto facts = platform::facts_of(path);
+    if (!facts || facts->kind != platform::FileKind::regular) return std::nullopt;
+    return facts->identity;
 }
 
 struct Inputs {

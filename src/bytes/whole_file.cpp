@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/bytes/whole_file.hpp"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -15,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <regex>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -22,79 +18,53 @@
 #include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
+#include "setae/platform/files.hpp"
+#include "setae/platform/memory.hpp"
+#include "setae/platform/processes.hpp"
 
 namespace setae::bytes {
 namespace {
 
 /// Why the system refuses a path, in words that say what to look at.
-std::string refusal(int error) {
-    switch (error) {
-        case ENOENT: return "no such file";
-        case ENOTDIR: return "no such file: a part of its path is no folder";
-        case EACCES:
-        case EPERM: return "no permission to read it, or to enter a folder of its path";
-        case ELOOP: return "its symbolic links lead in a circle";
-        case ENAMETOOLONG: return "its name is too long";
-        case EMFILE:
-        case ENFILE: return "too many files are open; see `ulimit -n`";
-        default: return std::string("cannot be opened: ") + std::strerror(error);
+std::string refusal(const std::error_code& error) {
+    switch (static_cast<std::errc>(error.value())) {
+        case std::errc::no_such_file_or_directory: return "no such file";
+        case std::errc::not_a_directory: return "no such file: a part of its path is no folder";
+        case std::errc::permission_denied:
+        case std::errc::operation_not_permitted: return "no permission to read it, or to enter a folder of its path";
+        case std::errc::too_many_symbolic_link_levels: return "its symbolic links lead in a circle";
+        case std::errc::filename_too_long: return "its name is too long";
+        case std::errc::too_many_files_open:
+        case std::errc::too_many_files_open_in_system: return "too many files are open; see `ulimit -n`";
+        default: return "cannot be opened: " + error.message();
     }
 }
 
-const char* kind_of(mode_t mode) {
-    if (S_ISDIR(mode)) return "a folder";
-    if (S_ISFIFO(mode)) return "a pipe";
-    if (S_ISSOCK(mode)) return "a socket";
-    return "a device";
+/// What a path leads to in place of a file; nothing where that is one.
+const char* other_kind(const std::optional<platform::FileFacts>& facts) {
+    if (!facts) return nullptr;
+    switch (facts->kind) {
+        case platform::FileKind::regular: return nullptr;
+        case platform::FileKind::folder: return "a folder";
+        case platform::FileKind::pipe: return "a pipe";
+        case platform::FileKind::socket: return "a socket";
+        case platform::FileKind::device: return "a device";
+    }
+    throw InternalError("a kind of file without a name");
 }
 
-/// An open regular file that closes itself.
-class Descriptor {
-public:
-    /// @throws FileError for a missing path, what is no regular file and what cannot be opened; never waits.
-    explicit Descriptor(const std::string& path) : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-        const int error = errno;
-        struct stat found {};
-        const bool known = (number_ < 0 ? ::stat(path.c_str(), &found) : ::fstat(number_, &found)) == 0;
-        if (known && !S_ISREG(found.st_mode)) {
-            close();
-            throw FileError(fmt::format("{}: is {}, expected a regular file", path, kind_of(found.st_mode)));
-        }
-        if (number_ < 0) throw FileError(fmt::format("{}: {}", path, refusal(error)));
-        size_ = static_cast<std::uint64_t>(found.st_size);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(); }
-
-    [[nodiscard]] int number() const { return number_; }
-    [[nodiscard]] std::uint64_t size() const { return size_; }
-
-private:
-    void close() const {
-        if (number_ >= 0) ::close(number_);
-    }
-
-    int number_ = -1;
-    std::uint64_t size_ = 0;
-};
+/// @throws FileError for a missing path, what is no regular file and what cannot be opened.
+void require_file(const std::string& path, const platform::ReadableFile& file) {
+    if (const char* const kind = other_kind(file.facts()))
+        throw FileError(fmt::format("{}: is {}, expected a regular file", path, kind));
+    if (file.failure()) throw FileError(fmt::format("{}: {}", path, refusal(file.failure())));
+}
 
 void read_from_file(const std::string& path, std::uint64_t offset, std::uint64_t count, char* target) {
-    const Descriptor file(path);
-    while (count > 0) {
-        const auto got = ::pread(file.number(), target, count, static_cast<off_t>(offset));
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) throw FileError(fmt::format("{}: reading {} bytes at byte {} failed", path, count, offset));
-        target += got;
-        offset += static_cast<std::uint64_t>(got);
-        count -= static_cast<std::uint64_t>(got);
-    }
-}
-
-std::uint64_t memory_of_machine() {
-    static const auto bytes =
-        static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-    return bytes;
+    const platform::ReadableFile file(path);
+    require_file(path, file);
+    if (!file.read(offset, count, target))
+        throw FileError(fmt::format("{}: reading {} bytes at byte {} failed", path, count, offset));
 }
 
 /// Refuses what lies beyond the end of a source.
@@ -120,31 +90,30 @@ std::string target_of(const std::string& path) {
 
 /// @throws FileError for inputs, folders, pipes and devices.
 void require_replaceable(const std::string& path) {
-    struct stat found {};
-    if (::stat(path.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
-        throw FileError(fmt::format("{}: is {}, expected the name of a file to write", path, kind_of(found.st_mode)));
+    if (const char* const kind = other_kind(platform::facts_of(path)))
+        throw FileError(fmt::format("{}: is {}, expected the name of a file to write", path, kind));
     require_no_input(path);
 }
 
 /// A name beside `path` that no other writer of this or another process uses.
 std::string temporary_name(const std::string& path) {
     static std::atomic<unsigned> counter{0};
-    return fmt::format("{}.{}.{}.part", path, getpid(), counter++);
+    return fmt::format("{}.{}.{}.part", path, platform::this_process(), counter++);
 }
 
 /// The process a temporary name belongs to; nothing for other names.
-std::optional<pid_t> writer_of(const std::string& name) {
+std::optional<platform::ProcessId> writer_of(const std::string& name) {
     static const std::regex pattern(R"(.+\.([0-9]{1,9})\.[0-9]+\.part)");
     std::smatch match;
     if (!std::regex_match(name, match, pattern)) return std::nullopt;
-    return spelled<pid_t>(match[1].str());
+    return spelled<platform::ProcessId>(match[1].str());
 }
 
 }  // namespace
 
 std::string Source::bytes(std::uint64_t offset, std::uint64_t count) const {
     require_inside(name, size, offset, count);
-    if (count > memory_of_machine())
+    if (count > platform::memory_of_machine())
         throw FormatError(name, {.offset = offset},
                           fmt::format("{} bytes in one piece are more than the memory of this machine", count));
     std::string content(count, '\0');
@@ -159,8 +128,9 @@ std::string Source::up_to(std::uint64_t offset, std::uint64_t count) const {
 namespace {
 
 Source source_of(const std::string& path) {
-    const Descriptor file(path);
-    Source source{path, file.size(), path, {}};
+    const platform::ReadableFile file(path);
+    require_file(path, file);
+    Source source{path, file.facts() ? file.facts()->size : 0, path, {}};
     source.read_into = [path, size = source.size](std::uint64_t offset, std::uint64_t count, char* target) {
         require_inside(path, size, offset, count);
         read_from_file(path, offset, count, target);
@@ -247,8 +217,8 @@ void remove_leftovers(const std::string& folder) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
         const auto writer = writer_of(entry.path().filename().string());
-        const bool gone = writer && *writer != getpid() && kill(*writer, 0) != 0 && errno == ESRCH;
-        if (gone) std::filesystem::remove(entry.path(), ignored);
+        const bool left = writer && *writer != platform::this_process() && platform::is_gone(*writer);
+        if (left) std::filesystem::remove(entry.path(), ignored);
     }
 }
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <fcntl.h>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,6 +11,8 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/figures/figure.hpp"
+#include "setae/platform/files.hpp"
+#include "setae/platform/processes.hpp"
 
 namespace setae::figures {
 namespace {
@@ -33,20 +29,18 @@ std::vector<std::string> places_for_temporaries() {
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        int first_error = 0;
+        std::error_code first_failure;
         const auto places = places_for_temporaries();
         for (const auto& place : places) {
-            auto pattern = (std::filesystem::path(place) / "setae_figure_XXXXXX").string();
-            if (mkdtemp(pattern.data())) {
-                path_ = pattern;
-                return;
-            }
-            if (first_error == 0) first_error = errno;
+            std::error_code failure;
+            path_ = platform::new_folder((std::filesystem::path(place) / "setae_figure_").string(), failure);
+            if (!failure) return;
+            if (!first_failure) first_failure = failure;
         }
         throw FileError(
             fmt::format("{}: no folder for temporary files can be made in it ({}), nor in /tmp, /var/tmp or here; "
                         "set TMPDIR to a folder that is writable and has space",
-                        places.front(), std::strerror(first_error)));
+                        places.front(), first_failure.message()));
     }
     ~TemporaryFolder() {
         std::error_code ignored;
@@ -62,46 +56,24 @@ private:
     std::filesystem::path path_;
 };
 
-struct Outcome {
-    int start_error = 0;  ///< errno where the program could not be started
-    int status = 0;       ///< as waitpid gives it
-};
-
 /// The program's environment without time zone, language and gnuplot's own settings, which would change figures.
 std::vector<std::string> environment() {
-    std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C.UTF-8"};
-    for (char** variable = environ; *variable; ++variable) {
-        const std::string_view text(*variable);
-        const auto begins = [&](std::string_view name) { return text.starts_with(name); };
-        if (!begins("TZ=") && !begins("LC_") && !begins("LANG") && !begins("GNUPLOT") && !begins("SOURCE_DATE_EPOCH="))
-            variables.emplace_back(text);
-    }
+    auto variables = platform::environment();
+    std::erase_if(variables, [](std::string_view variable) {
+        const auto begins = [&](std::string_view name) { return variable.starts_with(name); };
+        return begins("TZ=") || begins("LC_") || begins("LANG") || begins("GNUPLOT") || begins("SOURCE_DATE_EPOCH=");
+    });
+    variables.insert(variables.begin(), {"TZ=UTC0", "LC_ALL=C.UTF-8"});
     return variables;
 }
 
 /// Runs gnuplot on a script, its words into a file. The script names its output relative to `folder`.
-Outcome run_gnuplot(const std::string& folder, const std::string& script, const std::string& words) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, words.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+platform::ProcessEnd run_gnuplot(const std::string& folder, const std::string& script, const std::string& words) {
     // --default-settings: no initialisation file of the user changes a figure
-    std::string program = "gnuplot", defaults = "--default-settings", file = script;
-    char* arguments[] = {program.data(), defaults.data(), file.data(), nullptr};
-    auto variables = environment();
-    std::vector<char*> pointers;
-    for (auto& variable : variables) pointers.push_back(variable.data());
-    pointers.push_back(nullptr);
-    Outcome outcome;
-    pid_t process = 0;
-    outcome.start_error = posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments, pointers.data());
-    posix_spawn_file_actions_destroy(&actions);
-    if (outcome.start_error != 0) return outcome;
-    while (waitpid(process, &outcome.status, 0) < 0 && errno == EINTR) {
-    }
-    return outcome;
+    return platform::run({.words = {"gnuplot", "--default-settings", script},
+                          .environment = environment(),
+                          .folder = folder,
+                          .output = words});
 }
 
 /// A PDF without the time of its making: cairo knows no way to leave it out. Same length, so offsets in the file still
@@ -140,14 +112,13 @@ std::string drawn(const Figure& figure, const std::string& ending) {
     // relative, so that no folder's name needs quoting
     const auto output = output_name(ending);
     bytes::write_whole_file(folder.file("script.gp"), gnuplot_script(figure, ending, output));
-    const auto outcome = run_gnuplot(folder.path(), "script.gp", folder.file("words.txt"));
-    if (outcome.start_error == ENOENT)
+    const auto end = run_gnuplot(folder.path(), "script.gp", folder.file("words.txt"));
+    if (end.start == std::errc::no_such_file_or_directory)
         throw FileError(
             "a figure cannot be drawn without gnuplot; install it (Debian: apt-get install gnuplot-nox) or run ./setup");
-    if (outcome.start_error != 0)
-        throw FileError(fmt::format("gnuplot cannot be started: {}", std::strerror(outcome.start_error)));
+    if (end.start) throw FileError(fmt::format("gnuplot cannot be started: {}", end.start.message()));
     std::error_code missing;
-    if (outcome.status != 0 || std::filesystem::file_size(folder.file(output.c_str()), missing) == 0 || missing)
+    if (!end.well() || std::filesystem::file_size(folder.file(output.c_str()), missing) == 0 || missing)
         throw FileError(fmt::format("gnuplot failed: {}", trimmed(bytes::read_back(folder.file("words.txt")))));
     auto content = bytes::read_back(folder.file(output.c_str()));
     if (ending == "pdf") erase_date(content);
@@ -163,7 +134,7 @@ std::string drawing_program() {
         const auto file = std::filesystem::path(rest.substr(0, end)) / "gnuplot";
         std::error_code error;
         const auto real = std::filesystem::canonical(file, error);
-        if (!error && access(real.c_str(), X_OK) == 0) {
+        if (!error && platform::is_executable(real.string())) {
             const auto size = std::filesystem::file_size(real, error);
             const auto time = std::filesystem::last_write_time(real, error);
             if (!error) return fmt::format("{} {} {}", real.string(), size, time.time_since_epoch().count());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drawn_characters.hpp"
 
-#include <cstdio>
 #include <map>
 #include <mutex>
 
 #include <fmt/format.h>
 
 #include "setae/core/text.hpp"
+#include "setae/platform/processes.hpp"
 
 namespace setae::figures {
 namespace {
@@ -20,12 +20,9 @@ bool in_own_font(char32_t code) {
 /// What fc-list says of a character; nothing is passed to the shell but a number.
 bool in_some_font(char32_t code) {
     constexpr char32_t first_of_asia = 0x2e80;
-    auto* answer =
-        ::popen(fmt::format("fc-list ':charset={:x}' family 2>/dev/null", static_cast<unsigned>(code)).c_str(), "r");
-    if (!answer) return code < first_of_asia;
-    const bool named = std::fgetc(answer) != EOF;
-    const bool asked = ::pclose(answer) == 0;
-    return asked ? named : code < first_of_asia;
+    const auto families =
+        platform::output_of(fmt::format("fc-list ':charset={:x}' family 2>/dev/null", static_cast<unsigned>(code)));
+    return families ? !families->empty() : code < first_of_asia;
 }
 
 }  // namespace

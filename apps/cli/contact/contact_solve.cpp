@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -22,6 +20,7 @@
 #include "setae/half_space/contact_quantities.hpp"
 #include "setae/half_space/hard_wall.hpp"
 #include "setae/output/quantity_table.hpp"
+#include "setae/platform/terminal.hpp"
 
 namespace setae::cli::contact_solve_command {
 namespace {
@@ -46,7 +45,7 @@ struct Arguments : answers::HardWallRequest, answers::InteractionRequest {
 };
 
 std::function<void(const half_space::SolveProgress&)> progress_line() {
-    if (isatty(STDERR_FILENO) == 0) return {};
+    if (!platform::is_terminal(platform::Stream::errors)) return {};
     return [](const half_space::SolveProgress& progress) {
         fmt::print(stderr, "\r{} x {} points, iteration {}, gap {:.1e} ", progress.nx, progress.ny, progress.iterations,
                    progress.duality_gap);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <chrono>
 #include <memory>
 
@@ -19,6 +17,7 @@
 #include "setae/file_figures/sweep_figure.hpp"
 #include "setae/half_space/adhesive_quantities.hpp"
 #include "setae/output/quantity_table.hpp"
+#include "setae/platform/terminal.hpp"
 
 namespace setae::cli::contact_sweep_command {
 namespace {
@@ -42,7 +41,7 @@ struct Arguments : answers::SweepRequest {
 class ProgressLine {
 public:
     bool show(const answers::SweepProgress& progress) {
-        if (isatty(STDERR_FILENO) == 0) return true;
+        if (!platform::is_terminal(platform::Stream::errors)) return true;
         const double done = progress.share;
         if (steps_++ == 0) begun_ = done;
         const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -53,7 +52,7 @@ public:
         return true;
     }
     ~ProgressLine() {
-        if (steps_ > 0 && isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\n");
+        if (steps_ > 0 && platform::is_terminal(platform::Stream::errors)) fmt::print(stderr, "\n");
     }
 
 private:

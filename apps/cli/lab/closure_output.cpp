@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/closure_output.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 
@@ -12,6 +10,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/json.hpp"
+#include "setae/platform/terminal.hpp"
 #include "setae/validation/report.hpp"
 
 namespace setae::cli {
@@ -46,7 +45,7 @@ void require_recipe(const RepeatedRecipe& repeated) {
 }
 
 std::function<void(int)> progress_of(int runs) {
-    if (isatty(STDERR_FILENO) == 0) return {};
+    if (!platform::is_terminal(platform::Stream::errors)) return {};
     return [runs](int done) { fmt::print(stderr, "\r{} of {} runs{}", done, runs, done == runs ? "\n" : ""); };
 }
 

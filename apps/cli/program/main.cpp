@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -12,6 +11,7 @@
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/parallel/memory.hpp"
+#include "setae/platform/processes.hpp"
 
 namespace setae::cli {
 namespace {
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     using namespace setae::cli;
     setae::parallel::keep_freed_memory();
     // a file beyond `ulimit -f` is refused with a reason and cleaned up, in place of the end of the program
-    std::signal(SIGXFSZ, SIG_IGN);
+    setae::platform::survive_full_files();
     remember_command_line(argc, argv);
     const int exit_code = run(argc, argv);
     return output_arrived() ? exit_code : static_cast<int>(ExitCode::nothing_done);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/progress.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -12,13 +10,14 @@
 
 #include "program/messages.hpp"
 #include "program/terminal.hpp"
+#include "setae/platform/terminal.hpp"
 
 namespace setae::cli {
 namespace {
 
 ProgressMode resolved(ProgressMode mode) {
     if (mode != ProgressMode::automatic) return mode;
-    return isatty(STDERR_FILENO) ? ProgressMode::bar : ProgressMode::none;
+    return platform::is_terminal(platform::Stream::errors) ? ProgressMode::bar : ProgressMode::none;
 }
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crew.hpp"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <system_error>
 #include <thread>
+
+#include "setae/platform/processes.hpp"
 
 namespace setae::parallel {
 namespace {
@@ -32,7 +32,7 @@ std::atomic<Crew*> crew{nullptr};
 Crew& Crew::of_process() {
     static const bool first = [] {
         crew = new Crew;
-        pthread_atfork(nullptr, nullptr, [] { crew = new Crew; });  // threads do not follow into the child
+        platform::in_every_child([] { crew = new Crew; });  // threads do not follow into the child
         return true;
     }();
     (void)first;

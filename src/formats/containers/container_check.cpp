@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/formats/container_draft.hpp"
+#include "setae/platform/processes.hpp"
 
 namespace setae::formats {
 namespace {
@@ -101,7 +100,8 @@ private:
 /// A file name among the temporary ones that goes away.
 class TemporaryFile {
 public:
-    TemporaryFile() : path_(std::filesystem::temp_directory_path() / fmt::format("setae_check_{}.zip", getpid())) {}
+    TemporaryFile()
+        : path_(std::filesystem::temp_directory_path() / fmt::format("setae_check_{}.zip", platform::this_process())) {}
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile() {

@@ -2,7 +2,6 @@
 #include "raster.hpp"
 
 #ifdef __linux__
-#include <sys/mman.h>
 #endif
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/platform/memory.hpp"
 
 namespace setae::formats {
 namespace {
@@ -210,17 +210,6 @@ void place_rows(const char* data, std::uint64_t distance, const RasterBlock& blo
     }
 }
 
-/// Large pages for memory about to be filled, where the system has them: a fault a page is most of what reading from
-/// the cache costs.
-void prefer_large_pages([[maybe_unused]] double* begin, [[maybe_unused]] Index count) {
-#ifdef MADV_HUGEPAGE
-    constexpr std::uintptr_t page = std::uintptr_t{2} << 20;
-    const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page,
-               last = reinterpret_cast<std::uintptr_t>(begin + count) / page * page;
-    if (last > first) (void)::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-#endif
-}
-
 /// Bytes from a line's first sample to the end of its last.
 std::uint64_t line_bytes(const Raster& raster) {
     const auto samples = static_cast<std::uint64_t>(raster.columns ? raster.ny : raster.nx);
@@ -292,7 +281,7 @@ Array2D read_raster(const bytes::Source& source, const Raster& raster, const Raw
     const Blocks blocks(raster);
     const auto take = samples_taker(raster.sample, raster.order);
     Array2D heights(raster.nx, raster.ny);
-    prefer_large_pages(heights.data(), heights.size());
+    platform::prefer_large_pages(heights.data(), static_cast<std::uint64_t>(heights.size()) * sizeof(double));
     std::atomic<std::size_t> next{0};
     const auto workers = std::min(blocks.count, static_cast<std::size_t>(parallel::Threads{}.resolved()));
     parallel::for_each_index(workers, {}, [&](std::size_t) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "label_recogniser.hpp"
 
-#include <dlfcn.h>
 #include <omp.h>
 #include <tesseract/capi.h>
 
@@ -9,6 +8,8 @@
 #include <memory>
 
 #include <fmt/format.h>
+
+#include "setae/platform/libraries.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -25,7 +26,7 @@ struct OneThread {
 /// What is called of Tesseract's library, which stays loaded once it is.
 struct Tesseract {
     std::string fault;  ///< why it cannot be called
-    void* library = ::dlopen("libtesseract.so.5", RTLD_NOW | RTLD_LOCAL);
+    void* library = platform::loaded_library("libtesseract.so.5");
 #define SETAE_TESSERACT(name) \
     decltype(&TessBaseAPI##name) name = function<decltype(&TessBaseAPI##name)>("TessBaseAPI" #name)
     SETAE_TESSERACT(Create);
@@ -48,10 +49,11 @@ struct Tesseract {
 private:
     template <class Function>
     Function function(const char* name) {
-        void* const found = library ? ::dlsym(library, name) : nullptr;
+        void* const found = library ? platform::function_of(library, name) : nullptr;
         if (!found && fault.empty()) {
-            const char* const why = ::dlerror();
-            fault = fmt::format("Tesseract cannot be loaded ({}); install libtesseract5", why ? why : name);
+            const auto reason = platform::reason_of_missing();
+            fault =
+                fmt::format("Tesseract cannot be loaded ({}); install libtesseract5", reason.empty() ? name : reason);
         }
         return reinterpret_cast<Function>(found);
     }

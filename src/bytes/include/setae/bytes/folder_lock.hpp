@@ -16,7 +16,7 @@ public:
     FolderLock& operator=(const FolderLock&) = delete;
 
 private:
-    int descriptor_ = -1;
+    int lock_ = -1;
 };
 
 }  // namespace setae::bytes

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace setae::platform {
+
+enum class FileKind { regular, folder, pipe, socket, device };
+
+/// Device and number on it: the same for every name of a file.
+using FileIdentity = std::pair<std::uint64_t, std::uint64_t>;
+
+struct FileFacts {
+    FileKind kind = FileKind::regular;
+    std::uint64_t size = 0;  ///< [byte]
+    FileIdentity identity;
+};
+
+/// Of what a path leads to, through links; nothing where that cannot be told.
+[[nodiscard]] std::optional<FileFacts> facts_of(const std::string& path);
+
+/// A file open to be read at any place, which closes itself. Opening never waits, not even for the other end of a pipe.
+class ReadableFile {
+public:
+    explicit ReadableFile(const std::string& path);
+    ReadableFile(const ReadableFile&) = delete;
+    ReadableFile& operator=(const ReadableFile&) = delete;
+    ~ReadableFile();
+
+    /// Why it is not open, of the generic category; 0 where it is.
+    [[nodiscard]] std::error_code failure() const { return failure_; }
+    /// Of what was opened, or of what could not be.
+    [[nodiscard]] const std::optional<FileFacts>& facts() const { return facts_; }
+    /// `count` bytes from `offset` on; false where not all of them are to be had.
+    [[nodiscard]] bool read(std::uint64_t offset, std::uint64_t count, char* target) const;
+
+private:
+    int descriptor_ = -1;
+    std::error_code failure_;
+    std::optional<FileFacts> facts_;
+};
+
+/// Waits until no other process, and no other thread, has the folder locked. @returns what unlock_folder() takes, below
+/// 0 where the folder cannot be opened; where a file system has no locks nobody waits.
+[[nodiscard]] int lock_folder(const std::string& folder);
+void unlock_folder(int lock);
+
+/// Makes a folder of a name that no other has, beginning with `beginning`. @returns its path, empty with `failure`.
+[[nodiscard]] std::string new_folder(const std::string& beginning, std::error_code& failure);
+
+/// Whether this process may run the file as a program.
+[[nodiscard]] bool is_executable(const std::string& path);
+
+}  // namespace setae::platform

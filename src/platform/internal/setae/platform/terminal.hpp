@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace setae::platform {
+
+enum class Stream { output, errors };
+
+[[nodiscard]] bool is_terminal(Stream stream);
+
+/// Columns of the terminal; 0 where the stream is none.
+[[nodiscard]] std::size_t columns_of(Stream stream);
+
+}  // namespace setae::platform
