@@ -38,9 +38,10 @@ def module_of(path):
 def resolver(paths):
     public = {}
     for path in paths:
-        text = path.as_posix()
-        if "/include/" in text:
-            public[text.split("/include/", 1)[1]] = path
+        for folder in ("/include/", "/internal/"):
+            _, found, name = path.as_posix().partition(folder)
+            if found:
+                public[name] = path
 
     def resolve(path, name):
         if name in public:
