@@ -26,8 +26,8 @@ VERBS = subprocess.run([PROGRAM, "schema"], capture_output=True, text=True, chec
 
 #: What no run of tests/cli prints as JSON.
 OTHERS = [
-    "lab loops --runs 2 --snr 30",
-    "lab contours --runs 1 --size 240 --kind 'SNR 2 + overhangs'",
+    "lab loops --runs 2 --snr 30 -o {0}/loops",
+    "lab contours --runs 1 --size 240 --kind 'SNR 2 + overhangs' -o {0}/contours.csv",
     "lab closure tests/reference/validation/surfaces.toml --runs 1 -o {0}/closure",
     "lab causes tests/reference/validation/surfaces.toml --runs 1 -o {0}/causes",
     "lab next examples/closure/next.toml --runs 1 --measure lens_1 -o {0}/next",
