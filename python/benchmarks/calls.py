@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""calls.py PROGRAM_OF_BARE_CALLS: how long the package takes beside the C++ library, as a table.
+"""calls.py FOLDER_OF_PROGRAMS: how long the package takes beside the C++ library, the program and SurfaceTopography, as a table.
 
-PROGRAM_OF_BARE_CALLS is build/bin/python_calls, which does the same by the library alone. Each time is the least of several runs,
-alternating, and the sum of all threads' seconds of the processor where that is said.
+FOLDER_OF_PROGRAMS is build/bin, with python_calls, which does the same by the library alone, and setae. Each time is the least of several
+runs, alternating, and the sum of all threads' seconds of the processor where that is said. SurfaceTopography is called where it is there.
 """
 
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import pathlib
 import resource
 import subprocess
@@ -35,16 +36,55 @@ def wall_seconds(call) -> float:
     return time.perf_counter() - began
 
 
-def import_seconds() -> float:
-    code = "import time; began = time.perf_counter(); import setae; print(time.perf_counter() - began)"
+def import_seconds(package: str) -> float:
+    code = f"import time; began = time.perf_counter(); import {package}; print(time.perf_counter() - began)"
     return min(float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout) for _ in range(2 * RUNS))
+
+
+def written_maps(folder: pathlib.Path, count: int) -> list[str]:
+    """Maps of 128 x 128 points in nanometres as text."""
+    files = []
+    for seed in range(count):
+        heights = np.random.default_rng(seed).standard_normal((128, 128))
+        files.append(str(folder / f"map_{seed}.txt"))
+        np.savetxt(files[-1], heights, fmt="%.6e")
+    return files
+
+
+def least(call) -> float:
+    return min(wall_seconds(call) for _ in range(RUNS))
+
+
+def rows_of_files(program: pathlib.Path, files: list[str], field) -> list[tuple[str, ...]]:
+    """Files listed with what is in their heights, and each read for itself."""
+    about = {"size": "1 um x 1 um", "unit": "nm", "layout": "matrix"}
+    typed = ["--size", "1 um x 1 um", "--unit", "nm", "--as", "matrix"]
+
+    def by_program() -> None:
+        subprocess.run([program, "info", *files, *typed, "--json"], capture_output=True, check=True)
+
+    def by_package() -> None:
+        for file in files:
+            setae.read(file, **about).heights.sum()
+
+    def by_field() -> None:
+        for file in files:
+            field.read_topography(file, physical_sizes=(1e-6, 1e-6), unit="m").heights().sum()
+
+    listed, read = [], []
+    for _ in range(RUNS):
+        listed.append(wall_seconds(by_program))
+        read.append(wall_seconds(by_package))
+    theirs = f"{least(by_field):.3f} s" if field else "–"
+    return [(f"{len(files)} maps of 128² read from text", f"{min(listed):.3f} s (setae info)", f"{min(read):.3f} s", f"{min(read) / min(listed):.3f}", theirs)]
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("bare", type=pathlib.Path)
+    parser.add_argument("programs", type=pathlib.Path)
     parser.add_argument("--points", type=int, default=4096)
     arguments = parser.parse_args()
+    field = importlib.import_module("SurfaceTopography") if importlib.util.find_spec("SurfaceTopography") else None
 
     setae.limit_threads(1)
     heights = 1e-9 * np.random.default_rng(1).standard_normal((arguments.points, arguments.points))
@@ -53,7 +93,7 @@ def main() -> None:
         np.save(file, heights)
 
         def bare() -> tuple[float, float]:
-            printed = subprocess.run([arguments.bare, file], capture_output=True, text=True, check=True).stdout
+            printed = subprocess.run([arguments.programs / "python_calls", file], capture_output=True, text=True, check=True).stdout
             wall, processor = map(float, printed.split())
             return wall, processor
 
@@ -67,14 +107,25 @@ def main() -> None:
         for _ in range(RUNS):
             library.append(bare())
             package.append(by_package(lambda: setae.power_spectrum(scan)))
-    rows = [("import setae", "–", f"{import_seconds():.3f} s", "–")]
+        of_files = rows_of_files(arguments.programs / "setae", written_maps(pathlib.Path(folder), 200), field)
+    theirs = {"wall": "–", "processor": "–"}
+    if field:
+        topography = field.Topography(heights, (1e-5, 1e-5), unit="m")
+        theirs["wall"] = f"{least(topography.power_spectrum_from_profile):.3f} s"
+    rows = [("import", "–", f"{import_seconds('setae'):.3f} s", "–", f"{import_seconds('SurfaceTopography'):.3f} s" if field else "–")]
     for which, name in enumerate(("wall", "processor")):
         of_library, of_package = min(times[which] for times in library), min(times[which] for times in package)
-        rows.append((f"power_spectrum of {arguments.points}², {name}", f"{of_library:.3f} s", f"{of_package:.3f} s", f"{of_package / of_library:.3f}"))
+        ratio = f"{of_package / of_library:.3f}"
+        rows.append((f"power_spectrum of {arguments.points}², {name}", f"{of_library:.3f} s", f"{of_package:.3f} s", ratio, theirs[name]))
+    rows += of_files
     line = setae.scan(heights[0, :512].copy(), size="1 um", unit="m")
-    one = min(wall_seconds(lambda: [setae.power_spectrum(line) for _ in range(1000)]) for _ in range(RUNS))
-    rows.append(("power_spectrum of a line of 512 points", "–", f"{1e3 * one:.0f} µs", "–"))
-    print("| | C++ | Python | ratio |\n|---|---|---|---|")
+    one = least(lambda: [setae.power_spectrum(line) for _ in range(1000)])
+    their_line = "–"
+    if field:
+        their_scan = field.UniformLineScan(heights[0, :512].copy(), 1e-6, unit="m")
+        their_line = f"{1e3 * least(lambda: [their_scan.power_spectrum_from_profile() for _ in range(1000)]):.0f} µs"
+    rows.append(("power_spectrum of a line of 512 points", "–", f"{1e3 * one:.0f} µs", "–", their_line))
+    print("| | C++ | Python | ratio | SurfaceTopography |\n|---|---|---|---|---|")
     for row in rows:
         print("| " + " | ".join(row) + " |")
 
