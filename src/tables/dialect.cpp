@@ -79,6 +79,10 @@ struct Score {
     std::size_t rows = 0;
     std::size_t columns = 0;
     std::size_t filled = 0;  ///< of all rows, columns up to the last that holds anything
+    std::size_t seen = 0;    ///< lines looked at
+
+    /// No other reading of the same lines is better.
+    [[nodiscard]] bool perfect() const { return columns > 1 && rows == seen; }
 };
 
 Score score(const std::vector<std::string_view>& lines, const Dialect& dialect) {
@@ -98,7 +102,7 @@ Score score(const std::vector<std::string_view>& lines, const Dialect& dialect) 
     Score best;
     for (const auto& [columns, rows] : counts)
         if (rows > best.rows || (rows == best.rows && columns > best.columns))
-            best = {rows, columns, std::min(filled, columns)};
+            best = {rows, columns, std::min(filled, columns), seen};
     return best;
 }
 
@@ -211,6 +215,7 @@ std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, co
         if (candidate.rows == 0 || !better(candidate, best)) continue;
         best = candidate;
         layout.dialect = dialect;
+        if (best.perfect()) break;
     }
     if (best.rows == 0) return std::nullopt;
     layout.columns = best.columns;
