@@ -156,7 +156,9 @@ bool parse_cell(std::string_view cell, char decimal_point, double& value) {
     if (cell.find_first_not_of('*') == std::string_view::npos) return true;  // a field too narrow for its number
     static constexpr std::array<std::string_view, 11> undefined_words{
         "nan", "bad", "-", "--", "---", "infinite", "1.#qnan", "-1.#ind", "1.#ind", "1.#inf", "-1.#inf"};
-    return std::find(undefined_words.begin(), undefined_words.end(), lowered(cell)) != undefined_words.end();
+    constexpr std::size_t longest_word = 8;
+    return cell.size() <= longest_word &&
+           std::find(undefined_words.begin(), undefined_words.end(), lowered(cell)) != undefined_words.end();
 }
 
 }  // namespace setae::bytes
