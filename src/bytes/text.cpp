@@ -156,7 +156,7 @@ bool parse_cell(std::string_view cell, char decimal_point, double& value) {
     if (cell.find_first_not_of('*') == std::string_view::npos) return true;  // a field too narrow for its number
     static constexpr std::array<std::string_view, 11> undefined_words{
         "nan", "bad", "-", "--", "---", "infinite", "1.#qnan", "-1.#ind", "1.#ind", "1.#inf", "-1.#inf"};
-    constexpr std::size_t longest_word = 8;
+    constexpr auto longest_word = std::ranges::max(undefined_words, {}, &std::string_view::size).size();
     return cell.size() <= longest_word &&
            std::find(undefined_words.begin(), undefined_words.end(), lowered(cell)) != undefined_words.end();
 }

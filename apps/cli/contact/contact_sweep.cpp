@@ -40,8 +40,8 @@ struct Arguments : answers::SweepRequest {
 /// A line on a terminal, now and then: how far on the way, and how long the rest takes at the speed so far.
 class ProgressLine {
 public:
-    bool show(const answers::SweepProgress& progress) {
-        if (!platform::is_terminal(platform::Stream::errors)) return true;
+    void show(const answers::SweepProgress& progress) {
+        if (!platform::is_terminal(platform::Stream::errors)) return;
         const double done = progress.share;
         if (steps_++ == 0) begun_ = done;
         const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -49,7 +49,6 @@ public:
         fmt::print(stderr, "\r{}, step {}, {:.0f} % of the way{}    ", progress.approaching ? "approach" : "separation",
                    steps_, 100.0 * done,
                    elapsed > 2.0 && done > begun_ ? fmt::format(", about {:.0f} s left", left) : "");
-        return true;
     }
     ~ProgressLine() {
         if (steps_ > 0 && platform::is_terminal(platform::Stream::errors)) fmt::print(stderr, "\n");
@@ -64,7 +63,10 @@ private:
 answers::SweepAnswer sweep(const topography::Measurement& measurement, const Arguments& arguments) {
     ProgressLine line;
     return answers::adhesive_sweep(arguments.surface.path, measurement, arguments, arguments.common.workers(),
-                                   [&](const answers::SweepProgress& progress) { return line.show(progress); });
+                                   [&](const answers::SweepProgress& progress) {
+                                       line.show(progress);
+                                       return true;
+                                   });
 }
 
 ExitCode run(const Arguments& arguments) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "schemas/schema_texts.hpp"
 #include "setae/answers/json_schemas.hpp"
 
 namespace setae::answers {
@@ -88,7 +87,7 @@ std::string json_page() {
         "A name of an object stands before a dot, `[]` for what a list holds, NAME for names that users gave. Numbers are in SI; `null` stands where\n"
         "a number is not known or a part is missing.\n";
     for (const auto& verb : verbs_with_schema()) text += section("setae " + verb, json_schema(verb));
-    const auto& parts = shared_json_parts();
+    const auto parts = shared_json_parts();
     for (const auto& [name, part] : parts.items()) text += section(name, part);
     return text;
 }
