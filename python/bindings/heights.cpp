@@ -8,6 +8,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nlohmann/json.hpp>
 
+#include "opened_file.hpp"
 #include "setae/answers/contents.hpp"
 #include "setae/answers/diagnosis.hpp"
 #include "setae/answers/processed_file.hpp"
@@ -45,8 +46,7 @@ Processed as_processed(answers::ProcessedFile processed, const processing::Pipel
 
 /// The channels that the request means: of a container every one of heights, of other files the first.
 std::vector<std::size_t> meant_channels(const Item& item, bool all) {
-    const auto channels = formats::open(item.path, item.request.file.read_options());
-    return formats::chosen_channels(item.path, channels, item.request.file.channel, all);
+    return formats::chosen_channels(item.path, looked_at(item), item.request.file.channel, all);
 }
 
 Processed process(const Item& item) {
@@ -62,7 +62,7 @@ Processed process(const Item& item) {
 }
 
 std::shared_ptr<Heights> read(const Item& item) {
-    const auto channels = formats::open(item.path, item.request.file.read_options());
+    const auto channels = to_be_read(item);
     const auto chosen = formats::chosen_channels(item.path, channels, item.request.file.channel).front();
     return std::make_shared<Heights>(channels[chosen].read());
 }

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import os
+import time
+
 import numpy as np
 import pytest
 import setae
@@ -58,6 +61,27 @@ def test_given_and_read_heights_are_the_same(tmp_path):
     read = setae.power_spectrum(setae.read(tmp_path / "map.npy", size="5 um x 5 um", unit="m"))
     np.testing.assert_array_equal(read.C1D, density(rough()))
     np.testing.assert_array_equal(read.q, setae.power_spectrum(scan_of(rough())).q)
+
+
+@pytest.mark.parametrize("age", [0.0, 60.0], ids=["just written", "written a minute ago"])
+def test_a_file_that_changed_is_read_as_it_is(tmp_path, age):
+    file = tmp_path / "map.txt"
+
+    def written(heights, seconds_ago):
+        np.savetxt(file, heights, fmt="%+.6e")
+        os.utime(file, (time.time() - seconds_ago,) * 2)
+        return setae.read(file, size="5 um x 5 um", unit="m")
+
+    first, other, wide = rough(), -rough(), rough().reshape(N // 2, 2 * N)
+    scan = written(first, age)
+    np.savetxt(file, other, fmt="%+.6e")
+    np.testing.assert_allclose(scan.heights, other[::-1].T, rtol=1e-6)
+    scan = written(first, age)
+    np.savetxt(file, wide, fmt="%+.6e")
+    assert scan.heights.shape == (2 * N, N // 2)
+    scans = [written(heights, age) for heights in (first, other)]
+    for scan in scans:  # the file that both are of
+        np.testing.assert_allclose(scan.heights, other[::-1].T, rtol=1e-6)
 
 
 @pytest.mark.parametrize(

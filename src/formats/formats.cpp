@@ -14,6 +14,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/tables/dialect.hpp"
 #include "storage/tiff_pixels.hpp"
+#include "text/text_start.hpp"
 
 namespace setae::formats {
 
@@ -210,7 +211,11 @@ const Format& detected(const bytes::Source& source, const ReadOptions& options =
 
 }  // namespace
 
-const Format& detect_format(const bytes::Source& source) { return detected(bytes::unpacked(source)); }
+const Format& detect_format(const bytes::Source& packed) {
+    const auto source = bytes::unpacked(packed);
+    const KeptStart start(source);
+    return detected(source);
+}
 
 const Format& format_to_write(const std::string& path) {
     std::string endings;
@@ -249,6 +254,7 @@ std::vector<Channel> open(const bytes::Source& source, const Format& format, con
 
 std::vector<Channel> open(const bytes::Source& packed, const ReadOptions& options) {
     const auto source = bytes::unpacked(packed);
+    const KeptStart start(source);
     return open(source, detected(source, options), options);
 }
 

@@ -21,7 +21,10 @@ FileKind kind_of(mode_t mode) {
 }
 
 FileFacts facts_of(const struct stat& found) {
-    return {kind_of(found.st_mode), static_cast<std::uint64_t>(found.st_size), {found.st_dev, found.st_ino}};
+    return {kind_of(found.st_mode),
+            static_cast<std::uint64_t>(found.st_size),
+            {found.st_dev, found.st_ino},
+            std::int64_t{found.st_mtim.tv_sec} * 1'000'000'000 + found.st_mtim.tv_nsec};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "text_start.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "matrix_header.hpp"
 #include "setae/core/text.hpp"
@@ -19,9 +20,9 @@ void keep_first_part(std::vector<std::string_view>& lines) {
     }
 }
 
-}  // namespace
+thread_local KeptStart* innermost = nullptr;
 
-std::optional<tables::TextStart> find_start(const bytes::Source& source) {
+std::optional<tables::TextStart> looked_for(const bytes::Source& source) {
     auto head = source.head(bytes::detection_bytes);
     if (!bytes::looks_like_text(head)) return std::nullopt;
     tables::TextStart start;
@@ -66,6 +67,18 @@ std::optional<tables::TextStart> find_start(const bytes::Source& source) {
         start.layout.columns = start.layout.filled;
         return start;
     }
+}
+
+}  // namespace
+
+KeptStart::KeptStart(const bytes::Source& source) : source_(source), outer_(std::exchange(innermost, this)) {}
+
+KeptStart::~KeptStart() { innermost = outer_; }
+
+std::optional<tables::TextStart> find_start(const bytes::Source& source) {
+    if (!innermost || &innermost->source_ != &source) return looked_for(source);
+    if (!innermost->start_) innermost->start_ = looked_for(source);
+    return *innermost->start_;
 }
 
 }  // namespace setae::formats

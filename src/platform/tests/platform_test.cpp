@@ -49,6 +49,16 @@ TEST_F(Files, AreReadAtAnyPlace) {
     EXPECT_FALSE(file.read(8, 4, text.data())) << "two bytes are left";
 }
 
+TEST_F(Files, SayWhenTheyChanged) {
+    const auto file = written("a", "x");
+    const auto first = facts_of(file);
+    EXPECT_EQ(facts_of(file), first);
+    fs::last_write_time(file, fs::last_write_time(file) - std::chrono::milliseconds(1500));
+    const auto second = facts_of(file);
+    EXPECT_NE(second, first);
+    EXPECT_EQ(first->changed - second->changed, 1'500'000'000);
+}
+
 TEST_F(Files, OfOneNumberAreOne) {
     const auto file = written("a", "x");
     fs::create_hard_link(file, path_ / "b");

@@ -28,6 +28,8 @@ struct FileRequest {
     [[nodiscard]] formats::ReadOptions read_options() const;
     /// The same of files of any kind. @throws InvalidArgument for malformed texts.
     [[nodiscard]] study::FileQuestions questions() const;
+
+    friend bool operator==(const FileRequest&, const FileRequest&) = default;
 };
 
 /// Processing before analysis: the steps of a file, then those of the list, such as "despike threshold=5".

@@ -18,6 +18,9 @@ struct FileFacts {
     FileKind kind = FileKind::regular;
     std::uint64_t size = 0;  ///< [byte]
     FileIdentity identity;
+    std::int64_t changed = 0;  ///< when its content last changed [ns]
+
+    friend bool operator==(const FileFacts&, const FileFacts&) = default;
 };
 
 /// Of what a path leads to, through links; nothing where that cannot be told.
