@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from ._quantities import Alert, Json, alerts_from
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy as np
     from numpy.typing import NDArray
 
@@ -22,16 +24,24 @@ class Columns:
 
     columns: dict[str, Array]
     units: dict[str, str]
-    text: str = field(repr=False)
+    text: str | Callable[[], str] = field(repr=False)  #: what ``json()`` gives, or what makes it when it is first asked for
 
     def json(self) -> str:
         """The bytes that the verb prints with ``--json``."""
-        return self.text
+        if not isinstance(self.text, str):
+            self.__dict__["text"] = self.text()
+        return cast("str", self.text)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "text": self.json()}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
 
     @property
     def data(self) -> Json:
         """The same as dictionaries and lists, made anew each time."""
-        return json.loads(self.text)
+        return json.loads(self.json())
 
     @property
     def n(self) -> int:

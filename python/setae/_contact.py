@@ -205,4 +205,4 @@ def persson(
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
     analysis = analysis_of(longest, shortest, window, contours)
     found: Any = _setae.persson(items(measurements, shared), analysis, request, not skip_failed)
-    return PerssonContact(found.columns, found.units, found.json())
+    return PerssonContact(found.columns, found.units, found.json)

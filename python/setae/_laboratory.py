@@ -63,10 +63,7 @@ class Recording(Columns):
     handle: Any = field(default=None, repr=False)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "handle": None}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
+        return {**super().__getstate__(), "handle": None}
 
     @property
     def alerts(self) -> tuple[Alert, ...]:

@@ -57,7 +57,7 @@ def found(verb: str, measurements: Measured, asked: dict[str, Any], options: dic
     for name, value in asked.items():
         setattr(request, name, value)
     answer = _setae.functions_of_scale(verb, items(measurements, shared), analysis_of(memory=memory), request)
-    return FunctionOfScale(answer.columns, answer.units, answer.json())
+    return FunctionOfScale(answer.columns, answer.units, answer.json)
 
 
 def scale_dependent(

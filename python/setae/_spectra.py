@@ -149,7 +149,7 @@ def power_spectrum(
         short_cutoff,
         not skip_failed,
     )
-    return PowerSpectrum(spectrum.columns, spectrum.units, spectrum.json())
+    return PowerSpectrum(spectrum.columns, spectrum.units, spectrum.json)
 
 
 class Parameters(Answer):
@@ -211,10 +211,7 @@ class Surface(Spectrum):
     handle: Any = field(default=None, repr=False)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "handle": None}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
+        return {**super().__getstate__(), "handle": None}
 
     def __getitem__(self, name: str) -> Any:
         for quantity in self.moments:
@@ -283,4 +280,4 @@ def surface(
     arguments = (measurements, shared, options, text(spectrum), not skip_failed)
     found = computed(*arguments)
     moments = tuple(map(quantity_from, json.loads(found.quantities())))
-    return Surface(found.columns, found.units, found.json(), moments, arguments, found)
+    return Surface(found.columns, found.units, found.json, moments, arguments, found)
