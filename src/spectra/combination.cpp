@@ -33,31 +33,48 @@ struct BinRange {
 };
 
 BinRange occupied_bins(std::span<const MeasuredSpectrum> spectra, const LogGrid& grid) {
-    Index first = std::numeric_limits<Index>::max(), last = std::numeric_limits<Index>::min();
+    double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
     for (const auto& spectrum : spectra)
         for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
             if (!usable(spectrum, k)) continue;
-            const Index bin = grid.bin_of(spectrum.wavevector[k]);
-            first = std::min(first, bin);
-            last = std::max(last, bin);
+            least = std::min(least, spectrum.wavevector[k]);
+            greatest = std::max(greatest, spectrum.wavevector[k]);
         }
-    if (first > last)
+    if (least > greatest)
         throw InvalidArgument(
             fmt::format("{} spectra with nothing inside their reliable bands; nothing to combine", spectra.size()));
-    return {first, last - first + 1};
+    const Index first = grid.bin_of(least);
+    return {first, grid.bin_of(greatest) - first + 1};
+}
+
+/// A value of a spectrum, and the bin that it is in.
+struct BinnedMode {
+    Index mode, bin;
+};
+
+/// The usable modes of each spectrum.
+std::vector<std::vector<BinnedMode>> binned_modes(std::span<const MeasuredSpectrum> spectra,
+                                                  const BinnedSpectra& bins) {
+    std::vector<std::vector<BinnedMode>> modes;
+    for (const auto& spectrum : spectra) {
+        auto& own = modes.emplace_back();
+        own.reserve(static_cast<std::size_t>(spectrum.wavevector.size()));
+        for (Index k = 0; k < spectrum.wavevector.size(); ++k)
+            if (usable(spectrum, k)) own.push_back({k, bins.grid.bin_of(spectrum.wavevector[k]) - bins.first_bin});
+    }
+    return modes;
 }
 
 /// Averages over bins of C_k (q_c/q_k)^slope, slope by bin.
-void fill_bins(std::span<const MeasuredSpectrum> spectra, const Array1D& slopes, BinnedSpectra& result) {
+void fill_bins(std::span<const MeasuredSpectrum> spectra, const std::vector<std::vector<BinnedMode>>& binned,
+               const Array1D& slopes, BinnedSpectra& result) {
     const auto members = static_cast<Index>(spectra.size()), bins = result.wavevector.size();
     Array2D modes = Array2D::Zero(members, bins);
     result.C1D = Array2D::Zero(members, bins);
     result.relative_variance = Array2D::Zero(members, bins);
     for (Index i = 0; i < members; ++i) {
         const auto& spectrum = spectra[static_cast<std::size_t>(i)];
-        for (Index k = 0; k < spectrum.wavevector.size(); ++k) {
-            if (!usable(spectrum, k)) continue;
-            const Index bin = result.grid.bin_of(spectrum.wavevector[k]) - result.first_bin;
+        for (const auto& [k, bin] : binned[static_cast<std::size_t>(i)]) {
             result.C1D(i, bin) +=
                 spectrum.density[k] * std::pow(spectrum.wavevector[k] / result.wavevector[bin], -slopes[bin]);
             const double relative = spectrum.standard_error[k] / spectrum.density[k];
@@ -224,11 +241,12 @@ BinnedSpectra binned(std::span<const MeasuredSpectrum> spectra, const Combinatio
     result.wavevector =
         Array1D::NullaryExpr(range.count, [&](Index b) { return options.grid.centre(range.first + b); });
     for (const auto& spectrum : spectra) result.instruments.push_back(instrument_of(spectrum.metadata));
-    fill_bins(spectra, Array1D::Zero(range.count), result);
+    const auto modes = binned_modes(spectra, result);
+    fill_bins(spectra, modes, Array1D::Zero(range.count), result);
     // slopes and values depend on each other; each round leaves about a seventh of the error
     constexpr int rounds = 4;
     for (int round = 0; round < (options.slope_correction ? rounds : 0); ++round)
-        fill_bins(spectra, local_slopes(result), result);
+        fill_bins(spectra, modes, local_slopes(result), result);
     return result;
 }
 

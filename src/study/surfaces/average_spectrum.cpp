@@ -74,7 +74,6 @@ std::set<std::string> inputs_of(const SurfaceResult& surface) {
 
 std::vector<SpectralParameters> resampled_parameters(const spectra::BinnedSpectra& binned, const Band& band,
                                                      const SurfaceAnalysisOptions& options, parallel::Threads threads) {
-    if (options.bootstrap_resamples == 0 || binned.C1D.rows() < 2) return {};
     spectra::BootstrapOptions bootstrap;
     bootstrap.resamples = options.bootstrap_resamples;
     bootstrap.seed = options.seed;
@@ -146,13 +145,14 @@ void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& o
     };
     surface.average = spectrum_result(spectrum_from(found, *surface.combined), options);
     auto& spread = surface.average.spread;
-    const auto members = spectra::binned(found, combination);
-    const auto band = surface.combined->band;
-    if (found.size() == 1 && options.bootstrap_resamples > 0)
-        add_parametric_noise(spread, found.front(), options, threads);
-    else spread.replicas = resampled_parameters(members, band, options, threads);
     spread.seed = options.seed;
-    if (options.bootstrap_resamples > 0) spread.left_out = parameters_without_each(members, band, options);
+    if (options.bootstrap_resamples > 0) {
+        const auto members = spectra::binned(found, combination);
+        const auto band = surface.combined->band;
+        if (found.size() == 1) add_parametric_noise(spread, found.front(), options, threads);
+        else spread.replicas = resampled_parameters(members, band, options, threads);
+        spread.left_out = parameters_without_each(members, band, options);
+    }
     const auto moved = [&](const std::string& input, double side) {
         const auto spectra = with_moved(surface, input, side);
         return parameters_of(spectrum_from(spectra, spectra::combine(spectra, combination)), options);

@@ -330,10 +330,12 @@ SpectralParameters parameters_of(Spectrum whole, const SurfaceAnalysisOptions& o
 SpectrumResult spectrum_result(Spectrum whole, const SurfaceAnalysisOptions& options) {
     whole.waves_end = 2.0 * pi / options.likelihood.shortest_wavelength;
     SpectrumResult result;
-    result.uncut_energy_per_modulus =
-        roughness::spectral_parameters(whole, options.conversion).elastic_energy_per_modulus;
+    const bool cut = options.limits.longest || options.limits.shortest;
     result.curve = roughness::limited(whole, options.limits);
     result.parameters = roughness::spectral_parameters(result.curve, options.conversion);
+    result.uncut_energy_per_modulus =
+        (cut ? roughness::spectral_parameters(whole, options.conversion) : result.parameters)
+            .elastic_energy_per_modulus;
     if (result.curve.kind == spectra::Density::C1D) {
         const bool exact = options.conversion == roughness::Conversion::exact;
         result.other_conversion = roughness::spectral_parameters(
