@@ -58,6 +58,14 @@ auto unlocked(Work&& work) {
     return result;
 }
 
+/// The same of work that takes a millisecond or less, on this thread: starting another would take as long.
+template <class Work>
+auto unlocked_here(Work&& work) {
+    const nb::gil_scoped_release released;
+    const std::atomic<bool> never{false};
+    return work(never);
+}
+
 using ReadOnly1D = nb::ndarray<nb::numpy, const double, nb::ndim<1>, nb::c_contig>;
 using ReadOnly = nb::ndarray<nb::numpy, const double, nb::c_contig>;
 

@@ -157,6 +157,11 @@ bool Heights::periodic() const {
     return scan && scan->periodic;
 }
 
+Index Heights::points() const {
+    if (data_) return shape_[0] * shape_[1];
+    return std::visit([](const auto& m) { return m.heights.size(); }, *own_);
+}
+
 const topography::Metadata& Heights::metadata() const { return topography::metadata(*own_); }
 
 topography::Measurement Heights::measurement() const {
@@ -166,6 +171,13 @@ topography::Measurement Heights::measurement() const {
         map->heights = Eigen::Map<const Array2D>(data_, shape_[0], shape_[1]);
     else std::get<LineScan>(copy).heights = Eigen::Map<const Array1D>(data_, shape_[0]);
     return copy;
+}
+
+bool are_few_heights(const std::vector<std::shared_ptr<Item>>& items) {
+    constexpr Index few = 8192;
+    if (items.size() != 1) return false;
+    const auto& [path, heights, request] = *items.front();
+    return heights && !request.processing.given() && heights->points() <= few;
 }
 
 study::SurfaceInput surface_of(const std::vector<std::shared_ptr<Item>>& items) {

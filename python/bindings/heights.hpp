@@ -25,6 +25,7 @@ public:
     [[nodiscard]] nb::object positions(nb::handle self) const;
     [[nodiscard]] std::vector<double> size() const;
     [[nodiscard]] bool periodic() const;
+    [[nodiscard]] Index points() const;
     [[nodiscard]] const topography::Metadata& metadata() const;
     /// A copy; works without the interpreter's lock.
     [[nodiscard]] topography::Measurement measurement() const;
@@ -42,6 +43,9 @@ struct Item {
     std::shared_ptr<Heights> heights;
     answers::SurfaceRequest request;
 };
+
+/// Whether they are one measurement in memory, of so few heights that its spectrum takes a millisecond or less.
+[[nodiscard]] bool are_few_heights(const std::vector<std::shared_ptr<Item>>& items);
 
 /// One surface of them. @throws InvalidArgument as SurfaceRequest does.
 [[nodiscard]] study::SurfaceInput surface_of(const std::vector<std::shared_ptr<Item>>& items);

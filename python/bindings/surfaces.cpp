@@ -164,7 +164,7 @@ void bind_surfaces(nb::module_& module) {
         "power_spectrum",
         [](const Items& items, const answers::AnalysisRequest& analysis, bool isotropic, bool abel, bool binned,
            bool fit, const std::string& fit_range, bool no_rolloff, bool short_cutoff, bool every_measurement) {
-            return unlocked([&](const auto&) {
+            const auto compute = [&](const auto&) {
                 auto spectrum = answers::power_spectrum({.surface = surface_of(items),
                                                          .analysis = analysis.analysis(),
                                                          .isotropic = isotropic,
@@ -174,7 +174,8 @@ void bind_surfaces(nb::module_& module) {
                                                          .every_measurement = every_measurement});
                 (void)analysed(spectrum.surface);
                 return spectrum;
-            });
+            };
+            return are_few_heights(items) ? unlocked_here(compute) : unlocked(compute);
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("isotropic"), nb::arg("abel"), nb::arg("binned"), nb::arg("fit"),
         nb::arg("fit_range"), nb::arg("no_rolloff"), nb::arg("short_cutoff"), nb::arg("every_measurement"));
