@@ -244,7 +244,7 @@ std::vector<std::string> header_cells(std::string_view line, char separator, std
             if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
             const bool unit_of_previous =
                 candidate == ' ' && !named.empty() && (cell.starts_with('[') || cell.starts_with('('));
-            if (unit_of_previous && named.back().back() != ']' && named.back().back() != ')')
+            if (unit_of_previous && !named.back().ends_with(']') && !named.back().ends_with(')'))
                 named.back() += " " + std::string(cell);
             else named.emplace_back(cell);
         }

@@ -131,6 +131,13 @@ TEST(XyText, EmptyBadAndInfiniteHeightsAreUndefined) {
     EXPECT_EQ(scan.heights.isNaN().count(), 4);
 }
 
+TEST(XyText, UnitsBehindNamesWithoutALetterAreApplied) {
+    const auto scan = line_from("\"\" [um] \"h\" [nm]\n0 1\n1 2\n2 4\n");
+    EXPECT_DOUBLE_EQ(scan.size, 3e-6);
+    EXPECT_DOUBLE_EQ(scan.heights[2], 4e-9);
+    EXPECT_EQ(message_of("x\r\"\"\r\"[aPx\"\r\"x.0050,4.\xc9\n.150 00\n").find("no error"), std::string::npos);
+}
+
 TEST(XyText, DektakHeaderGivesUnitsAndStylus) {
     const auto scan = line_from(
         "Scan Parameters\r\r\nScan Type,Standard Scan\r\nID,0\r\nStylus,Radius: 2.5 \xb5m\r\n\r\r\nScan Data\r\r\n"
