@@ -8,6 +8,7 @@
 #include "heights.hpp"
 #include "setae/answers/adhesive_contact.hpp"
 #include "setae/answers/adhesive_sweep.hpp"
+#include "setae/answers/contact_comparison.hpp"
 #include "setae/answers/hard_wall.hpp"
 #include "setae/answers/persson_contact.hpp"
 #include "setae/core/errors.hpp"
@@ -70,6 +71,40 @@ void bind_persson(nb::module_& module) {
                     surface_of(items), analysis,
                     {.previews = false, .parameters = false, .every_measurement = every_measurement}, {});
                 return answers::persson_contact(analysed(found.surface), asked);
+            });
+        },
+        nb::arg("items"), nb::arg("analysis"), nb::arg("request"), nb::arg("every_measurement"));
+}
+
+void bind_comparison(nb::module_& module) {
+    using Request = answers::ComparisonRequest;
+    using Comparison = answers::ContactComparison;
+    nb::class_<Request>(module, "ComparisonRequest")
+        .def(nb::init<>())
+        .def_rw("theory", &Request::theory)
+        .def_rw("pixels", &Request::pixels)
+        .def_rw("cell", &Request::cell)
+        .def_rw("surfaces", &Request::surfaces)
+        .def_rw("seed", &Request::seed)
+        .def_rw("tolerance", &Request::tolerance);
+    nb::class_<Comparison>(module, "ContactComparison")
+        .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Comparison&>(self).load, self); })
+        .def_prop_ro("units", [](const Comparison& comparison) { return units(comparison.load); })
+        .def("json", [](const Comparison& comparison) { return output::as_text(answers::to_json(comparison)); });
+    module.def(
+        "contact_compare",
+        [](const std::vector<std::shared_ptr<Item>>& items, const answers::AnalysisRequest& request,
+           const Request& asked, bool every_measurement) {
+            return unlocked([&](const auto& cancelled) {
+                asked.require_complete();  // what is missing is said before files are read
+                auto analysis = request.analysis();
+                analysis.bootstrap_resamples = 0;
+                const auto found = study::analyse_surface(
+                    surface_of(items), analysis,
+                    {.previews = false, .parameters = false, .every_measurement = every_measurement}, {});
+                return answers::compare_contact(analysed(found.surface), asked, {}, [&](Index, Index) {
+                    if (cancelled) throw Interrupted();
+                });
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("request"), nb::arg("every_measurement"));
@@ -181,6 +216,7 @@ void bind_sweep(nb::module_& module) {
 
 void bind_contact(nb::module_& module) {
     bind_persson(module);
+    bind_comparison(module);
     bind_solve(module);
     bind_sweep(module);
 }

@@ -206,3 +206,72 @@ def persson(
     analysis = analysis_of(longest, shortest, window, contours)
     found: Any = _setae.persson(items(measurements, shared), analysis, request, not skip_failed)
     return PerssonContact(found.columns, found.units, found.json)
+
+
+class ContactComparison(Columns):
+    """Solved contacts of surfaces with a spectrum and Persson's theory of it, against pressure: "mean_gap" is the mean over surfaces,
+    "mean_gap_standard_error" its error, "mean_gap_persson" the theory's; likewise of "area_fraction", "contact_stiffness", "stored_energy".
+    """
+
+    @property
+    def n(self) -> int:
+        """Surfaces behind every mean."""
+        return int(self.data["surfaces"])
+
+    def __repr__(self) -> str:
+        return f"ContactComparison({len(self['pressure'])} pressures, {self.n} surfaces)"
+
+
+def contact_compare(
+    measurements: Measured,
+    *,
+    contact_modulus: Text,
+    pressure: Text,
+    pixels: str = "512",
+    cell: Text | None = None,
+    surfaces: int = 4,
+    seed: int = 0,
+    tolerance: float = 1e-6,
+    layer: Text | None = None,
+    nu: float = 0.5,
+    frictionless: bool = False,
+    energy_factor: float = 0.45,
+    instrument: str | None = None,
+    tip_radius: Text | None = None,
+    resolution: Text | None = None,
+    trend: str | None = None,
+    size: Text | None = None,
+    unit: str | None = None,
+    longest: Text | None = None,
+    shortest: Text | None = None,
+    window: str | None = None,
+    contours: str | None = None,
+    skip_failed: bool = False,
+) -> ContactComparison:
+    """How far Persson's theory is from the solved contacts of surfaces with the same spectrum.
+
+    pixels, cell: of every surface, "1024x512" and its extent, twice the longest wave where none is given; the shortest wave needs four pixels.
+    surfaces, seed: as many are made, and the first one's seed.  tolerance: of each contact's duality gap.  The rest: as of :func:`persson`.
+
+    >>> import setae
+    >>> made = setae.synthesize(hurst=0.8, rolloff="2 um", short_cutoff="250 nm", rms_height="20 nm", size="4 um", pixels="64")
+    >>> found = setae.contact_compare(made.scan, contact_modulus="1 GPa", pressure="10 MPa", shortest="250 nm", pixels="128", surfaces=2)
+    >>> found.n, bool(abs(found["area_fraction_persson"][0] / found["area_fraction"][0] - 1) < 0.4)
+    (2, True)
+    """
+    theory = filled(
+        _setae.PerssonRequest(),
+        contact_modulus=contact_modulus,
+        pressure=pressure,
+        layer=layer,
+        poisson_ratio=nu,
+        frictionless=frictionless,
+        energy_factor=energy_factor,
+    )
+    request = filled(
+        _setae.ComparisonRequest(), theory=theory, pixels=pixels, cell=cell, surfaces=surfaces, seed=seed, tolerance=tolerance
+    )
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    analysis = analysis_of(longest, shortest, window, contours)
+    found: Any = _setae.contact_compare(items(measurements, shared), analysis, request, not skip_failed)
+    return ContactComparison(found.columns, found.units, found.json)

@@ -39,6 +39,7 @@ FUNCTIONS = {
     "contact solve": "`setae.contact`",
     "contact sweep": "`setae.contact_sweep`; its figure, and going on from `--restart`, by the program alone",
     "contact persson": "`setae.persson`",
+    "contact compare": "`setae.contact_compare`; its figure by the program alone",
     "jkr radius": "`setae.contact_radii`; pictures with the edge drawn (`--overlay`) by the program alone",
     "jkr line": "`setae.contact_line`; its figure by the program alone",
     "jkr lens": "`setae.lens`",
@@ -253,6 +254,15 @@ def test_persson(printed):
     typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa:100 kPa", "--w", "50 mJ/m2", "--layer", "50 um", "--nu", 0.4)
     assert several.json() == printed("contact", "persson", *files(), *typed)
     assert several["pressure"].max() == 100e3 and several.units["mean_gap"] == "m" and isinstance(several.alerts, tuple)
+
+
+def test_contact_compare(printed):
+    asked = {"contact_modulus": "1 MPa", "pressure": "1 kPa,10 kPa", "pixels": "64", "surfaces": 2, "seed": 5, "cell": "2 um"}
+    found = setae.contact_compare("rougher/truth.csv", **asked, longest="2 um", shortest="250 nm")
+    typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa,10 kPa", "--pixels", "64", "--surfaces", 2, "--seed", 5, "--cell", "2 um")
+    waves = ("--longest-wavelength", "2 um", "--shortest-wavelength", "250 nm")
+    assert found.json() == printed("contact", "compare", "rougher/truth.csv", *typed, *waves)
+    assert found.n == 2 and found.units["mean_gap_persson"] == "m" and found["pressure"].max() == 10e3
 
 
 def test_texture(printed):

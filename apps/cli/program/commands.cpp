@@ -23,6 +23,7 @@ namespace adhesion_command { Action declare(Options&); }
 namespace contact_solve_command { Action declare(Options&); }
 namespace contact_sweep_command { Action declare(Options&); }
 namespace contact_persson_command { Action declare(Options&); }
+namespace contact_compare_command { Action declare(Options&); }
 namespace jkr_import_command { Action declare(Options&); }
 namespace jkr_line_command { Action declare(Options&); }
 namespace jkr_radius_command { Action declare(Options&); }
@@ -88,6 +89,8 @@ constexpr Command table[] = {
      contact_sweep_command::declare},
     {"contact", "persson", "area, gap, stiffness and energy of a rough contact from its spectrum, by Persson's theory",
      contact_persson_command::declare},
+    {"contact", "compare", "Persson's theory beside solved contacts of surfaces with the same spectrum",
+     contact_compare_command::declare},
     {"jkr", "import", "turn tables, workbooks and force curves into loop files, columns guessed and shown",
      jkr_import_command::declare},
     {"jkr", "radius", "contact radius in every frame of a recording", jkr_radius_command::declare},

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/answers/adhesion.hpp"
+#include "setae/answers/contact_comparison.hpp"
 #include "setae/answers/power_spectrum.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/constants.hpp"
@@ -69,6 +70,68 @@ TEST(AdhesionRequest, NeedsItsThreeNumbersAndBothOfASphere) {
     auto without_preload = whole;
     without_preload.radius = "1 mm";
     EXPECT_THROW((void)without_preload.study({}), InvalidArgument);
+}
+
+/// C_iso = 1e-4 q^-3.6 between waves of 1 um and 125 nm, by its table.
+study::SurfaceResult self_affine_surface() {
+    study::SurfaceResult surface{.name = "surface"};
+    const Array1D q = Array1D::LinSpaced(20, std::log(2e6 * pi), std::log(16e6 * pi)).exp();
+    surface.average.curve = {q, 1e-4 * q.pow(-3.6), {q[0], q[19]}, spectra::Density::C_iso};
+    return surface;
+}
+
+ComparisonRequest comparison(const std::string& pressure) {
+    ComparisonRequest request;
+    request.theory.modulus = "1 GPa";
+    request.theory.pressure = pressure;
+    request.pixels = "96";
+    request.surfaces = 3;
+    return request;
+}
+
+TEST(ContactComparison, InFullContactTheoryAndSolutionsAreOne) {
+    const auto found = compare_contact(self_affine_surface(), comparison("100 GPa"));
+    const auto& load = found.load;
+    EXPECT_EQ(load.at("area_fraction")[0], 1.0);
+    EXPECT_NEAR(load.at("area_fraction_persson")[0], 1.0, 1e-9);
+    EXPECT_NEAR(load.at("mean_gap")[0], 0.0, 1e-15);
+    // sums over the cell's modes against integrals
+    EXPECT_NEAR(found.made.rms_slope / found.rms_slope, 1.0, 0.03);
+    const double stored = load.at("stored_energy")[0];
+    EXPECT_NEAR(load.at("stored_energy_persson")[0] / stored, 1.0, 0.06);
+    EXPECT_LT(load.at("stored_energy_standard_error")[0], 1e-6 * stored) << "surfaces differ by places of waves alone";
+}
+
+TEST(ContactComparison, AtLowLoadTheTheorysAreaIsAFifthTooSmall) {
+    const auto surface = self_affine_surface();
+    const auto found = compare_contact(surface, comparison("5 MPa,20 MPa"));
+    const double slope = found.rms_slope;
+    for (Index p = 0; p < 2; ++p) {
+        const double pressure = found.load.at("pressure")[p];
+        const double theory = found.load.at("area_fraction_persson")[p], solved = found.load.at("area_fraction")[p];
+        EXPECT_NEAR(theory, std::erf(std::sqrt(2.0) * pressure / (1e9 * slope)), 1e-4 * theory);
+        EXPECT_NEAR(theory / solved, 0.8, 0.1);
+        EXPECT_LT(found.load.at("area_fraction_standard_error")[p], 0.1 * solved);
+    }
+    auto other = comparison("5 MPa");
+    other.seed = 3;
+    EXPECT_NE(compare_contact(surface, other).load.at("mean_gap")[0], found.load.at("mean_gap")[0]);
+    EXPECT_EQ(to_json(found)["surfaces"], 3);
+}
+
+TEST(ContactComparison, RefusesWhatTheGridDoesNotHold) {
+    const auto surface = self_affine_surface();
+    auto request = comparison("5 MPa");
+    request.pixels = "32";
+    EXPECT_THROW((void)compare_contact(surface, request), InvalidArgument);
+    request = comparison("5 MPa");
+    request.cell = "0.5 um";
+    EXPECT_THROW((void)compare_contact(surface, request), InvalidArgument);
+    EXPECT_THROW((void)compare_contact(surface, comparison("-5 MPa")), InvalidArgument);
+    EXPECT_THROW((void)compare_contact(surface, comparison("")), InvalidArgument);
+    request = comparison("5 MPa");
+    request.surfaces = 0;
+    EXPECT_THROW((void)compare_contact(surface, request), InvalidArgument);
 }
 
 TEST(Lengths, AreOneOrTwo) {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "plot/figure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "program/terminal.hpp"
+#include "psd/surface_options.hpp"
+#include "setae/answers/contact_comparison.hpp"
+#include "setae/answers/pressures.hpp"
+#include "setae/core/units.hpp"
+#include "setae/file_figures/comparison_figure.hpp"
+#include "setae/output/comparison_answer.hpp"
+#include "setae/platform/terminal.hpp"
+
+namespace setae::cli::contact_compare_command {
+namespace {
+
+constexpr const char* explanation =
+    "surfaces with the spectrum within its band, made as `setae synthesize --amplitudes exact` makes them, each pressed on the body\n"
+    "  p >= 0, g >= 0, p g = 0; certified by a duality gap                              as `setae contact solve`\n"
+    "and Persson's theory of the same spectrum                                        as `setae contact persson`\n"
+    "area      with the perimeter's correction, pixel by pixel                          Yastrebov et al. (2017)\n"
+    "±         standard error of the mean over surfaces, which differ by the places of their waves alone\n"
+    "a cell has fewer long waves than the spectrum: rms_height_of_surfaces beside rms_height in the JSON\n"
+    "docs/theory/persson.md\n";
+
+struct Arguments {
+    Common common;
+    SurfaceOptions surface;
+    answers::ComparisonRequest request;
+    std::string output;
+    FigureOption figure;
+};
+
+std::function<void(Index, Index)> progress_line() {
+    if (!platform::is_terminal(platform::Stream::errors)) return {};
+    return
+        [](Index done, Index all) { fmt::print(stderr, "\r{} of {} contacts{}", done, all, done == all ? "\n" : " "); };
+}
+
+ExitCode run(const Arguments& arguments) {
+    arguments.request.require_complete();  // what is missing is said before files are read
+    require_table_or_figure(arguments.output);
+    auto analysis = arguments.surface.analysis();
+    analysis.bootstrap_resamples = 0;
+    const auto found = study::analyse_surface(arguments.surface.surface(), analysis,
+                                              {.previews = false, .parameters = false}, arguments.common.workers());
+    const auto code = report_failures(found.surface);
+    if (code == ExitCode::nothing_done) return code;
+    const auto comparison =
+        answers::compare_contact(found.surface, arguments.request, arguments.common.workers(), progress_line());
+    const Table& load = comparison.load;
+    write_table_or_figure(
+        arguments.output, load,
+        [&] { return file_figures::comparison_figure(load, arguments.surface.files.front(), arguments.figure.look()); },
+        arguments.common.json);
+    if (arguments.common.json) {
+        print_json(answers::to_json(comparison));
+        return code;
+    }
+    print(output::comparison_answer(load, comparison.scales, comparison.surfaces, output_size().width));
+    show(comparison.alerts);
+    return code;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    arguments->surface.add_to(options);
+    auto& request = arguments->request;
+    auto& theory = request.theory;
+    options.add("--contact-modulus", theory.modulus, "E* = E/(1 - nu^2) of the soft body")
+        .quantity(positive(dimension::pressure));
+    options
+        .add("--pressure", theory.pressure, "mean pressure: one, several as 1MPa,10MPa, or ten a decade as 1MPa:100MPa")
+        .read_by([](const std::string& text) { (void)answers::pressures_of(text); });
+    options.add("--layer", theory.layer, "thickness of the soft body on a rigid base; default a half-space")
+        .quantity(positive(dimension::length));
+    options.add("--nu,--poisson-ratio", theory.poisson_ratio, "of the layer").within(domain::poisson_ratio);
+    options.flag("--frictionless", theory.frictionless, "the layer slides on its base; default bonded");
+    options.add("--energy-factor", theory.energy_factor, "of the theory's stored energy, in (0, 1]")
+        .within(domain::positive)
+        .default_shown();
+    options.add("--pixels", request.pixels, "points of each surface: 512 or 1024x512; four for the shortest wave")
+        .default_shown();
+    options.add("--cell", request.cell, "extent of each surface, such as \"2 um\"; default: twice the longest wave");
+    options.add("--surfaces", request.surfaces, "how many surfaces are made").positive().default_shown();
+    options.add("--seed", request.seed, "of the first surface; the others have the next ones").default_shown();
+    options.add("--tolerance", request.tolerance, "of each contact's duality gap").positive().default_shown();
+    options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    arguments->figure.add_to(options);
+    options.example("setae contact compare spectrum.csv --contact-modulus 1GPa --pressure 10MPa,100MPa",
+                    "how far Persson's theory is from the contacts of surfaces with this spectrum");
+    options.example(
+        "setae contact compare afm.ibw --shortest-wavelength 50nm --contact-modulus 1MPa --pressure 1kPa:1MPa -o contact.svg --width double",
+        "against load, of the waves that a grid holds, as a figure");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::contact_compare_command

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/answers/contact_comparison.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/answers/columns.hpp"
+#include "setae/answers/pressures.hpp"
+#include "setae/answers/surface_request.hpp"
+#include "setae/answers/synthesis.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/half_space/hard_wall.hpp"
+#include "setae/roughness/spectral_moments.hpp"
+#include "setae/spectra/abel.hpp"
+
+namespace setae::answers {
+namespace {
+
+constexpr double pixels_per_wave = 4.0;  ///< at least, of the shortest
+
+/// What is compared, in the order of the table.
+struct Compared {
+    const char *name, *unit;
+};
+constexpr std::array<Compared, 4> compared{
+    {{"area_fraction", "1"}, {"mean_gap", "m"}, {"contact_stiffness", "Pa/m"}, {"stored_energy", "J/m2"}}};
+
+/// C_iso as power laws between nodes; of one measurement, whose modes scatter as much as they hold, from their means
+/// over bins.
+spectra::Spectrum isotropic(const study::SurfaceResult& surface) {
+    const auto& used = surface.used().curve;
+    spectra::Spectrum curve = used.nodes == spectra::Nodes::modes ? spectra::Spectrum(*surface.combined) : used;
+    std::vector<Index> known;
+    for (Index i = 0; i < curve.wavevector.size(); ++i)
+        if (curve.density[i] > 0.0) known.push_back(i);
+    Array1D q = curve.wavevector(known), density = curve.density(known);
+    if (curve.kind == spectra::Density::C1D) {
+        const Index n = q.size();
+        if (n < 2) throw UndefinedDataError("fewer than two values of the spectrum inside its band");
+        density =
+            spectra::isotropic_from_profile(q, density, std::max(used.band.upper, q[n - 1] * q[n - 1] / q[n - 2]));
+    }
+    return {
+        .wavevector = std::move(q), .density = std::move(density), .band = used.band, .kind = spectra::Density::C_iso};
+}
+
+/// The curve with a node on each end of its band, and none beyond.
+spectra::Spectrum within_its_band(const spectra::Spectrum& curve) {
+    std::vector<double> nodes{curve.band.lower};
+    for (const double q : curve.wavevector)
+        if (q > curve.band.lower * (1.0 + 1e-9) && q < curve.band.upper * (1.0 - 1e-9)) nodes.push_back(q);
+    nodes.push_back(curve.band.upper);
+    auto within = curve;
+    within.wavevector = Eigen::Map<const Array1D>(nodes.data(), static_cast<Index>(nodes.size()));
+    within.density = roughness::values_at(curve, within.wavevector);
+    return within;
+}
+
+/// C_iso inside the band, 0 outside.
+spectra::SpectralDensity density_of(const spectra::Spectrum& curve) {
+    return [table = spectra::tabulated_density(curve.wavevector, curve.density), band = curve.band](double q) {
+        return q < band.lower * (1.0 - 1e-9) || q > band.upper ? 0.0 : table(q);
+    };
+}
+
+synthesis::SurfaceGrid grid_of(const ComparisonRequest& request, const Band& band) {
+    const double longest = 2.0 * pi / band.lower, shortest = 2.0 * pi / band.upper;
+    const auto points = point_counts(request.pixels);
+    const auto size = request.cell.empty() ? std::array{2.0 * longest, 2.0 * longest} : extents(request.cell);
+    const synthesis::SurfaceGrid grid{points[0], points[1], size[0], size[1]};
+    if (!(std::min(size[0], size[1]) >= longest * (1.0 - 1e-9)))
+        throw InvalidArgument(fmt::format(
+            "a cell of {} does not hold the longest wave, {}; expected a larger --cell, or --longest-wavelength",
+            format_value(std::min(size[0], size[1]), "m"), format_value(longest, "m")));
+    const double pixel = std::max(size[0] / static_cast<double>(points[0]), size[1] / static_cast<double>(points[1]));
+    if (!(pixels_per_wave * pixel <= shortest * (1.0 + 1e-9)))
+        throw InvalidArgument(
+            fmt::format("the shortest wave, {}, has {:.2g} pixels and needs {}; expected --pixels {} or more, or "
+                        "--shortest-wavelength \"{}\"",
+                        format_value(shortest, "m"), shortest / pixel, pixels_per_wave,
+                        static_cast<Index>(std::ceil(pixels_per_wave * std::max(size[0], size[1]) / shortest)),
+                        format_value(pixels_per_wave * pixel, "m")));
+    return grid;
+}
+
+/// Mean and its standard error down each column, a surface a row.
+void add_statistics(Table& load, const Compared& what, const Array2D& values, const Array1D& theory) {
+    const auto n = static_cast<double>(values.rows());
+    const Array1D mean = values.colwise().mean().transpose();
+    Array1D error = Array1D::Constant(mean.size(), undefined);
+    if (values.rows() > 1)
+        error = ((values.rowwise() - mean.transpose()).square().colwise().sum() / (n * (n - 1.0))).sqrt().transpose();
+    const std::string name = what.name;
+    load.columns.push_back({name, what.unit, mean});
+    load.columns.push_back({name + "_standard_error", what.unit, error});
+    load.columns.push_back({name + "_persson", what.unit, theory});
+}
+
+}  // namespace
+
+void ComparisonRequest::require_complete() const {
+    (void)theory.body();
+    if ((pressures_of(theory.pressure) <= 0.0).any())
+        throw InvalidArgument(fmt::format("'{}': expected pressures above 0", theory.pressure));
+    if (surfaces < 1) throw InvalidArgument(fmt::format("{} surfaces, expected at least one", surfaces));
+    (void)point_counts(pixels);
+    if (!cell.empty()) (void)extents(cell);
+}
+
+ContactComparison compare_contact(const study::SurfaceResult& surface, const ComparisonRequest& request,
+                                  parallel::Threads threads, const std::function<void(Index, Index)>& progress) {
+    request.require_complete();
+    const auto curve = within_its_band(isotropic(surface));
+    const auto C_iso = density_of(curve);
+    const auto body = request.theory.body();
+    const Array1D pressures = pressures_of(request.theory.pressure);
+    const auto parameters = roughness::spectral_parameters(curve);
+    synthesis::SurfaceOptions options{.amplitudes = synthesis::Amplitudes::exact, .threads = threads};
+    ContactComparison comparison{.scales = persson::scales_of(curve, body),
+                                 .grid = grid_of(request, curve.band),
+                                 .load = {},
+                                 .contact_modulus = body.contact_modulus,
+                                 .energy_factor = request.theory.energy_factor,
+                                 .surfaces = request.surfaces,
+                                 .seed = request.seed,
+                                 .rms_height = parameters.rms_height,
+                                 .rms_slope = parameters.rms_slope,
+                                 .made = {},
+                                 .alerts = alerts_of(surface)};
+    const auto& grid = comparison.grid;
+    comparison.made = synthesis::expected_roughness(C_iso, grid, options);
+    const auto theory = persson::load_table(pressures, comparison.scales, request.theory.options());
+    std::array<Array2D, compared.size()> found;
+    found.fill(Array2D(request.surfaces, pressures.size()));
+    half_space::HardWall problem{.grid = {grid.nx, grid.ny, grid.size_x, grid.size_y}, .body = body, .control = {}};
+    for (Index s = 0; s < request.surfaces; ++s) {
+        options.key = {request.seed + static_cast<std::uint64_t>(s)};
+        problem.heights = synthesis::random_surface(C_iso, grid, options).heights;
+        for (Index p = 0; p < pressures.size(); ++p) {
+            problem.control = half_space::MeanPressure{pressures[p]};
+            const auto contact = half_space::solve(problem, {.tolerance = request.tolerance, .threads = threads});
+            comparison.largest_duality_gap = std::max(comparison.largest_duality_gap, contact.certificate.duality_gap);
+            found[0](s, p) = contact.area.corrected_fraction;
+            found[1](s, p) = contact.mean_gap;
+            found[2](s, p) = half_space::contact_stiffness(problem, contact, threads);
+            found[3](s, p) = contact.stored_energy / problem.grid.area();
+            if (progress) progress(s * pressures.size() + p + 1, request.surfaces * pressures.size());
+        }
+    }
+    comparison.load.columns.push_back({"pressure", "Pa", pressures});
+    for (std::size_t i = 0; i < compared.size(); ++i)
+        add_statistics(comparison.load, compared[i], found[i], theory.at(compared[i].name));
+    if (comparison.largest_duality_gap > request.tolerance)
+        comparison.alerts.push_back({"CONTACT_NOT_CONVERGED", "contact",
+                                     fmt::format("pressures may be off: the duality gap is {:.1e}, wanted was {:.1e}",
+                                                 comparison.largest_duality_gap, request.tolerance),
+                                     "raise --tolerance, or resolve the surface's shortest waves with more points"});
+    return comparison;
+}
+
+output::Json to_json(const ContactComparison& comparison) {
+    const auto& [scales, grid, load, modulus, factor, surfaces, seed, height, slope, made, gap, alerts] = comparison;
+    auto json = columns_json(load);
+    const Index last = scales.wavevector.size() - 1;
+    json["points"] = {grid.nx, grid.ny};
+    json["size"] = {grid.size_x, grid.size_y};
+    json["surfaces"] = surfaces;
+    json["seed"] = seed;
+    json["band"] = {{"lower", scales.wavevector[0]}, {"upper", scales.wavevector[last]}, {"unit", "1/m"}};
+    json["rms_height"] = height;
+    json["rms_slope"] = slope;
+    json["rms_height_of_surfaces"] = made.rms_height;
+    json["rms_slope_of_surfaces"] = made.rms_slope;
+    json["contact_modulus"] = modulus;
+    json["energy_factor"] = factor;
+    json["largest_duality_gap"] = gap;
+    json["units"]["size"] = json["units"]["rms_height"] = json["units"]["rms_height_of_surfaces"] = "m";
+    json["units"]["rms_slope"] = json["units"]["rms_slope_of_surfaces"] = "1";
+    json["units"]["contact_modulus"] = "Pa";
+    json["alerts"] = output::to_json(alerts);
+    return json;
+}
+
+}  // namespace setae::answers

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "setae/answers/persson_contact.hpp"
+#include "setae/core/table.hpp"
+#include "setae/output/json.hpp"
+#include "setae/parallel/for_each.hpp"
+#include "setae/study/surface_analysis.hpp"
+#include "setae/synthesis/random_surface.hpp"
+
+namespace setae::answers {
+
+/// Persson's theory beside solved contacts of surfaces with the very spectrum, as `setae contact compare` is told.
+struct ComparisonRequest {
+    PerssonRequest theory;       ///< without adhesion
+    std::string pixels = "512";  ///< "512" or "1024x512"
+    std::string cell;            ///< "2 um" or "2 um x 1 um"; empty: twice the longest wave
+    int surfaces = 4;
+    std::uint64_t seed = 0;   ///< of the first surface; the next ones have the next
+    double tolerance = 1e-6;  ///< of each solution's duality gap
+
+    /// @throws InvalidArgument where something is missing or malformed.
+    void require_complete() const;
+};
+
+/// What was compared. Every surface repeats itself and has the band's waves in the grid's modes, each of them as strong
+/// as the spectrum says: the surfaces differ by the places of their waves alone.
+struct ContactComparison {
+    persson::Scales scales;
+    synthesis::SurfaceGrid grid;
+    /// pressure [Pa]; then of area_fraction (with the perimeter's correction), mean_gap [m], contact_stiffness [Pa/m]
+    /// and stored_energy [J/m2] each the mean over surfaces, "…_standard_error" of it, and "…_persson"
+    Table load;
+    double contact_modulus = 0.0, energy_factor = 0.0;  ///< E* [Pa]
+    int surfaces = 0;
+    std::uint64_t seed = 0;
+    double rms_height = 0.0, rms_slope = 0.0;  ///< of the spectrum within its band [m], [1]
+    synthesis::ExpectedRoughness made;         ///< of every surface
+    double largest_duality_gap = 0.0;
+    std::vector<Alert> alerts;
+};
+
+/// surface: that did not fail.  progress: contacts solved, and of how many; may throw to stop.
+/// @throws as ComparisonRequest and persson::load_table(); InvalidArgument for pixels too coarse for the shortest wave
+/// (four of them are needed) and a cell shorter than the longest.
+[[nodiscard]] ContactComparison compare_contact(const study::SurfaceResult& surface, const ComparisonRequest& request,
+                                                parallel::Threads threads = {},
+                                                const std::function<void(Index, Index)>& progress = {});
+
+/// Columns of the load by name, "units", "points", "size", "surfaces", "seed", "band", "rms_height", "rms_slope", both
+/// also "of_surfaces", "contact_modulus", "energy_factor", "largest_duality_gap" and "alerts".
+[[nodiscard]] output::Json to_json(const ContactComparison& comparison);
+
+}  // namespace setae::answers

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/comparison_answer.hpp"
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/layout.hpp"
+#include "setae/core/units.hpp"
+
+namespace setae::output {
+namespace {
+
+/// A column in words; values of "1" are told in per cent.
+struct Told {
+    const char *column, *words, *unit;
+};
+constexpr std::array<Told, 4> told{{{"area_fraction", "area", "1"},
+                                    {"mean_gap", "mean gap", "m"},
+                                    {"contact_stiffness", "stiffness", "Pa/m"},
+                                    {"stored_energy", "stored energy", "J/m2"}}};
+
+std::string shown(double value, const Told& what) {
+    const std::string_view unit = what.unit;
+    if (unit == "1") return fmt::format("{:.3g} %", 100.0 * value);
+    if (unit == "Pa/m") return format_value(1e-6 * value, "Pa", 3) + "/µm";
+    return format_value(value, unit, 3);
+}
+
+/// Least and greatest of theory over solution less one; nothing known where no pressure gives both.
+std::string deviation(const Table& load, const Told& what) {
+    const std::string column = what.column;
+    double least = undefined, greatest = undefined;
+    const auto &solved = load.at(column), &theory = load.at(column + "_persson");
+    for (Index i = 0; i < solved.size(); ++i) {
+        const double ratio = theory[i] / solved[i] - 1.0;
+        if (!std::isfinite(ratio)) continue;
+        least = std::fmin(least, ratio), greatest = std::fmax(greatest, ratio);
+    }
+    if (std::isnan(least)) return fmt::format("{} cannot be compared", what.words);
+    if (fmt::format("{:+.1f}", 100.0 * least) == fmt::format("{:+.1f}", 100.0 * greatest))
+        return fmt::format("{} {:+.1f} %", what.words, 100.0 * least);
+    return fmt::format("{} {:+.1f} to {:+.1f} %", what.words, 100.0 * least, 100.0 * greatest);
+}
+
+std::string contact_at(const Table& load, Index i) {
+    std::string line;
+    for (const auto& what : told) {
+        const std::string column = what.column;
+        const double error = load.at(column + "_standard_error")[i];
+        line += fmt::format("{}{} {}{} (theory {})", line.empty() ? "" : ", ", what.words,
+                            shown(load.at(column)[i], what), std::isnan(error) ? "" : " ± " + shown(error, what),
+                            shown(load.at(column + "_persson")[i], what));
+    }
+    return line;
+}
+
+}  // namespace
+
+std::string comparison_answer(const Table& load, const persson::Scales& scales, int surfaces, std::size_t columns) {
+    std::string text;
+    for (const auto& what : told) text += (text.empty() ? "" : ", ") + deviation(load, what);
+    const Index last = scales.wavevector.size() - 1;
+    text = wrapped(fmt::format("Persson's theory beside {} solved {} with waves from {} to {}: {}", surfaces,
+                               surfaces == 1 ? "surface" : "surfaces",
+                               format_value(2.0 * pi / scales.wavevector[0], "m", 3),
+                               format_value(2.0 * pi / scales.wavevector[last], "m", 3), text),
+                   columns, 2) +
+           '\n';
+    const auto& pressure = load.at("pressure");
+    for (const Index i : std::set<Index>{0, pressure.size() / 2, pressure.size() - 1})
+        text +=
+            wrapped(fmt::format("under {}: {}", format_value(pressure[i], "Pa", 3), contact_at(load, i)), columns, 2) +
+            '\n';
+    return text;
+}
+
+}  // namespace setae::output

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "setae/core/table.hpp"
+#include "setae/persson/scales.hpp"
+
+namespace setae::output {
+
+/// How far Persson's theory is from solved contacts, in a sentence; then both at the first, the middle and the last
+/// pressure; in lines of at most so many characters.
+///
+/// load: pressure and, of area_fraction, mean_gap, contact_stiffness and stored_energy, each, "…_standard_error" and
+/// "…_persson".  surfaces: behind every mean.
+[[nodiscard]] std::string comparison_answer(const Table& load, const persson::Scales& scales, int surfaces,
+                                            std::size_t columns);
+
+}  // namespace setae::output
