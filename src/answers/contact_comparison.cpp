@@ -16,6 +16,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/half_space/hard_wall.hpp"
+#include "setae/persson/cell_scales.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/spectra/abel.hpp"
 
@@ -122,8 +123,11 @@ ContactComparison compare_contact(const study::SurfaceResult& surface, const Com
     const Array1D pressures = pressures_of(request.theory.pressure);
     const auto parameters = roughness::spectral_parameters(curve);
     synthesis::SurfaceOptions options{.amplitudes = synthesis::Amplitudes::exact, .threads = threads};
-    ContactComparison comparison{.scales = persson::scales_of(curve, body),
-                                 .grid = grid_of(request, curve.band),
+    const auto cell = grid_of(request, curve.band);
+    half_space::HardWall problem{.grid = {cell.nx, cell.ny, cell.size_x, cell.size_y}, .body = body, .control = {}};
+    ContactComparison comparison{.scales = persson::scales_of_cell(C_iso, problem.grid, body),
+                                 .grid = cell,
+                                 .band = curve.band,
                                  .load = {},
                                  .contact_modulus = body.contact_modulus,
                                  .energy_factor = request.theory.energy_factor,
@@ -133,15 +137,13 @@ ContactComparison compare_contact(const study::SurfaceResult& surface, const Com
                                  .rms_slope = parameters.rms_slope,
                                  .made = {},
                                  .alerts = alerts_of(surface)};
-    const auto& grid = comparison.grid;
-    comparison.made = synthesis::expected_roughness(C_iso, grid, options);
+    comparison.made = synthesis::expected_roughness(C_iso, cell, options);
     const auto theory = persson::load_table(pressures, comparison.scales, request.theory.options());
     std::array<Array2D, compared.size()> found;
     found.fill(Array2D(request.surfaces, pressures.size()));
-    half_space::HardWall problem{.grid = {grid.nx, grid.ny, grid.size_x, grid.size_y}, .body = body, .control = {}};
     for (Index s = 0; s < request.surfaces; ++s) {
         options.key = {request.seed + static_cast<std::uint64_t>(s)};
-        problem.heights = synthesis::random_surface(C_iso, grid, options).heights;
+        problem.heights = synthesis::random_surface(C_iso, cell, options).heights;
         for (Index p = 0; p < pressures.size(); ++p) {
             problem.control = half_space::MeanPressure{pressures[p]};
             const auto contact = half_space::solve(problem, {.tolerance = request.tolerance, .threads = threads});
@@ -165,14 +167,14 @@ ContactComparison compare_contact(const study::SurfaceResult& surface, const Com
 }
 
 output::Json to_json(const ContactComparison& comparison) {
-    const auto& [scales, grid, load, modulus, factor, surfaces, seed, height, slope, made, gap, alerts] = comparison;
+    const auto& [scales, grid, band, load, modulus, factor, surfaces, seed, height, slope, made, gap, alerts] =
+        comparison;
     auto json = columns_json(load);
-    const Index last = scales.wavevector.size() - 1;
     json["points"] = {grid.nx, grid.ny};
     json["size"] = {grid.size_x, grid.size_y};
     json["surfaces"] = surfaces;
     json["seed"] = seed;
-    json["band"] = {{"lower", scales.wavevector[0]}, {"upper", scales.wavevector[last]}, {"unit", "1/m"}};
+    json["band"] = {{"lower", band.lower}, {"upper", band.upper}, {"unit", "1/m"}};
     json["rms_height"] = height;
     json["rms_slope"] = slope;
     json["rms_height_of_surfaces"] = made.rms_height;

@@ -17,11 +17,14 @@ namespace {
 /// A column in words; values of "1" are told in per cent.
 struct Told {
     const char *column, *words, *unit;
+    bool when_full;  ///< in full contact no gap is left, nor what would give way
 };
-constexpr std::array<Told, 4> told{{{"area_fraction", "area", "1"},
-                                    {"mean_gap", "mean gap", "m"},
-                                    {"contact_stiffness", "stiffness", "Pa/m"},
-                                    {"stored_energy", "stored energy", "J/m2"}}};
+constexpr std::array<Told, 4> told{{{"area_fraction", "area", "1", true},
+                                    {"mean_gap", "mean gap", "m", false},
+                                    {"contact_stiffness", "stiffness", "Pa/m", false},
+                                    {"stored_energy", "stored energy", "J/m2", true}}};
+
+bool is_full(const Table& load, Index i) { return load.at("area_fraction")[i] > 0.99995; }
 
 std::string shown(double value, const Told& what) {
     const std::string_view unit = what.unit;
@@ -30,17 +33,18 @@ std::string shown(double value, const Told& what) {
     return format_value(value, unit, 3);
 }
 
-/// Least and greatest of theory over solution less one; nothing known where no pressure gives both.
+/// Least and greatest of theory over solution less one.
 std::string deviation(const Table& load, const Told& what) {
     const std::string column = what.column;
     double least = undefined, greatest = undefined;
     const auto &solved = load.at(column), &theory = load.at(column + "_persson");
     for (Index i = 0; i < solved.size(); ++i) {
+        if (is_full(load, i) && !what.when_full) continue;
         const double ratio = theory[i] / solved[i] - 1.0;
         if (!std::isfinite(ratio)) continue;
         least = std::fmin(least, ratio), greatest = std::fmax(greatest, ratio);
     }
-    if (std::isnan(least)) return fmt::format("{} cannot be compared", what.words);
+    if (std::isnan(least)) return fmt::format("{} not compared", what.words);
     if (fmt::format("{:+.1f}", 100.0 * least) == fmt::format("{:+.1f}", 100.0 * greatest))
         return fmt::format("{} {:+.1f} %", what.words, 100.0 * least);
     return fmt::format("{} {:+.1f} to {:+.1f} %", what.words, 100.0 * least, 100.0 * greatest);
@@ -49,6 +53,7 @@ std::string deviation(const Table& load, const Told& what) {
 std::string contact_at(const Table& load, Index i) {
     std::string line;
     for (const auto& what : told) {
+        if (is_full(load, i) && !what.when_full) continue;
         const std::string column = what.column;
         const double error = load.at(column + "_standard_error")[i];
         line += fmt::format("{}{} {}{} (theory {})", line.empty() ? "" : ", ", what.words,
@@ -60,16 +65,14 @@ std::string contact_at(const Table& load, Index i) {
 
 }  // namespace
 
-std::string comparison_answer(const Table& load, const persson::Scales& scales, int surfaces, std::size_t columns) {
-    std::string text;
-    for (const auto& what : told) text += (text.empty() ? "" : ", ") + deviation(load, what);
-    const Index last = scales.wavevector.size() - 1;
-    text = wrapped(fmt::format("Persson's theory beside {} solved {} with waves from {} to {}: {}", surfaces,
-                               surfaces == 1 ? "surface" : "surfaces",
-                               format_value(2.0 * pi / scales.wavevector[0], "m", 3),
-                               format_value(2.0 * pi / scales.wavevector[last], "m", 3), text),
-                   columns, 2) +
-           '\n';
+std::string comparison_answer(const Table& load, const Band& band, int surfaces, std::size_t columns) {
+    std::string deviations;
+    for (const auto& what : told) deviations += (deviations.empty() ? "" : ", ") + deviation(load, what);
+    auto text = wrapped(fmt::format("Persson's theory beside {} solved {} with waves from {} to {}: {}", surfaces,
+                                    surfaces == 1 ? "surface" : "surfaces", format_value(2.0 * pi / band.lower, "m", 3),
+                                    format_value(2.0 * pi / band.upper, "m", 3), deviations),
+                        columns, 2) +
+                '\n';
     const auto& pressure = load.at("pressure");
     for (const Index i : std::set<Index>{0, pressure.size() / 2, pressure.size() - 1})
         text +=

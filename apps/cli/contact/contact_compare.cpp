@@ -64,7 +64,7 @@ ExitCode run(const Arguments& arguments) {
         print_json(answers::to_json(comparison));
         return code;
     }
-    print(output::comparison_answer(load, comparison.scales, comparison.surfaces, output_size().width));
+    print(output::comparison_answer(load, comparison.band, comparison.surfaces, output_size().width));
     show(comparison.alerts);
     return code;
 }

@@ -11,6 +11,7 @@
 #include "setae/contact/layer.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/persson/cell_scales.hpp"
 #include "setae/persson/stress_diffusion.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 #include "setae/synthesis/random_surface.hpp"
@@ -56,6 +57,46 @@ TEST(PerssonScales, HaveTheEnergyOfAMapOfTheirSpectrum) {
     const auto scales = scales_of(curve, {.contact_modulus = modulus});
     // the plateau's sum over modes and its integral differ by the square about q = 0
     EXPECT_NEAR(adhesion::stored_energy(modulus, map) / last(scales.stored_energy), 1.0, 0.01);
+}
+
+TEST(CellScales, HaveTheSlopeOfItsSurfacesAndTendToTheSpectrumInALargeCell) {
+    const auto C_iso = spectra::density(model());
+    const half_space::Body body{.contact_modulus = modulus};
+    double far_off = 1.0;
+    for (const Index waves : {1, 4, 16}) {  // of the roll-off's length
+        const double side = 2e-6 * static_cast<double>(waves);
+        const half_space::Grid grid{100 * waves, 100 * waves, side, side};
+        const auto cell = scales_of_cell(C_iso, grid, body);
+        const double slope =
+            synthesis::expected_roughness(C_iso, synthesis::SurfaceGrid{grid.nx, grid.ny, side, side}).rms_slope;
+        EXPECT_NEAR(last(cell.pressure_variance) / (0.25 * modulus * modulus * slope * slope), 1.0, 1e-5);
+        EXPECT_EQ(cell.pressure_variance[0], 0.0);
+        for (Index i = 1; i < cell.pressure_variance.size(); ++i)
+            ASSERT_GT(cell.pressure_variance[i], cell.pressure_variance[i - 1]);
+        const double energy =
+            0.25 * modulus / pi * integral([&](double q) { return 0.5 * q * q * C_iso(q); }, 1.0, 1.256e8);
+        const double off = std::abs(last(cell.stored_energy) / energy - 1.0);
+        EXPECT_LT(off, 0.6 * far_off);
+        far_off = off;
+    }
+    EXPECT_LT(far_off, 0.01);
+}
+
+TEST(PerssonContact, OfACellDoesNotDependOnItsNodes) {
+    // one wave each way: V and U rise together, and A = erf(p/√2V) can be integrated by hand
+    const double side = 1e-6, level = 1e-30;
+    const double q = 2.0 * pi / side;
+    const spectra::SpectralDensity C_iso = [&](double at) { return at < 1.1 * q ? level : 0.0; };
+    const auto cell = scales_of_cell(C_iso, {8, 8, side, side}, {.contact_modulus = modulus});
+    const double k = 0.5 * modulus * q, variance = 4.0 * k * k * level / (side * side);
+    EXPECT_NEAR(last(cell.pressure_variance) / variance, 1.0, 1e-12);
+    const double pressure = 0.3 * std::sqrt(variance);
+    const auto contact = contact_at_scales(pressure, cell, 1.0);
+    const double stored =
+        integral([&](double v) { return std::erf(pressure / std::sqrt(2.0 * v)); }, 0.0, variance) / (2.0 * k);
+    EXPECT_NEAR(last(contact.stored_energy) / stored, 1.0, 1e-4);
+    EXPECT_THROW((void)scales_of_cell([](double) { return 0.0; }, {8, 8, side, side}, {.contact_modulus = modulus}),
+                 UndefinedDataError);
 }
 
 TEST(PerssonScales, OfALayerAreThoseOfItsStiffness) {

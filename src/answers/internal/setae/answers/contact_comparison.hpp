@@ -31,8 +31,9 @@ struct ComparisonRequest {
 /// What was compared. Every surface repeats itself and has the band's waves in the grid's modes, each of them as strong
 /// as the spectrum says: the surfaces differ by the places of their waves alone.
 struct ContactComparison {
-    persson::Scales scales;
+    persson::Scales scales;  ///< of the cell: the theory is of the very waves that are solved
     synthesis::SurfaceGrid grid;
+    Band band;  ///< [1/m]
     /// pressure [Pa]; then of area_fraction (with the perimeter's correction), mean_gap [m], contact_stiffness [Pa/m]
     /// and stored_energy [J/m2] each the mean over surfaces, "…_standard_error" of it, and "…_persson"
     Table load;

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "setae/core/quantity.hpp"
 #include "setae/core/table.hpp"
-#include "setae/persson/scales.hpp"
 
 namespace setae::output {
 
@@ -13,8 +13,7 @@ namespace setae::output {
 /// pressure; in lines of at most so many characters.
 ///
 /// load: pressure and, of area_fraction, mean_gap, contact_stiffness and stored_energy, each, "…_standard_error" and
-/// "…_persson".  surfaces: behind every mean.
-[[nodiscard]] std::string comparison_answer(const Table& load, const persson::Scales& scales, int surfaces,
-                                            std::size_t columns);
+/// "…_persson".  band: of the spectrum [1/m].  surfaces: behind every mean.
+[[nodiscard]] std::string comparison_answer(const Table& load, const Band& band, int surfaces, std::size_t columns);
 
 }  // namespace setae::output
