@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "first_nodes.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -12,9 +13,6 @@ namespace setae::persson {
 namespace {
 
 constexpr double step = 0.01;  ///< of V from node to node, over V
-/// Of the first V, a node each so many times smaller than the next, down to a millionth.
-constexpr double growth = 1.189207115002721;
-constexpr int first_nodes = 80;
 
 /// What modes of a length add.
 struct Shell {

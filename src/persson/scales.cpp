@@ -5,16 +5,13 @@
 #include <cmath>
 #include <vector>
 
+#include "first_nodes.hpp"
 #include "setae/roughness/spectral_moments.hpp"
 
 namespace setae::persson {
 namespace {
 
 constexpr double nodes_per_decade = 100.0;
-/// Nodes beside the lower end, each so much farther from it: V begins at 0, and what a load feels of the longest waves
-/// depends on p²/V.
-constexpr int first_nodes = 80;
-constexpr double growth = 1.189207115002721;
 
 /// Power laws through the usable nodes of a curve, the outer ones continued.
 class PowerLaws {
