@@ -49,7 +49,7 @@ public:
                 {added.wavevector, from.variance + share * added.variance, from.energy + share * added.energy});
         };
         if (from.variance == 0.0)
-            for (int k = first_nodes; k > 0; --k) add(std::pow(growth, -k));
+            for (double share = std::pow(growth, -first_nodes); share < 5.0 * step; share *= growth) add(share);
         const double start = nodes_.back().variance - from.variance;
         const auto steps =
             static_cast<int>(std::ceil((added.variance - start) / (step * std::max(from.variance, added.variance))));
