@@ -27,7 +27,9 @@ DisplayUnit axis_unit(const Array1D& values, std::string_view si_unit) {
         const auto length = display_unit(1.0 / most, "m");
         return {1.0 / length.factor, "1/" + length.name};
     }
-    return display_unit(most, si_unit);
+    auto unit = display_unit(most, si_unit);
+    if (const auto at = unit.name.find("²"); at != std::string::npos) unit.name.replace(at, sizeof "²" - 1, "2");
+    return unit;
 }
 
 std::string in_words(std::string quantity) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "axes.hpp"
+#include "setae/core/constants.hpp"
 
 namespace setae::file_figures {
 namespace {
@@ -39,7 +40,7 @@ figures::Panel panel_of(const Table& load, const Shown& shown, const figures::Ax
                             .colour = 0});
     panel.series.push_back({.label = "Persson's theory",
                             .x = pressure,
-                            .y = theory / unit.factor,
+                            .y = values.isFinite().select(theory, undefined) / unit.factor,
                             .mark = pressure.size() == 1 ? Mark::points : Mark::line,
                             .colour = 1});
     panel.legend = column == "area_fraction";

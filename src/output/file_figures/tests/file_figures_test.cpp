@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/file_figures/comparison_figure.hpp"
 #include "setae/file_figures/contour_figure.hpp"
 #include "setae/file_figures/level_figure.hpp"
 #include "setae/file_figures/parameter_figure.hpp"
@@ -232,6 +235,31 @@ TEST(PerssonFigure, IsDrawnAgainstWhatItsTableRunsOver) {
                       {"area_fraction", "1", Array1D{{1.0, 0.1}}},
                       {"mean_gap", "m", Array1D{{0.0, 1e-8}}}};
     EXPECT_EQ(persson_figure(scales, "s.csv", {}).title, "Contact of s.csv against the waves counted");
+}
+
+TEST(ComparisonFigure, ShowsSolutionsWithTheirErrorsAndTheTheoryBeside) {
+    Table load;
+    load.columns.push_back({"pressure", "Pa", Array1D{{1e6, 1e7, 1e8}}});
+    for (const auto& [name, unit] : {std::pair{"area_fraction", "1"},
+                                     {"mean_gap", "m"},
+                                     {"contact_stiffness", "Pa/m"},
+                                     {"stored_energy", "J/m2"}}) {
+        load.columns.push_back({name, unit, Array1D{{2e-2, 2e-1, 1.0}}});
+        load.columns.push_back({name + std::string("_standard_error"), unit, Array1D{{1e-3, 1e-2, undefined}}});
+        load.columns.push_back({name + std::string("_persson"), unit, Array1D{{1.6e-2, 1.7e-1, 1.0}}});
+    }
+    load.columns[7].values[2] = std::numeric_limits<double>::infinity();  // a full contact does not give way
+    const auto narrow = comparison_figure(load, "folder/spectrum.csv", {});
+    EXPECT_EQ(narrow.title, "Contact of spectrum.csv: solved, and by Persson's theory");
+    EXPECT_EQ(narrow.figure.panels.size(), 2U);
+    EXPECT_LE(narrow.figure.height_mm, 120.0);
+    const auto wide = comparison_figure(load, "spectrum.csv", {.width = FigureWidth::double_column});
+    ASSERT_EQ(wide.figure.panels.size(), 4U);
+    const auto& area = series_of(wide.figure.panels[0], "solved");
+    EXPECT_DOUBLE_EQ(area.upper[0] - area.lower[0], 2e-3);
+    EXPECT_DOUBLE_EQ(area.upper[2], 1.0);
+    EXPECT_TRUE(std::isnan(series_of(wide.figure.panels[2], "Persson's theory").y[2]));
+    EXPECT_EQ(wide.figure.panels[3].y.unit, "J/m2");
 }
 
 }  // namespace
