@@ -66,7 +66,9 @@ spectra::Spectrum within_its_band(const spectra::Spectrum& curve) {
 /// C_iso inside the band, 0 outside.
 spectra::SpectralDensity density_of(const spectra::Spectrum& curve) {
     return [table = spectra::tabulated_density(curve.wavevector, curve.density), band = curve.band](double q) {
-        return q < band.lower * (1.0 - 1e-9) || q > band.upper ? 0.0 : table(q);
+        constexpr double rounding = 1e-9;
+        if (q < band.lower * (1.0 - rounding) || q > band.upper * (1.0 + rounding)) return 0.0;
+        return table(std::min(q, band.upper));
     };
 }
 
