@@ -33,22 +33,25 @@ constexpr std::array<Compared, 4> compared{
     {{"area_fraction", "1"}, {"mean_gap", "m"}, {"contact_stiffness", "Pa/m"}, {"stored_energy", "J/m2"}}};
 
 /// C_iso as power laws between nodes; of one measurement, whose modes scatter as much as they hold, from their means
-/// over bins.
+/// over bins, from its longest wave to its shortest.
 spectra::Spectrum isotropic(const study::SurfaceResult& surface) {
     const auto& used = surface.used().curve;
-    spectra::Spectrum curve = used.nodes == spectra::Nodes::modes ? spectra::Spectrum(*surface.combined) : used;
+    const bool modes = used.nodes == spectra::Nodes::modes;
+    const spectra::Spectrum& curve = modes ? *surface.combined : used;
     std::vector<Index> known;
     for (Index i = 0; i < curve.wavevector.size(); ++i)
         if (curve.density[i] > 0.0) known.push_back(i);
     Array1D q = curve.wavevector(known), density = curve.density(known);
-    if (curve.kind == spectra::Density::C1D) {
-        const Index n = q.size();
-        if (n < 2) throw UndefinedDataError("fewer than two values of the spectrum inside its band");
-        density =
-            spectra::isotropic_from_profile(q, density, std::max(used.band.upper, q[n - 1] * q[n - 1] / q[n - 2]));
+    const Index n = q.size();
+    if (n < 2) throw UndefinedDataError("fewer than two values of the spectrum inside its band");
+    auto band = used.band;
+    if (modes) {
+        band.lower = std::max(band.lower, used.wavevector[0]);
+        band.upper = std::min(band.upper, used.wavevector[used.wavevector.size() - 1]);
     }
-    return {
-        .wavevector = std::move(q), .density = std::move(density), .band = used.band, .kind = spectra::Density::C_iso};
+    if (curve.kind == spectra::Density::C1D)
+        density = spectra::isotropic_from_profile(q, density, std::max(band.upper, q[n - 1] * q[n - 1] / q[n - 2]));
+    return {.wavevector = std::move(q), .density = std::move(density), .band = band, .kind = spectra::Density::C_iso};
 }
 
 /// The curve with a node on each end of its band, and none beyond.
