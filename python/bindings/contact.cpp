@@ -43,6 +43,18 @@ nb::object map_of(const Array2D& values, nb::handle owner) {
     return nb::cast(ReadOnly(values.data(), shape.size(), shape.data(), owner));
 }
 
+/// The surface whose contact theory is asked for.
+study::SurfaceResult analysed_surface(const std::vector<std::shared_ptr<Item>>& items,
+                                      const answers::AnalysisRequest& request, bool every_measurement) {
+    auto analysis = request.analysis();
+    analysis.bootstrap_resamples = 0;
+    auto found =
+        study::analyse_surface(surface_of(items), analysis,
+                               {.previews = false, .parameters = false, .every_measurement = every_measurement}, {});
+    (void)analysed(found.surface);
+    return std::move(found.surface);
+}
+
 void bind_persson(nb::module_& module) {
     using Request = answers::PerssonRequest;
     using Contact = answers::PerssonContact;
@@ -65,12 +77,7 @@ void bind_persson(nb::module_& module) {
            const answers::PerssonRequest& asked, bool every_measurement) {
             return unlocked([&](const auto&) {
                 (void)asked.body();  // what is missing is said before files are read
-                auto analysis = request.analysis();
-                analysis.bootstrap_resamples = 0;
-                const auto found = study::analyse_surface(
-                    surface_of(items), analysis,
-                    {.previews = false, .parameters = false, .every_measurement = every_measurement}, {});
-                return answers::persson_contact(analysed(found.surface), asked);
+                return answers::persson_contact(analysed_surface(items, request, every_measurement), asked);
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("request"), nb::arg("every_measurement"));
@@ -97,12 +104,8 @@ void bind_comparison(nb::module_& module) {
            const Request& asked, bool every_measurement) {
             return unlocked([&](const auto& cancelled) {
                 asked.require_complete();  // what is missing is said before files are read
-                auto analysis = request.analysis();
-                analysis.bootstrap_resamples = 0;
-                const auto found = study::analyse_surface(
-                    surface_of(items), analysis,
-                    {.previews = false, .parameters = false, .every_measurement = every_measurement}, {});
-                return answers::compare_contact(analysed(found.surface), asked, {}, [&](Index, Index) {
+                const auto surface = analysed_surface(items, request, every_measurement);
+                return answers::compare_contact(surface, asked, {}, [&](Index, Index) {
                     if (cancelled) throw Interrupted();
                 });
             });

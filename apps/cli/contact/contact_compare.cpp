@@ -5,15 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "contact/theory_options.hpp"
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "psd/surface_options.hpp"
 #include "setae/answers/contact_comparison.hpp"
-#include "setae/answers/pressures.hpp"
-#include "setae/core/units.hpp"
 #include "setae/file_figures/comparison_figure.hpp"
 #include "setae/output/comparison_answer.hpp"
 #include "setae/platform/terminal.hpp"
@@ -47,14 +45,11 @@ std::function<void(Index, Index)> progress_line() {
 ExitCode run(const Arguments& arguments) {
     arguments.request.require_complete();  // what is missing is said before files are read
     require_table_or_figure(arguments.output);
-    auto analysis = arguments.surface.analysis();
-    analysis.bootstrap_resamples = 0;
-    const auto found = study::analyse_surface(arguments.surface.surface(), analysis,
-                                              {.previews = false, .parameters = false}, arguments.common.workers());
-    const auto code = report_failures(found.surface);
+    const auto surface = surface_for_theory(arguments.surface, arguments.common.workers());
+    const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     const auto comparison =
-        answers::compare_contact(found.surface, arguments.request, arguments.common.workers(), progress_line());
+        answers::compare_contact(surface, arguments.request, arguments.common.workers(), progress_line());
     const Table& load = comparison.load;
     write_table_or_figure(
         arguments.output, load,
@@ -75,19 +70,7 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     auto& request = arguments->request;
-    auto& theory = request.theory;
-    options.add("--contact-modulus", theory.modulus, "E* = E/(1 - nu^2) of the soft body")
-        .quantity(positive(dimension::pressure));
-    options
-        .add("--pressure", theory.pressure, "mean pressure: one, several as 1MPa,10MPa, or ten a decade as 1MPa:100MPa")
-        .read_by([](const std::string& text) { (void)answers::pressures_of(text); });
-    options.add("--layer", theory.layer, "thickness of the soft body on a rigid base; default a half-space")
-        .quantity(positive(dimension::length));
-    options.add("--nu,--poisson-ratio", theory.poisson_ratio, "of the layer").within(domain::poisson_ratio);
-    options.flag("--frictionless", theory.frictionless, "the layer slides on its base; default bonded");
-    options.add("--energy-factor", theory.energy_factor, "of the theory's stored energy, in (0, 1]")
-        .within(domain::positive)
-        .default_shown();
+    add_theory_options(options, request.theory);
     options.add("--pixels", request.pixels, "points of each surface: 512 or 1024x512; four for the shortest wave")
         .default_shown();
     options.add("--cell", request.cell, "extent of each surface, such as \"2 um\"; default: twice the longest wave");

@@ -4,14 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contact/theory_options.hpp"
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "psd/surface_options.hpp"
 #include "setae/answers/persson_contact.hpp"
-#include "setae/answers/pressures.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/persson_figure.hpp"
 #include "setae/output/persson_answer.hpp"
@@ -41,13 +40,10 @@ struct Arguments {
 ExitCode run(const Arguments& arguments) {
     (void)arguments.request.body();  // what is missing is said before files are read
     require_table_or_figure(arguments.output);
-    auto analysis = arguments.surface.analysis();
-    analysis.bootstrap_resamples = 0;
-    const auto found = study::analyse_surface(arguments.surface.surface(), analysis,
-                                              {.previews = false, .parameters = false}, arguments.common.workers());
-    const auto code = report_failures(found.surface);
+    const auto surface = surface_for_theory(arguments.surface, arguments.common.workers());
+    const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
-    const auto contact = answers::persson_contact(found.surface, arguments.request);
+    const auto contact = answers::persson_contact(surface, arguments.request);
     const Table& table = contact.table();
     write_table_or_figure(
         arguments.output, table,
@@ -68,21 +64,9 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     auto& request = arguments->request;
-    options.add("--contact-modulus", request.modulus, "E* = E/(1 - nu^2) of the soft body")
-        .quantity(positive(dimension::pressure));
-    options
-        .add("--pressure", request.pressure,
-             "mean pressure: one, several as 1MPa,10MPa, or ten a decade as 1MPa:100MPa; below 0 with --w")
-        .read_by([](const std::string& text) { (void)answers::pressures_of(text); });
+    add_theory_options(options, request, "; below 0 with --w");
     options.add("--w,--work-of-adhesion", request.work, "work of adhesion, such as 50mJ/m2; default none")
         .quantity(non_negative(dimension::surface_energy));
-    options.add("--layer", request.layer, "thickness of the soft body on a rigid base; default a half-space")
-        .quantity(positive(dimension::length));
-    options.add("--nu,--poisson-ratio", request.poisson_ratio, "of the layer").within(domain::poisson_ratio);
-    options.flag("--frictionless", request.frictionless, "the layer slides on its base; default bonded");
-    options.add("--energy-factor", request.energy_factor, "of the stored energy of partial contact, in (0, 1]")
-        .within(domain::positive)
-        .default_shown();
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae contact persson spectrum.csv --contact-modulus 1GPa --pressure 10MPa",
