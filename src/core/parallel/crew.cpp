@@ -10,8 +10,9 @@
 namespace setae::parallel {
 namespace {
 
-/// Looks that a thread takes before it sleeps, some ten microseconds: the next short loop comes that soon.
-constexpr int looks = 400;
+/// Looks that a thread takes before it sleeps: some ten microseconds for itself, then a few hundred between which
+/// others may run. The next short loop comes that soon, and to wake a thread takes as long as such a loop.
+constexpr int looks = 400, patient_looks = 400;
 
 template <class Condition>
 bool soon(const Condition& condition) {
@@ -20,6 +21,10 @@ bool soon(const Condition& condition) {
 #if defined(__x86_64__) || defined(__i386__)
         __builtin_ia32_pause();
 #endif
+    }
+    for (int look = 0; look < patient_looks; ++look) {
+        if (condition()) return true;
+        std::this_thread::yield();
     }
     return condition();
 }
