@@ -23,7 +23,8 @@
 namespace setae::answers {
 namespace {
 
-constexpr double pixels_per_wave = 4.0;  ///< at least, of the shortest
+constexpr double pixels_per_wave = 4.0;        ///< at least, of the shortest
+constexpr Index most_points = Index{1} << 28;  ///< a contact of them takes some 40 GB
 
 /// What is compared, in the order of the table.
 struct Compared {
@@ -78,6 +79,10 @@ spectra::SpectralDensity density_of(const spectra::Spectrum& curve) {
 synthesis::SurfaceGrid grid_of(const ComparisonRequest& request, const Band& band) {
     const double longest = 2.0 * pi / band.lower, shortest = 2.0 * pi / band.upper;
     const auto points = point_counts(request.pixels);
+    if (points[0] < 2 || points[1] < 2 || points[0] > most_points / points[1])
+        throw InvalidArgument(
+            fmt::format("surfaces of {} x {} points; expected at least 2 x 2 and no more than {} in all", points[0],
+                        points[1], most_points));
     const auto size = request.cell.empty() ? std::array{2.0 * longest, 2.0 * longest} : extents(request.cell);
     const synthesis::SurfaceGrid grid{points[0], points[1], size[0], size[1]};
     if (!(std::min(size[0], size[1]) >= longest * (1.0 - 1e-9)))

@@ -122,8 +122,10 @@ TEST(ContactComparison, AtLowLoadTheTheorysAreaIsAFifthTooSmall) {
 TEST(ContactComparison, RefusesWhatTheGridDoesNotHold) {
     const auto surface = self_affine_surface();
     auto request = comparison("5 MPa");
-    request.pixels = "32";
-    EXPECT_THROW((void)compare_contact(surface, request), InvalidArgument);
+    for (const char* pixels : {"32", "0", "-96", "100000000", "96x1"}) {
+        request.pixels = pixels;
+        EXPECT_THROW((void)compare_contact(surface, request), InvalidArgument) << pixels;
+    }
     request = comparison("5 MPa");
     request.cell = "0.5 um";
     EXPECT_THROW((void)compare_contact(surface, request), InvalidArgument);
