@@ -66,7 +66,7 @@ TEST(Cancellation, BeginsNoFurtherIndexHoweverDeepTheLoop) {
     std::atomic<int> begun{0};
     const auto inner = [&](std::size_t) {
         for_each_index(100, Threads{2}, [&](std::size_t) {
-            if (++begun == 5) cancelled = true;
+            if (++begun >= 5) cancelled = true;
         });
     };
     const CancellationScope scope(cancelled);
