@@ -66,7 +66,7 @@ TEST(SpectrumFigure, ShowsWhatIsKeptAndWhatIsCut) {
 TEST(SpectrumFigure, DrawsTheFitWithinAndBeyondItsRange) {
     const auto surface = power_law();
     auto table = table_of(surface);
-    const auto& q = table.at("wavevector");
+    const Array1D q = table.at("wavevector");
     table.columns.push_back({"C1D_model", "m3", 1e-6 * q.pow(-3.0)});
     table.columns.push_back({"extrapolated", "1", (q > 1e7).cast<double>()});
     const auto drawn = spectrum_figure(surface, table, {});

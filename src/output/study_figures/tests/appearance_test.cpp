@@ -172,7 +172,8 @@ TEST(Appearance, OfSpectraEndsBeforeTheEndOfWhatTheyAreMadeOf) {
     const Array1D q = Array1D::LinSpaced(200, std::log(1e5), std::log(1e9)).exp();
     surface.average.curve = {q, 1e-3 * q.pow(-3.6), {1e5, 1e9}, spectra::Density::C_iso};
     result.surfaces = {surface};
-    const auto& curve = series_of(study_figure(result, "1").figure.panels[0], "published");
+    const auto first = study_figure(result, "1");
+    const auto& curve = series_of(first.figure.panels[0], "published");
     const Index last = curve.x.size() - 1;
     EXPECT_LE(curve.x[last], 0.7e9);
     EXPECT_GT(curve.x[last], 0.6e9);
