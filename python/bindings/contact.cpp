@@ -46,13 +46,9 @@ nb::object map_of(const Array2D& values, nb::handle owner) {
 /// The surface whose contact theory is asked for.
 study::SurfaceResult analysed_surface(const std::vector<std::shared_ptr<Item>>& items,
                                       const answers::AnalysisRequest& request, bool every_measurement) {
-    auto analysis = request.analysis();
-    analysis.bootstrap_resamples = 0;
-    auto found =
-        study::analyse_surface(surface_of(items), analysis,
-                               {.previews = false, .parameters = false, .every_measurement = every_measurement}, {});
-    (void)analysed(found.surface);
-    return std::move(found.surface);
+    auto surface = answers::surface_for_theory(surface_of(items), request.analysis(), {}, every_measurement);
+    (void)analysed(surface);
+    return surface;
 }
 
 void bind_persson(nb::module_& module) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/answers/columns.hpp"
+#include "setae/answers/contact_problem.hpp"
 #include "setae/answers/pressures.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/answers/synthesis.hpp"
@@ -136,10 +137,10 @@ ContactComparison compare_contact(const study::SurfaceResult& surface, const Com
     const auto cell = grid_of(request, curve.band);
     half_space::HardWall problem{.grid = {cell.nx, cell.ny, cell.size_x, cell.size_y}, .body = body, .control = {}};
     ContactComparison comparison{.scales = persson::scales_of_cell(C_iso, problem.grid, body),
-                                 .grid = cell,
+                                 .grid = problem.grid,
                                  .band = curve.band,
                                  .load = {},
-                                 .contact_modulus = body.contact_modulus,
+                                 .body = body,
                                  .energy_factor = request.theory.energy_factor,
                                  .surfaces = request.surfaces,
                                  .seed = request.seed,
@@ -177,11 +178,9 @@ ContactComparison compare_contact(const study::SurfaceResult& surface, const Com
 }
 
 output::Json to_json(const ContactComparison& comparison) {
-    const auto& [scales, grid, band, load, modulus, factor, surfaces, seed, height, slope, made, gap, alerts] =
-        comparison;
+    const auto& [scales, grid, band, load, body, factor, surfaces, seed, height, slope, made, gap, alerts] = comparison;
     auto json = columns_json(load);
-    json["points"] = {grid.nx, grid.ny};
-    json["size"] = {grid.size_x, grid.size_y};
+    add_problem(json, grid, body);
     json["surfaces"] = surfaces;
     json["seed"] = seed;
     json["band"] = {{"lower", band.lower}, {"upper", band.upper}, {"unit", "1/m"}};
@@ -189,12 +188,10 @@ output::Json to_json(const ContactComparison& comparison) {
     json["rms_slope"] = slope;
     json["rms_height_of_surfaces"] = made.rms_height;
     json["rms_slope_of_surfaces"] = made.rms_slope;
-    json["contact_modulus"] = modulus;
     json["energy_factor"] = factor;
     json["largest_duality_gap"] = gap;
-    json["units"]["size"] = json["units"]["rms_height"] = json["units"]["rms_height_of_surfaces"] = "m";
+    json["units"]["rms_height"] = json["units"]["rms_height_of_surfaces"] = "m";
     json["units"]["rms_slope"] = json["units"]["rms_slope_of_surfaces"] = "1";
-    json["units"]["contact_modulus"] = "Pa";
     json["alerts"] = output::to_json(alerts);
     return json;
 }

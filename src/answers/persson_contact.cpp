@@ -33,6 +33,15 @@ persson::LoadOptions PerssonRequest::options() const {
     return options;
 }
 
+study::SurfaceResult surface_for_theory(const study::SurfaceInput& input, study::SurfaceAnalysisOptions analysis,
+                                        parallel::Threads threads, bool every_measurement) {
+    analysis.bootstrap_resamples = 0;
+    return study::analyse_surface(input, analysis,
+                                  {.previews = false, .parameters = false, .every_measurement = every_measurement},
+                                  threads)
+        .surface;
+}
+
 PerssonContact persson_contact(const study::SurfaceResult& surface, const PerssonRequest& request) {
     const auto body = request.body();
     const auto pressures = pressures_of(request.pressure);

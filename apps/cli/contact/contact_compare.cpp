@@ -11,6 +11,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "psd/surface_options.hpp"
 #include "setae/answers/contact_comparison.hpp"
 #include "setae/file_figures/comparison_figure.hpp"
 #include "setae/output/comparison_answer.hpp"
@@ -45,7 +46,8 @@ std::function<void(Index, Index)> progress_line() {
 ExitCode run(const Arguments& arguments) {
     arguments.request.require_complete();  // what is missing is said before files are read
     require_table_or_figure(arguments.output);
-    const auto surface = surface_for_theory(arguments.surface, arguments.common.workers());
+    const auto surface = answers::surface_for_theory(arguments.surface.surface(), arguments.surface.analysis(),
+                                                     arguments.common.workers());
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     const auto comparison =

@@ -10,6 +10,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "psd/surface_options.hpp"
 #include "setae/answers/persson_contact.hpp"
 #include "setae/core/units.hpp"
 #include "setae/file_figures/persson_figure.hpp"
@@ -40,7 +41,8 @@ struct Arguments {
 ExitCode run(const Arguments& arguments) {
     (void)arguments.request.body();  // what is missing is said before files are read
     require_table_or_figure(arguments.output);
-    const auto surface = surface_for_theory(arguments.surface, arguments.common.workers());
+    const auto surface = answers::surface_for_theory(arguments.surface.surface(), arguments.surface.analysis(),
+                                                     arguments.common.workers());
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     const auto contact = answers::persson_contact(surface, arguments.request);

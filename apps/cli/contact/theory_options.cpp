@@ -24,11 +24,4 @@ void add_theory_options(Options& options, answers::PerssonRequest& request, cons
         .default_shown();
 }
 
-study::SurfaceResult surface_for_theory(const SurfaceOptions& surface, parallel::Threads threads) {
-    auto analysis = surface.analysis();
-    analysis.bootstrap_resamples = 0;
-    return study::analyse_surface(surface.surface(), analysis, {.previews = false, .parameters = false}, threads)
-        .surface;
-}
-
 }  // namespace setae::cli

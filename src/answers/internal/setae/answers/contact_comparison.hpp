@@ -8,6 +8,7 @@
 
 #include "setae/answers/persson_contact.hpp"
 #include "setae/core/table.hpp"
+#include "setae/half_space/grid.hpp"
 #include "setae/output/json.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/study/surface_analysis.hpp"
@@ -32,12 +33,13 @@ struct ComparisonRequest {
 /// as the spectrum says: the surfaces differ by the places of their waves alone.
 struct ContactComparison {
     persson::Scales scales;  ///< of the cell: the theory is of the very waves that are solved
-    synthesis::SurfaceGrid grid;
+    half_space::Grid grid;
     Band band;  ///< [1/m]
     /// pressure [Pa]; then of area_fraction (with the perimeter's correction), mean_gap [m], contact_stiffness [Pa/m]
     /// and stored_energy [J/m2] each the mean over surfaces, "…_standard_error" of it, and "…_persson"
     Table load;
-    double contact_modulus = 0.0, energy_factor = 0.0;  ///< E* [Pa]
+    half_space::Body body;
+    double energy_factor = 0.0;
     int surfaces = 0;
     std::uint64_t seed = 0;
     double rms_height = 0.0, rms_slope = 0.0;  ///< of the spectrum within its band [m], [1]

@@ -38,6 +38,12 @@ struct PerssonContact {
     [[nodiscard]] const Table& table() const { return along_scales ? *along_scales : load; }
 };
 
+/// A surface as far as theory needs it: its spectrum, without the replicas behind standard errors.
+/// every_measurement: the first failure of one is thrown. @throws as study::analyse_surface().
+[[nodiscard]] study::SurfaceResult surface_for_theory(const study::SurfaceInput& input,
+                                                      study::SurfaceAnalysisOptions analysis,
+                                                      parallel::Threads threads = {}, bool every_measurement = false);
+
 /// surface: that did not fail. @throws as PerssonRequest and persson::load_table().
 [[nodiscard]] PerssonContact persson_contact(const study::SurfaceResult& surface, const PerssonRequest& request);
 
