@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
+#include "setae/core/log_gamma.hpp"
 #include "setae/roughness/true_area.hpp"
 #include "straight_line.hpp"
 
@@ -74,7 +75,7 @@ Line line_at(const NodeList& nodes, double end) {
 
 /// C_iso over C1D/q of a power law C_iso ∝ q^p; 0 where lines do not fall, p >= −1: of such waves they hold nothing.
 double abel_factor(double p) {
-    return p < -1.0 ? 2.0 * std::sqrt(pi) * std::exp(std::lgamma(-0.5 * p) - std::lgamma(0.5 * (-p - 1.0))) : 0.0;
+    return p < -1.0 ? 2.0 * std::sqrt(pi) * std::exp(log_gamma(-0.5 * p) - log_gamma(0.5 * (-p - 1.0))) : 0.0;
 }
 
 /// How C_iso goes on from an end.

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "setae/core/log_gamma.hpp"
 #include "setae/core/statistics.hpp"
 
 namespace setae::loops {
 namespace {
 
 double log_binomial(Index n, Index k) {
-    return std::lgamma(static_cast<double>(n) + 1.0) - std::lgamma(static_cast<double>(k) + 1.0) -
-           std::lgamma(static_cast<double>(n - k) + 1.0);
+    return log_gamma(static_cast<double>(n) + 1.0) - log_gamma(static_cast<double>(k) + 1.0) -
+           log_gamma(static_cast<double>(n - k) + 1.0);
 }
 
 /// P(R = runs): m signs of one kind are cut into k stretches in C(m − 1, k − 1) ways.
