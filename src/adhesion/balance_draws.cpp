@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "drawn_inputs.hpp"
 #include "generalised_weights.hpp"
 #include "setae/core/resampling.hpp"
 #include "setae/core/statistics.hpp"
@@ -12,68 +12,6 @@
 
 namespace setae::adhesion {
 namespace {
-
-/// Places of all inputs' directions in one vector of deviates.
-class Deviates {
-public:
-    void add(const Components& inputs) {
-        for (const auto& [name, component] : inputs) {
-            const auto [at, fresh] = places_.try_emplace(name, Place{size_, component.rectangular});
-            if (fresh) size_ += component.directions.size();
-        }
-    }
-
-    void draw(numerics::RandomKey key) {
-        values_ = numerics::normal_numbers(key, 0, size_);
-        for (const auto& [name, place] : places_)
-            if (place.rectangular)  // one direction each
-                values_[place.first] = std::sqrt(12.0) * (normal_probability(values_[place.first]) - 0.5);
-    }
-
-    /// How far the inputs drawn move a value.
-    [[nodiscard]] double moved(const Components& inputs) const {
-        double sum = 0.0;
-        for (const auto& [name, component] : inputs)
-            sum += (component.directions * values_.segment(places_.at(name).first, component.directions.size())).sum();
-        return sum;
-    }
-
-private:
-    struct Place {
-        Index first = 0;
-        bool rectangular = false;
-    };
-    std::map<std::string, Place> places_;
-    Index size_ = 0;
-    Array1D values_;
-};
-
-/// Effects of the model's scatter, one of every pair, surface and elastomer.
-class Effects {
-public:
-    explicit Effects(const ModelScatter& scatter) : scatter_(scatter) {}
-
-    void draw(numerics::RandomKey key) {
-        key_ = key;
-        known_.clear();
-    }
-    /// share: of an error of the pair's balance that its floor lets through.
-    [[nodiscard]] double of(const PairPoint& pair, double share) {
-        return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) +
-               share * (scatter_.surface * one("s" + pair.surface) + scatter_.elastomer * one("e" + pair.elastomer));
-    }
-
-private:
-    double one(const std::string& name) {
-        const auto [at, fresh] = known_.try_emplace(name, 0.0);
-        if (fresh) at->second = numerics::normal_number(key_, known_.size());
-        return at->second;
-    }
-
-    ModelScatter scatter_;
-    numerics::RandomKey key_;
-    std::map<std::string, double> known_;
-};
 
 DrawnValue drawn_value(double value, const TracedValue& linear, std::vector<double> draws) {
     DrawnValue result{.value = value, .linear_standard_error = linear.standard_error()};
@@ -99,10 +37,7 @@ BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const Generalise
     Deviates deviates;
     if (pairs.empty()) deviates.add(work.components);
     for (const auto* list : {&pairs, &lines})
-        for (const auto& pair : *list)
-            for (const auto* inputs : {&pair.measured_inputs, &pair.measured_noise, &pair.slope_inputs,
-                                       &pair.offset_inputs})
-                deviates.add(*inputs);
+        for (const auto& pair : *list) deviates.add_inputs_of(pair);
     std::optional<GeneralisedWeights> weights;
     if (!pairs.empty()) weights.emplace(pairs, fit);
     Effects effects(fit.scatter);

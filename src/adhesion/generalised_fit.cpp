@@ -75,6 +75,14 @@ public:
 
     void hold(const ModelScatter& scatter) { scatter_ = scatter; }
 
+    /// The scatter at a W that is not fitted, no pair answers to it.
+    void find_scatter_at(double work) {
+        work_ = work;
+        at_ = residuals_at(pairs_, work);
+        at_.design.resize(at_.value.size(), 0);
+        scatter_ = model_.most_likely(at_, scatter_);
+    }
+
     /// h at a W and a scatter.
     [[nodiscard]] VectorXd weights_at(double work, const ModelScatter& scatter) {
         work_ = work;
@@ -145,6 +153,16 @@ GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelS
     fit.hold(scatter);
     fit.find(false);
     return fit.result();
+}
+
+GeneralisedFit fit_scatter(const std::vector<PairPoint>& pairs, double work_of_adhesion) {
+    require_pairs(pairs);
+    Fit fit(pairs);
+    fit.find_scatter_at(work_of_adhesion);
+    auto result = fit.result();
+    result.work_of_adhesion.components.clear();
+    result.freedom.pair += 1.0;
+    return result;
 }
 
 }  // namespace setae::adhesion

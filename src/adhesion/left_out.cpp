@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/adhesion/left_out.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "model_scatter_fit.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/log_gamma.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -24,38 +29,95 @@ LeftOutPrediction predicted_by(const GeneralisedFit& others, const PairPoint& pa
     const TracedValue predicted{pair.prediction(work),
                                 combined({{share, pair.prediction_inputs(work)}, {1.0, of_work}})};
     const Components own{{pair.own_noise(), own_noise(pair, 1.0)}};
-    const TracedValue residual{
-        pair.measured.value - predicted.value,
-        combined({{1.0, residual_inputs(pair, work)}, {-1.0, of_work}, {1.0, own}})};
+    const TracedValue residual{pair.measured.value - predicted.value,
+                               combined({{1.0, residual_inputs(pair, work)}, {-1.0, of_work}, {1.0, own}})};
     const auto estimate = residual.estimate();
     const auto interval = interval_of(estimate);
-    return {surface_left_out,
-            pair.surface,
-            pair.elastomer,
-            predicted.estimate(),
-            pair.measured,
-            residual.value,
-            estimate.standard_error,
-            interval && interval->lower <= 0.0 && interval->upper >= 0.0};
+    return {surface_left_out,        pair.surface,
+            pair.elastomer,          predicted.estimate(),
+            pair.measured,           residual.value,
+            estimate.standard_error, interval && interval->lower <= 0.0 && interval->upper >= 0.0};
+}
+
+/// Pairs by whether their label is the group's.
+struct Parted {
+    std::vector<PairPoint> others, own;
+    Parted(const std::vector<PairPoint>& pairs, std::string PairPoint::*label, const std::string& group) {
+        for (const auto& pair : pairs) (pair.*label == group ? own : others).push_back(pair);
+    }
+};
+
+std::set<std::string> groups_of(const std::vector<PairPoint>& pairs, std::string PairPoint::*label) {
+    std::set<std::string> groups;
+    for (const auto& pair : pairs) groups.insert(pair.*label);
+    return groups;
+}
+
+/// Of the residuals of pairs of one surface that was not in the fit: inputs, the fitted W, own noise, the scatter anew.
+Eigen::MatrixXd covariance_by(const GeneralisedFit& others, const std::vector<PairPoint>& own) {
+    const double work = others.work_of_adhesion.value;
+    const auto n = static_cast<Index>(own.size());
+    std::vector<Components> inputs;
+    for (const auto& pair : own)
+        inputs.push_back(
+            combined({{1.0, residual_inputs(pair, work)},
+                      {-share_through_floor(pair, work) * pair.slope, others.work_of_adhesion.components}}));
+    const auto& scatter = others.scatter;
+    Eigen::MatrixXd result(n, n);
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j) {
+            const auto &a = own[static_cast<std::size_t>(i)], &b = own[static_cast<std::size_t>(j)];
+            result(i, j) = covariance(inputs[static_cast<std::size_t>(i)], inputs[static_cast<std::size_t>(j)]) +
+                           scatter.surface * scatter.surface;
+            if (a.elastomer == b.elastomer) result(i, j) += scatter.elastomer * scatter.elastomer;
+            if (i == j) result(i, j) += a.own_variance() + scatter.pair * scatter.pair;
+        }
+    return result;
+}
+
+/// ln density of Student's t in several dimensions about 0.
+double log_student(const Eigen::VectorXd& x, const Eigen::MatrixXd& scale, double freedom) {
+    const auto factor = factor_of(scale);
+    const auto n = static_cast<double>(x.size());
+    return log_gamma(0.5 * (freedom + n)) - log_gamma(0.5 * freedom) - 0.5 * n * std::log(freedom * pi) -
+           factor.matrixLLT().diagonal().array().log().sum() -
+           0.5 * (freedom + n) * std::log1p(x.dot(factor.solve(x)) / freedom);
+}
+
+/// ln density of what was measured on a surface that was not in the fit.
+double log_density_by(const GeneralisedFit& others, const std::vector<PairPoint>& own) {
+    Eigen::VectorXd residual(static_cast<Index>(own.size()));
+    for (Index i = 0; i < residual.size(); ++i) {
+        const auto& pair = own[static_cast<std::size_t>(i)];
+        residual[i] = pair.measured.value - pair.prediction(others.work_of_adhesion.value);
+    }
+    return log_student(residual, covariance_by(others, own), std::max(1.0, others.freedom.pair));
 }
 
 }  // namespace
 
-std::vector<LeftOutPrediction> predict_left_out(const std::vector<PairPoint>& pairs) {
-    std::vector<LeftOutPrediction> result;
+LeftOut leave_out(const std::vector<PairPoint>& pairs, const PairFit& fit) {
+    constexpr std::size_t fewest_surfaces = 3;
+    LeftOut result;
+    if (groups_of(pairs, &PairPoint::surface).size() < fewest_surfaces) result.surface_log_density = undefined;
     for (const bool surfaces : {true, false}) {
         const auto label = surfaces ? &PairPoint::surface : &PairPoint::elastomer;
-        std::set<std::string> groups;
-        for (const auto& pair : pairs) groups.insert(pair.*label);
-        for (const auto& group : groups) {
-            std::vector<PairPoint> others, own;
-            for (const auto& pair : pairs) (pair.*label == group ? own : others).push_back(pair);
-            if (others.size() < 2) continue;
-            const auto fit = fit_generalised(others);
-            for (const auto& pair : own) result.push_back(predicted_by(fit, pair, surfaces));
+        for (const auto& group : groups_of(pairs, label)) {
+            const Parted parted(pairs, label, group);
+            if (parted.others.size() < 2) {
+                if (surfaces) result.surface_log_density = undefined;
+                continue;
+            }
+            const auto of_others = fit(parted.others);
+            for (const auto& pair : parted.own) result.predictions.push_back(predicted_by(of_others, pair, surfaces));
+            if (surfaces) result.surface_log_density += log_density_by(of_others, parted.own);
         }
     }
     return result;
+}
+
+std::vector<LeftOutPrediction> predict_left_out(const std::vector<PairPoint>& pairs) {
+    return leave_out(pairs, [](const std::vector<PairPoint>& others) { return fit_generalised(others); }).predictions;
 }
 
 }  // namespace setae::adhesion

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/adhesion/predicted_loop.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "setae/adhesion/traced_function.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -27,8 +27,8 @@ struct Loop {
     double contact_radius, energy_loss, ideal_loss, work_approach, work_retraction, radius;
 };
 
-/// W_ret with which edge and jumps together lose so much: more than the jumps alone with W_app, for W_int r >= W_app and
-/// a_max is larger than after the jump into contact.
+/// W_ret with which edge and jumps together lose so much: more than the jumps alone with W_app, for W_int r >= W_app
+/// and a_max is larger than after the jump into contact.
 double work_of_retraction(const contact::AdhesiveContact& approach, double contact_area, double loss) {
     const double jump_in = contact::jkr::ideal_loop_loss(approach).jump_in;
     const auto excess = [&](double work) {
@@ -42,8 +42,7 @@ double work_of_retraction(const contact::AdhesiveContact& approach, double conta
 }
 
 Loop loop_of(const SpectralParameters& parameters, const Inputs& inputs, double preload) {
-    const ConformalState state{parameters.area_ratio(),
-                               inputs.contact_modulus * parameters.elastic_energy_per_modulus};
+    const ConformalState state{parameters.area_ratio(), inputs.contact_modulus * parameters.elastic_energy_per_modulus};
     Loop loop{};
     loop.work_approach = modified_balance(inputs.work, inputs.surface_energy, state).floored;
     const contact::AdhesiveContact approach{inputs.radius, inputs.contact_modulus, loop.work_approach};
@@ -56,55 +55,23 @@ Loop loop_of(const SpectralParameters& parameters, const Inputs& inputs, double 
     return loop;
 }
 
-/// Values of one pair with the inputs they rest on.
-class Propagation {
-public:
-    Propagation(const RoughSide& rough, const SoftSide& soft, const TracedValue& work, const Press& press)
-        : rough_(rough),
-          soft_(soft),
-          work_(work),
-          press_(press),
-          centre_{soft.contact_modulus.value, soft.surface_energy.value, work.value, press.radius.value} {}
-
-    template <class Number>
-    [[nodiscard]] TracedValue operator()(Number number) const {
-        auto result = rough_.traced([&](const SpectralParameters& p) { return number(loop_of(p, centre_, press_.preload)); });
-        const auto add = [&](const TracedValue& input, double Inputs::* member) {
-            const double error = input.standard_error();
-            if (!(error > 0.0)) return;
-            auto more = centre_, less = centre_;
-            more.*member += error;
-            less.*member = std::max(less.*member - error, 1e-3 * less.*member);
-            const double derivative = (number(loop_of(rough_.parameters, more, press_.preload)) -
-                                       number(loop_of(rough_.parameters, less, press_.preload))) /
-                                      (more.*member - less.*member);
-            result.components = combined({{1.0, result.components}, {derivative, input.components}});
-        };
-        add(soft_.contact_modulus, &Inputs::contact_modulus);
-        add(soft_.surface_energy, &Inputs::surface_energy);
-        add(work_, &Inputs::work);
-        add(press_.radius, &Inputs::radius);
-        return result;
-    }
-
-private:
-    const RoughSide& rough_;
-    const SoftSide& soft_;
-    const TracedValue& work_;
-    const Press& press_;
-    Inputs centre_;
-};
-
 }  // namespace
 
 std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide& soft, const TracedValue& work,
                                           const Press& press) {
     const double radius = press.radius.value;
     if (!(radius > 0.0) || !(press.preload >= 0.0) || !std::isfinite(radius + press.preload))
-        throw InvalidArgument(fmt::format("a sphere of radius {} m under {} N; expected a radius above 0 and a force of 0 or more",
-                                          radius, press.preload));
+        throw InvalidArgument(
+            fmt::format("a sphere of radius {} m under {} N; expected a radius above 0 and a force of 0 or more",
+                        radius, press.preload));
     if (!predict(rough, soft, work).modified.work.conforms) return std::nullopt;
-    const Propagation propagated(rough, soft, work, press);
+    const auto propagated = [&](auto number) {
+        return traced_function(
+            rough, {soft.contact_modulus, soft.surface_energy, work, press.radius},
+            [&](const SpectralParameters& p, const std::vector<double>& inputs) {
+                return number(loop_of(p, {inputs[0], inputs[1], inputs[2], inputs[3]}, press.preload));
+            });
+    };
     const auto pull_off = [](const Loop& loop, double energy) { return 1.5 * pi * loop.radius * energy; };
     const auto estimate = [&](auto number) { return propagated(number).estimate(); };
     return PredictedLoop{

@@ -54,4 +54,7 @@ struct GeneralisedFit {
 /// The same with the scatter held.
 [[nodiscard]] GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelScatter& scatter);
 
+/// The scatter with W held: for a law with nothing to fit.
+[[nodiscard]] GeneralisedFit fit_scatter(const std::vector<PairPoint>& pairs, double work_of_adhesion);
+
 }  // namespace setae::adhesion

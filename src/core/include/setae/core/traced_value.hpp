@@ -73,6 +73,11 @@ struct Dependence {
     return combined(std::span(parts.begin(), parts.size()));
 }
 
+/// A function of inputs with everything it rests on: derivatives are central differences over the inputs' standard
+/// errors; an input above 0 stays there.
+[[nodiscard]] TracedValue propagated(const std::function<double(const std::vector<double>&)>& function,
+                                     const std::vector<TracedValue>& inputs);
+
 /// A row of a budget: what one input adds to the variance of a value, and what is left of its standard error when that
 /// input's is halved.
 struct BudgetRow {
@@ -82,8 +87,8 @@ struct BudgetRow {
     double halved = 0.0;          ///< standard error of the value with half the input's
 };
 
-/// Rows of a value, the largest first. row_of: the row that an input belongs to, where several make one; without it each
-/// has its own.
+/// Rows of a value, the largest first. row_of: the row that an input belongs to, where several make one; without it
+/// each has its own.
 [[nodiscard]] std::vector<BudgetRow> budget_of(const TracedValue& value,
                                                const std::function<std::string(const std::string&)>& row_of = {});
 

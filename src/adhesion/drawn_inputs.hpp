@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "setae/adhesion/generalised_fit.hpp"
+#include "setae/core/statistics.hpp"
+#include "setae/numerics/random_numbers.hpp"
+
+namespace setae::adhesion {
+
+/// Places of all inputs' directions in one vector of deviates.
+class Deviates {
+public:
+    void add(const Components& inputs) {
+        for (const auto& [name, component] : inputs) {
+            const auto [at, fresh] = places_.try_emplace(name, Place{size_, component.rectangular});
+            if (fresh) size_ += component.directions.size();
+        }
+    }
+
+    /// Inputs of what was measured of a pair, and of its line.
+    void add_inputs_of(const PairPoint& pair) {
+        for (const auto* inputs :
+             {&pair.measured_inputs, &pair.measured_noise, &pair.slope_inputs, &pair.offset_inputs})
+            add(*inputs);
+    }
+
+    void draw(numerics::RandomKey key) {
+        values_ = numerics::normal_numbers(key, 0, size_);
+        for (const auto& [name, place] : places_)
+            if (place.rectangular)  // one direction each
+                values_[place.first] = std::sqrt(12.0) * (normal_probability(values_[place.first]) - 0.5);
+    }
+
+    /// How far the inputs drawn move a value.
+    [[nodiscard]] double moved(const Components& inputs) const {
+        double sum = 0.0;
+        for (const auto& [name, component] : inputs)
+            sum += (component.directions * values_.segment(places_.at(name).first, component.directions.size())).sum();
+        return sum;
+    }
+
+private:
+    struct Place {
+        Index first = 0;
+        bool rectangular = false;
+    };
+    std::map<std::string, Place> places_;
+    Index size_ = 0;
+    Array1D values_;
+};
+
+/// Effects of the model's scatter, one of every pair, surface and elastomer.
+class Effects {
+public:
+    explicit Effects(const ModelScatter& scatter) : scatter_(scatter) {}
+
+    void draw(numerics::RandomKey key) {
+        key_ = key;
+        known_.clear();
+    }
+    /// share: of an error of the pair's balance that its floor lets through.
+    [[nodiscard]] double of(const PairPoint& pair, double share) {
+        return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) +
+               share * (scatter_.surface * one("s" + pair.surface) + scatter_.elastomer * one("e" + pair.elastomer));
+    }
+
+private:
+    double one(const std::string& name) {
+        const auto [at, fresh] = known_.try_emplace(name, 0.0);
+        if (fresh) at->second = numerics::normal_number(key_, known_.size());
+        return at->second;
+    }
+
+    ModelScatter scatter_;
+    numerics::RandomKey key_;
+    std::map<std::string, double> known_;
+};
+
+}  // namespace setae::adhesion
