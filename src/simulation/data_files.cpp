@@ -23,7 +23,7 @@ constexpr double nano = 1e9, micro = 1e6;
 /// Decimals that leave a quarter of a thousandth of the step, and no rounding noise in equal steps.
 int decimals(double step) { return std::max(0, 4 - static_cast<int>(std::floor(std::log10(step)))); }
 
-Json to_json(const LoopSpecimen& specimen, const LoopTruth& truth) {
+Json to_json(const hysteresis::HystereticSphere& specimen, const hysteresis::SphereLoop& truth) {
     return {{"sphere_radius", specimen.radius},
             {"contact_modulus", specimen.contact_modulus},
             {"work_approach", specimen.work_approach},
@@ -33,7 +33,7 @@ Json to_json(const LoopSpecimen& specimen, const LoopTruth& truth) {
             {"smallest_force", truth.smallest_force},
             {"energy_loss", truth.energy_loss()},
             {"jump_in_loss", truth.jump_in_loss},
-            {"pinning_loss", truth.pinning_loss},
+            {"pinning_loss", truth.edge_loss},
             {"jump_out_loss", truth.jump_out_loss}};
 }
 

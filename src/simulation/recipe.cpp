@@ -69,9 +69,15 @@ LoopRecipe read_loops(TomlReader& reader) {
     take(reader, "force_noise", dimension::force, artefacts.force_noise);
     take(reader, "displacement_noise", dimension::length, artefacts.displacement_noise);
     take(reader, "radius_noise", dimension::length, artefacts.radius_noise);
-    loops.law =
-        reader.choice<RetractionLaw>("retraction", {{"loss", RetractionLaw::loss}, {"pinning", RetractionLaw::pinning}})
-            .value_or(loops.law);
+    loops.law = reader
+                    .choice<RetractionLaw>("retraction", {{"loss", RetractionLaw::loss},
+                                                          {"pinning", RetractionLaw::pinning},
+                                                          {"opening", RetractionLaw::opening},
+                                                          {"reversible", RetractionLaw::reversible}})
+                    .value_or(loops.law);
+    take(reader, "opening_work", dimension::surface_energy, loops.opening_work);
+    if (loops.law == RetractionLaw::opening && !(loops.opening_work > 0.0))
+        reader.fail("retraction", "opening needs opening_work, such as \"80 mJ/m2\"");
     loops.loss_factor = number_or(reader, "loss_factor", loops.loss_factor);
     loops.nonconforming = reader
                               .choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse},
@@ -138,8 +144,8 @@ void require_consistent(const LoopRecipe& loops, const Recipe& recipe, const Tom
     }
     for (const auto& pair : loops.further)
         if (loops.is_unmeasured(pair))
-            reader.fail("further", fmt::format("{} on {} is unmeasured; expected a pair that has a loop", pair.elastomer,
-                                               pair.surface));
+            reader.fail("further", fmt::format("{} on {} is unmeasured; expected a pair that has a loop",
+                                               pair.elastomer, pair.surface));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recipe_elastomers.hpp"
 
+#include <fmt/format.h>
+
 namespace setae::simulation {
 namespace {
 
@@ -44,6 +46,10 @@ ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const
     }
     elastomer.sphere_radius =
         stated.required(reader, table, "sphere_radius", positive(dimension::length), shared_name(reader, "lens"));
+    if (const auto factor = reader.number("tip_factor")) {
+        if (!(*factor >= 1.0)) reader.fail("tip_factor", fmt::format("{}, expected 1 or more", *factor));
+        elastomer.tip_factor = *factor;
+    }
     reader.finish();
     return elastomer;
 }

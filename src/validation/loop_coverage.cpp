@@ -17,12 +17,12 @@ namespace setae::validation {
 namespace {
 
 using contact::jkr::Contact;
+using hysteresis::HystereticSphere;
 using loops::BranchData;
 using loops::JkrFit;
 using loops::LensAndCounterBody;
-using simulation::LoopSpecimen;
 
-LensAndCounterBody bodies_of(const LoopSpecimen& specimen) {
+LensAndCounterBody bodies_of(const hysteresis::HystereticSphere& specimen) {
     return {.radius = specimen.radius, .counter_youngs_modulus = std::numeric_limits<double>::infinity()};
 }
 

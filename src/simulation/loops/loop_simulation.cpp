@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "machine.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/hysteresis/machine.hpp"
 
 namespace setae::simulation {
 namespace {
@@ -84,13 +84,13 @@ void add_artefacts(loops::Loop& loop, const Array1D& motor, const LoopArtefacts&
 
 }  // namespace
 
-SimulatedLoop simulated_loop(const LoopSpecimen& specimen, const LoadingProtocol& protocol,
+SimulatedLoop simulated_loop(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
                              const LoopArtefacts& artefacts) {
     require_valid(artefacts);
     SimulatedLoop result{.truth = loop_truth(specimen, protocol)};
-    const LoopTruth& truth = result.truth;
-    const Machine machine(protocol.machine_stiffness);
-    const auto approach = machine.approach(specimen), retraction = machine.retraction(specimen);
+    const hysteresis::SphereLoop& truth = result.truth;
+    const hysteresis::Machine machine(protocol.machine_stiffness);
+    const auto approach = specimen.approach(), retraction = specimen.retraction();
     const double turn = machine.motor(truth.turning_point), unpinned = machine.motor(truth.unpinned);
     const double parting = machine.motor(truth.parting);
     const Schedule schedule(protocol, turn, parting);
@@ -105,11 +105,11 @@ SimulatedLoop simulated_loop(const LoopSpecimen& specimen, const LoadingProtocol
         const double position = schedule.motor(time, protocol);
         State state{.displacement = position};
         if (time <= schedule.turn && position >= 0.0)
-            state = equilibrium(machine.stable_radius(position, approach, largest), approach);
+            state = hysteresis::equilibrium(machine.stable_radius(position, approach, largest), approach);
         else if (time > schedule.turn && position >= unpinned)
             state = machine.pinned(truth.turning_point, position, specimen.contact_modulus);
         else if (time > schedule.turn && position >= parting)
-            state = equilibrium(machine.stable_radius(position, retraction, largest), retraction);
+            state = hysteresis::equilibrium(machine.stable_radius(position, retraction, largest), retraction);
         loop.time[i] = time;
         motor[i] = position;
         loop.force[i] = state.force;

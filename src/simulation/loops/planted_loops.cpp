@@ -7,8 +7,8 @@
 #include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/hysteresis/retraction_model.hpp"
 #include "setae/simulation/data_set.hpp"
-#include "setae/simulation/retraction_work.hpp"
 
 namespace setae::simulation {
 namespace {
@@ -21,16 +21,41 @@ double contact_modulus(const Recipe& recipe, const ElastomerRecipe& elastomer) {
 
 /// What a pair's loop is of, or why there is none.
 struct RoughPair {
-    LoopSpecimen specimen;
+    hysteresis::HystereticSphere specimen;
     std::string refusal;
 };
+
+/// W_ret with which the loop loses so much an area, or why it cannot.
+void lose(RoughPair& pair, const LoopRecipe& loops, double loss_per_area) {
+    const hysteresis::SphereLoop least = loop_truth(pair.specimen, loops.protocol);
+    const double loss = loss_per_area * least.largest_contact_area();
+    if (loss < least.energy_loss())
+        pair.refusal = fmt::format(
+            "the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
+            "loss_factor",
+            least.energy_loss(), loss);
+    else
+        pair.specimen.work_retraction =
+            hysteresis::work_retraction_for_loss(pair.specimen, loops.protocol.pressing(), loss);
+}
+
+/// @throws InternalError for `loss`, which is none of theirs.
+hysteresis::Law law_of(RetractionLaw law) {
+    switch (law) {
+        case RetractionLaw::pinning: return hysteresis::Law::pinning;
+        case RetractionLaw::opening: return hysteresis::Law::opening_work;
+        case RetractionLaw::reversible: return hysteresis::Law::reversible;
+        case RetractionLaw::loss: break;
+    }
+    throw InternalError("E_loss = f W_int A_true is no law of W_ret alone");
+}
 
 RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer) {
     const LoopRecipe& loops = *recipe.loops;
     RoughPair pair{
         .specimen = {.radius = elastomer.sphere_radius.value, .contact_modulus = contact_modulus(recipe, elastomer)},
         .refusal = {}};
-    LoopSpecimen& specimen = pair.specimen;
+    hysteresis::HystereticSphere& specimen = pair.specimen;
     const double stored_energy = specimen.contact_modulus * surface.parameters.elastic_energy_per_modulus;
     const auto work = adhesion::modified_balance(recipe.work_of_adhesion, elastomer.surface_energy.value,
                                                  {.area_ratio = surface.area_ratio, .stored_energy = stored_energy});
@@ -42,19 +67,20 @@ RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const El
         return pair;
     }
     specimen.work_approach = specimen.work_retraction = work.raw;
-    if (loops.law == RetractionLaw::pinning) {
-        specimen.work_retraction = work_retraction_by_pinning(
-            {.work_approach = work.raw, .mean_work = recipe.work_of_adhesion, .stored_energy = stored_energy});
-        return pair;
+    if (loops.law == RetractionLaw::loss) {
+        lose(pair, loops, loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio);
+        specimen.work_retraction *= elastomer.tip_factor;
+    } else {
+        const hysteresis::RetractionModel model{law_of(loops.law), elastomer.tip_factor > 1.0};
+        const hysteresis::PairState state{.area_ratio = surface.area_ratio,
+                                          .stored_energy = stored_energy,
+                                          .work_of_adhesion = recipe.work_of_adhesion,
+                                          .surface_energy = elastomer.surface_energy.value,
+                                          .work_approach = work.raw,
+                                          .tip_factor = elastomer.tip_factor};
+        const auto line = hysteresis::retraction_line(model, state, {});
+        specimen.work_retraction = std::max(work.raw, line.slope * loops.opening_work + line.constant);
     }
-    const LoopTruth least = loop_truth(specimen, loops.protocol);
-    const double loss = loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio * least.largest_contact_area();
-    if (loss < least.energy_loss())
-        pair.refusal = fmt::format(
-            "the jumps alone lose {:.4g} J, more than the loop's {:.4g} J; press harder, or ask for a larger "
-            "loss_factor",
-            least.energy_loss(), loss);
-    else specimen.work_retraction = work_retraction_for_loss(specimen, loops.protocol, loss);
     return pair;
 }
 
@@ -123,7 +149,7 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
                      .specimen = {.radius = elastomer.sphere_radius.value,
                                   .contact_modulus = contact_modulus(recipe, elastomer),
                                   .work_approach = *work,
-                                  .work_retraction = *work}});
+                                  .work_retraction = elastomer.tip_factor * *work}});
     add_further(loops, recipe.loops->further);
     return loops;
 }

@@ -22,25 +22,26 @@ constexpr double apart = 20.0;                              // px of level line 
 
 enum CurveStream : std::uint64_t { height_stream, bulge_stream };
 
-void require(bool holds, const std::string& what) {
+void require_curve(bool holds, const std::string& what) {
     if (!holds) throw InvalidArgument(what);
 }
 
 void check(const RoughCurveOptions& o) {
-    require(o.width >= 16 && o.height >= 16,
-            fmt::format("a curve for {} × {} pixels; expected at least 16 × 16", o.width, o.height));
-    require(o.rms_height > 0.0 && std::isfinite(o.rms_height),
-            fmt::format("rms height {} px of the curve; expected a positive number", o.rms_height));
-    require(o.hurst_exponent > 0.0 && o.hurst_exponent <= 1.0,
-            fmt::format("Hurst exponent {}; expected 0 < H <= 1", o.hurst_exponent));
-    require(
+    require_curve(o.width >= 16 && o.height >= 16,
+                  fmt::format("a curve for {} × {} pixels; expected at least 16 × 16", o.width, o.height));
+    require_curve(o.rms_height > 0.0 && std::isfinite(o.rms_height),
+                  fmt::format("rms height {} px of the curve; expected a positive number", o.rms_height));
+    require_curve(o.hurst_exponent > 0.0 && o.hurst_exponent <= 1.0,
+                  fmt::format("Hurst exponent {}; expected 0 < H <= 1", o.hurst_exponent));
+    require_curve(
         o.cutoff_wavelength >= 2.0 && o.cutoff_wavelength < o.rolloff_wavelength && std::isfinite(o.rolloff_wavelength),
         fmt::format("waves from {} down to {} px; expected 2 <= cutoff < rolloff", o.rolloff_wavelength,
                     o.cutoff_wavelength));
-    require(std::abs(o.tilt) < 1.0, fmt::format("a tilt of {} rad; expected less than 1", o.tilt));
-    require(o.bulges >= 0 && o.least_depth > 0.0 && o.least_depth <= o.largest_depth && std::isfinite(o.largest_depth),
-            fmt::format("{} bulges that overhang by {} to {} px; expected 0 < least <= largest", o.bulges,
-                        o.least_depth, o.largest_depth));
+    require_curve(std::abs(o.tilt) < 1.0, fmt::format("a tilt of {} rad; expected less than 1", o.tilt));
+    require_curve(
+        o.bulges >= 0 && o.least_depth > 0.0 && o.least_depth <= o.largest_depth && std::isfinite(o.largest_depth),
+        fmt::format("{} bulges that overhang by {} to {} px; expected 0 < least <= largest", o.bulges, o.least_depth,
+                    o.largest_depth));
 }
 
 /// Random heights [px], upwards, at any place of the curve.
@@ -113,8 +114,9 @@ std::vector<Bulge> bulges_of(const RoughCurveOptions& options) {
     const auto key = substream(options.key, bulge_stream);
     const double part = static_cast<double>(options.width) * std::cos(options.tilt) / std::max(1, options.bulges);
     const double widest = 2.0 * (largest_neck + largest_fillet + options.largest_depth) + apart;
-    require(options.bulges == 0 || part >= widest, fmt::format("{} bulges within {} px; expected at most one in {} px",
-                                                               options.bulges, options.width, widest));
+    require_curve(
+        options.bulges == 0 || part >= widest,
+        fmt::format("{} bulges within {} px; expected at most one in {} px", options.bulges, options.width, widest));
     std::vector<Bulge> bulges;
     for (int i = 0; i < options.bulges; ++i) {
         const auto number = 4 * static_cast<std::uint64_t>(i);

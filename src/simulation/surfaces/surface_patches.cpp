@@ -64,15 +64,15 @@ StylusOptions stylus_options(const StylusProtocol& protocol, std::size_t scan, R
 /// C1D of points read a step apart: all waves shorter than two steps folded back.
 spectra::SpectralDensity folded(const LineSpectrum& C1D, double step, double lowest) {
     constexpr int single = 16;  // aliases added one by one; beyond them their sum is an integral
-    constexpr double nodes_a_unit = 40.0;
+    constexpr double nodes_an_e_fold = 40.0;
     const double sampling = 2.0 * pi / step, nyquist = 0.5 * sampling;
     double tail = 0.0;
     const double first = (single + 0.5) * sampling, extent = std::log(C1D.upper() / first);
-    for (double t = 0.5 / nodes_a_unit; t < extent; t += 1.0 / nodes_a_unit) {
+    for (double t = 0.5 / nodes_an_e_fold; t < extent; t += 1.0 / nodes_an_e_fold) {
         const double q = first * std::exp(t);
-        tail += 2.0 * C1D(q) * q / nodes_a_unit / sampling;
+        tail += 2.0 * C1D(q) * q / nodes_an_e_fold / sampling;
     }
-    const auto count = static_cast<Index>(std::ceil(nodes_a_unit * std::log(nyquist / lowest))) + 1;
+    const auto count = static_cast<Index>(std::ceil(nodes_an_e_fold * std::log(nyquist / lowest))) + 1;
     Array1D q(count), values(count);
     for (Index i = 0; i < count; ++i) {
         q[i] = lowest * std::pow(nyquist / lowest, static_cast<double>(i) / static_cast<double>(count - 1));

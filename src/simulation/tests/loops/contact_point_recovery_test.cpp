@@ -17,7 +17,7 @@ namespace {
 using loops::ContactPointMethod;
 
 constexpr double fixed_grips = std::numeric_limits<double>::infinity();
-constexpr LoopSpecimen specimen{
+constexpr hysteresis::HystereticSphere specimen{
     .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.060};
 /// −3/2 πRW of the approach [N]: noise is a share of it.
 constexpr double pull = 1.5 * 3.14159265 * 1.25e-3 * 0.040;
@@ -85,10 +85,10 @@ TEST(LedgerRecovery, CoversTheLossItStates) {
 
 /// The closed form at the machine's stiffness against the laboratory's own solution of the same equilibrium.
 TEST(LedgerRecovery, KnowsTheIdealLossOfThisMachine) {
-    LoopSpecimen smooth = specimen;
+    hysteresis::HystereticSphere smooth = specimen;
     smooth.work_retraction = smooth.work_approach;
     for (const double stiffness : {3.0, 40.0, 300.0, 1e5, fixed_grips}) {
-        const LoopTruth truth = loop_truth(smooth, {.machine_stiffness = stiffness});
+        const hysteresis::SphereLoop truth = loop_truth(smooth, {.machine_stiffness = stiffness});
         const auto jumps =
             loops::spring_jumps({smooth.radius, smooth.contact_modulus, smooth.work_approach}, stiffness);
         EXPECT_NEAR(jumps.jump_in_loss / truth.jump_in_loss, 1.0, 1e-10) << stiffness;

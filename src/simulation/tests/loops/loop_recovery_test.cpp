@@ -15,11 +15,11 @@
 namespace setae::simulation::loop_recovery_test {
 namespace {
 
-constexpr LoopSpecimen rough{
+constexpr hysteresis::HystereticSphere rough{
     .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.075};
 constexpr LoopArtefacts noise{.force_noise = 1e-7, .displacement_noise = 5e-10, .radius_noise = 1e-7};
 
-loops::LoopAnalysis analysed(const loops::Loop& loop, const LoopSpecimen& specimen) {
+loops::LoopAnalysis analysed(const loops::Loop& loop, const hysteresis::HystereticSphere& specimen) {
     return loops::analyse(
         loop, {.radius = specimen.radius, .counter_youngs_modulus = std::numeric_limits<double>::infinity()});
 }
@@ -60,7 +60,7 @@ TEST(LoopRecovery, FindsTheStretchInWhichTheEdgeIsPinned) {
 // The twentieth part of a long record that is taken for free flight reaches into the contact, which the camera shows a
 // frame late: what is no free flight is left out, and the noise stays that of the sensor.
 TEST(LoopRecovery, KnowsTheNoiseWhereTheContactBeginsEarly) {
-    LoopSpecimen soft = rough;
+    hysteresis::HystereticSphere soft = rough;
     soft.contact_modulus = 0.25e6;
     const SimulatedLoop made = simulated_loop(soft, {.camera_rate = 2.0}, noise);
     const auto touch = static_cast<Index>(10.0 * 2e-6 / 60e-9);
@@ -73,7 +73,7 @@ TEST(LoopRecovery, KnowsTheNoiseWhereTheContactBeginsEarly) {
 // Where W is almost 0, a(F) is vertical at F = 0: least squares in a alone takes noise of the force for the contact,
 // errors in both do not.
 TEST(LoopRecovery, WithoutAdhesionNeedsTheErrorsOfForce) {
-    const LoopSpecimen dry{
+    const hysteresis::HystereticSphere dry{
         .radius = 1.25e-3, .contact_modulus = 1.3333e6, .work_approach = 1e-7, .work_retraction = 0.02};
     constexpr int loops = 60;
     double by_radius = 0.0, by_both = 0.0;
@@ -100,7 +100,7 @@ TEST(LoopRecovery, WithoutAdhesionNeedsTheErrorsOfForce) {
 }
 
 TEST(LoopRecovery, OfAReferenceFindsEqualWorkOnBothBranches) {
-    LoopSpecimen smooth = rough;
+    hysteresis::HystereticSphere smooth = rough;
     smooth.work_retraction = smooth.work_approach;
     const loops::LoopAnalysis analysis = analysed(simulated_loop(smooth, {}).loop, smooth);
     EXPECT_FALSE(analysis.pinned);

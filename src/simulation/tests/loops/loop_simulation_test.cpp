@@ -8,17 +8,16 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/simulation/retraction_work.hpp"
 
 namespace setae::simulation::loop_simulation_test {
 namespace {
 
-constexpr LoopSpecimen smooth{
+constexpr hysteresis::HystereticSphere smooth{
     .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.040};
-constexpr LoopSpecimen rough{
+constexpr hysteresis::HystereticSphere rough{
     .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.075};
 
-contact::jkr::Contact contact_of(const LoopSpecimen& specimen, double work) {
+contact::jkr::Contact contact_of(const hysteresis::HystereticSphere& specimen, double work) {
     return {specimen.radius, specimen.contact_modulus, work};
 }
 
@@ -37,28 +36,28 @@ Index index_of_largest_force(const loops::Loop& loop) {
 }
 
 TEST(LoopTruth, OfEqualWorksUnderFixedGripsIsTheIdealLossOfMaugis) {
-    const LoopTruth truth = loop_truth(smooth, {});
+    const hysteresis::SphereLoop truth = loop_truth(smooth, {});
     const double unit = contact::jkr::maugis_units(contact_of(smooth, 0.040)).energy;
     EXPECT_NEAR(truth.energy_loss() / unit, 1.2749410291, 1e-10);
     EXPECT_NEAR(truth.jump_in_loss / unit, 1.1537996562, 1e-10);
     EXPECT_NEAR(truth.jump_out_loss / unit, 0.1211413729, 1e-10);
-    EXPECT_EQ(truth.pinning_loss, 0.0);
+    EXPECT_EQ(truth.edge_loss, 0.0);
 }
 
 TEST(LoopTruth, PartsAtFiveSixthsUnderFixedGripsAndAtThreeHalvesUnderALoad) {
     const double force = pi * rough.radius * rough.work_retraction;
-    const LoopTruth stiff = loop_truth(rough, {});
+    const hysteresis::SphereLoop stiff = loop_truth(rough, {});
     EXPECT_NEAR(stiff.parting.force / force, -5.0 / 6.0, 1e-12);
     EXPECT_NEAR(stiff.smallest_force / force, -1.5, 1e-12);
     // the spring's instability lies within O(√k_m) of the fold, where the force is stationary
-    const LoopTruth soft = loop_truth(rough, {.machine_stiffness = 1e-3});
+    const hysteresis::SphereLoop soft = loop_truth(rough, {.machine_stiffness = 1e-3});
     EXPECT_NEAR(soft.parting.force / force, -1.5, 1e-8);
     EXPECT_NEAR(soft.smallest_force / force, -1.5, 1e-12);
 }
 
 TEST(LoopTruth, PartsWhereTheContactIsAsSoftAsTheMachine) {
     constexpr double stiffness = 40.0;
-    const LoopTruth truth = loop_truth(rough, {.machine_stiffness = stiffness});
+    const hysteresis::SphereLoop truth = loop_truth(rough, {.machine_stiffness = stiffness});
     const contact::jkr::Contact retraction = contact_of(rough, rough.work_retraction);
     const double a = truth.parting.contact_radius, step = 1e-5 * a;
     const double dF = contact::jkr::force(a + step, retraction) - contact::jkr::force(a - step, retraction);
@@ -77,9 +76,9 @@ TEST(LoopTruth, JumpsInAlongTheMachinesLine) {
 }
 
 TEST(LoopTruth, OfAContactTooSmallForItsAdhesionPartsStraightFromThePinnedState) {
-    LoopSpecimen sticky = rough;
+    hysteresis::HystereticSphere sticky = rough;
     sticky.work_retraction = 20.0;
-    const LoopTruth truth = loop_truth(sticky, {.maximum_force = 1e-5});
+    const hysteresis::SphereLoop truth = loop_truth(sticky, {.maximum_force = 1e-5});
     EXPECT_EQ(truth.parting.contact_radius, truth.turning_point.contact_radius);
     EXPECT_EQ(truth.smallest_force, truth.unpinned.force);
     const SimulatedLoop simulated =
@@ -197,7 +196,7 @@ TEST(SimulatedLoop, OfTheSameKeyIsTheSame) {
 }
 
 TEST(SimulatedLoop, RefusesWhatCannotBe) {
-    const auto message = [](const LoopSpecimen& specimen, const LoadingProtocol& protocol,
+    const auto message = [](const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
                             const LoopArtefacts& artefacts = {}) {
         try {
             (void)simulated_loop(specimen, protocol, artefacts);
@@ -206,7 +205,7 @@ TEST(SimulatedLoop, RefusesWhatCannotBe) {
         }
         return std::string();
     };
-    LoopSpecimen repelled = smooth;
+    hysteresis::HystereticSphere repelled = smooth;
     repelled.work_retraction = 0.03;
     EXPECT_NE(message(repelled, {}).find("work of adhesion on retraction"), std::string::npos);
     EXPECT_NE(message(smooth, {.maximum_force = 0.0}).find("maximum force"), std::string::npos);
@@ -214,40 +213,6 @@ TEST(SimulatedLoop, RefusesWhatCannotBe) {
     EXPECT_NE(message(smooth, {.machine_stiffness = -1.0}).find("machine stiffness"), std::string::npos);
     EXPECT_NE(message(smooth, {.force_rate = 1e9}).find("samples"), std::string::npos);
     EXPECT_NE(message(smooth, {}, {.force_noise = -1.0}).find("force noise"), std::string::npos);
-}
-
-TEST(RetractionWork, ForALossGivesThatLoss) {
-    for (const double stiffness : {50.0, std::numeric_limits<double>::infinity()}) {
-        const LoadingProtocol protocol{.machine_stiffness = stiffness};
-        LoopSpecimen specimen = smooth;
-        for (const double loss : {1.2e-9, 3e-9, 50e-9}) {
-            specimen.work_retraction = work_retraction_for_loss(smooth, protocol, loss);
-            EXPECT_NEAR(loop_truth(specimen, protocol).energy_loss() / loss, 1.0, 1e-12) << loss;
-        }
-    }
-}
-
-TEST(RetractionWork, ForLessThanTheJumpsIsRefusedWithTheLeastLoss) {
-    try {
-        (void)work_retraction_for_loss(smooth, {}, 1e-12);
-        FAIL();
-    } catch (const InvalidArgument& error) {
-        EXPECT_NE(std::string(error.what()).find("loses at least"), std::string::npos) << error.what();
-    }
-}
-
-TEST(RetractionWork, ByPinningMeetsTheSimulatedFrontsAndIsMonotoneBetween) {
-    EXPECT_NEAR(work_retraction_by_pinning({.work_approach = 0.05, .mean_work = 0.05, .stored_energy = 0.005}),
-                0.05 + 2.0 * 2.02 * 0.005, 1e-15);
-    EXPECT_EQ(work_retraction_by_pinning({.work_approach = 0.05, .mean_work = 0.05}), 0.05);
-    double previous = 0.05;
-    for (double share = 1e-4; share < 1.0; share *= 1.3) {
-        const double work =
-            work_retraction_by_pinning({.work_approach = 0.05, .mean_work = 0.05, .stored_energy = 0.05 * share});
-        EXPECT_GT(work, previous) << share;
-        previous = work;
-    }
-    EXPECT_THROW((void)work_retraction_by_pinning({.work_approach = 0.05, .stored_energy = 0.005}), InvalidArgument);
 }
 
 }  // namespace

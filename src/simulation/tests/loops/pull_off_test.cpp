@@ -12,7 +12,7 @@ namespace setae::simulation::pull_off_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr LoopSpecimen specimen{
+constexpr hysteresis::HystereticSphere specimen{
     .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.060};
 
 loops::PullOff pull_off_of(double stiffness, double force_rate = 10.0, double displacement_noise = 0.0) {

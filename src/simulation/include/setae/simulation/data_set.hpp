@@ -14,9 +14,9 @@ struct PlantedLoop {
     std::string file;     ///< relative to the data set's folder
     std::string surface;  ///< empty for a reference
     std::string elastomer;
-    std::string stage;      ///< of references: "before" or "after"
-    LoopSpecimen specimen;  ///< R, E*, W_app, W_ret
-    LoopTruth truth;
+    std::string stage;                      ///< of references: "before" or "after"
+    hysteresis::HystereticSphere specimen;  ///< R, E*, W_app, W_ret
+    hysteresis::SphereLoop truth;
     bool measured = true;  ///< else there is no file: the pair is for the study to predict
     int number = 1;        ///< among the loops of its pair
 };
@@ -24,7 +24,7 @@ struct PlantedLoop {
 /// What a recipe's loops are: one a surface and elastomer, then the references, then further ones of the same pairs.
 ///
 ///   W_app = W_int r − γ1 (r − 1) − E* U_el/(A E*)   [D19] (7), r and U_el of the known surface
-///   W_ret: by pinning, or such that E_loss = f W_int r π a_max²
+///   W_ret: by the recipe's law, or such that E_loss = f W_int r π a_max²; times φ of the elastomer
 ///
 /// @throws InvalidArgument where a pair would not conform (W_app <= 0) or its jumps alone lose more than E_loss, unless
 /// such pairs are left out; the message names the pair. Nothing for a recipe without loops. Source: [D19] (7), (10).

@@ -25,14 +25,14 @@ struct LoopArtefacts {
 /// A record and what is behind it.
 struct SimulatedLoop {
     loops::Loop loop;  ///< contact radius: 0 out of contact, NaN between camera frames
-    LoopTruth truth;
+    hysteresis::SphereLoop truth;
 };
 
 /// The record of such a loop: samples at times i/force_rate, a frame of the camera at the first sample at or after each
 /// multiple of 1/camera_rate. The jumps take no time.
 /// @throws InvalidArgument as loop_truth, for negative noise, a camera faster than the force, and for records of more
 /// than 10⁸ samples.
-[[nodiscard]] SimulatedLoop simulated_loop(const LoopSpecimen& specimen, const LoadingProtocol& protocol,
-                                           const LoopArtefacts& artefacts = {});
+[[nodiscard]] SimulatedLoop simulated_loop(const hysteresis::HystereticSphere& specimen,
+                                           const LoadingProtocol& protocol, const LoopArtefacts& artefacts = {});
 
 }  // namespace setae::simulation

@@ -83,6 +83,7 @@ struct ElastomerRecipe {
     double poisson_ratio = 0.5;     ///< ν
     StatedQuantity surface_energy;  ///< γ1 [J/m²]
     StatedQuantity sphere_radius;   ///< R [m], > 0
+    double tip_factor = 1.0;        ///< φ, by which W_ret is larger on every surface, smooth ones too; >= 1
 };
 
 /// A surface and an elastomer.
@@ -93,8 +94,10 @@ struct SpecimenPair {
 
 /// Where W_ret comes from.
 enum class RetractionLaw {
-    loss,     ///< the loop loses f W_int A_true
-    pinning,  ///< the roughness pins the edge
+    loss,        ///< the loop loses f W_int A_true
+    pinning,     ///< the roughness pins the edge: hysteresis::Law::pinning
+    opening,     ///< a true area costs one work to open: hysteresis::Law::opening_work
+    reversible,  ///< W_ret = W_app
 };
 
 /// What happens to pairs of surface and elastomer without a loop: W_app <= 0, or jumps that alone lose more than
@@ -110,7 +113,8 @@ struct LoopRecipe {
     LoadingProtocol protocol;
     LoopArtefacts artefacts;  ///< the key is the recipe's
     RetractionLaw law = RetractionLaw::loss;
-    double loss_factor = 1.0;  ///< f
+    double loss_factor = 1.0;   ///< f
+    double opening_work = 0.0;  ///< W_x of the law `opening` [J/m²]
     NonconformingPairs nonconforming = NonconformingPairs::refuse;
     std::vector<SpecimenPair> unmeasured;  ///< whose loop is planted, but not recorded: the study only predicts it
     std::vector<SpecimenPair> further;     ///< with one more loop, once for each time that a pair is named

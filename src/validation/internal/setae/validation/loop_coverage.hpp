@@ -17,7 +17,7 @@ struct LoopCoverageOptions {
     /// over σ_δ, a_max over σ_a.
     std::vector<double> signal_to_noise{5.0, 10.0, 30.0, 100.0};
     Index samples = 400;  ///< of each branch, evenly in displacement; >= 20
-    simulation::LoopSpecimen specimen{
+    hysteresis::HystereticSphere specimen{
         .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.040, .work_retraction = 0.060};
     double maximum_force = 1e-3;  ///< [N]
     parallel::Threads threads;

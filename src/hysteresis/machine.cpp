@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machine.hpp"
+#include "setae/hysteresis/machine.hpp"
 
 #include <cmath>
 
 #include "setae/core/constants.hpp"
 #include "setae/numerics/bracketing.hpp"
 
-namespace setae::simulation {
+namespace setae::hysteresis {
 namespace {
 
 using contact::jkr::Contact;
@@ -57,4 +57,4 @@ double Machine::energy(const State& state, const Contact& contact) const {
            0.5 * compliance_ * state.force * state.force;
 }
 
-}  // namespace setae::simulation
+}  // namespace setae::hysteresis

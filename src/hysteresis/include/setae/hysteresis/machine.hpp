@@ -2,9 +2,8 @@
 #pragma once
 
 #include "setae/contact/jkr.hpp"
-#include "setae/simulation/loop_truth.hpp"
 
-namespace setae::simulation {
+namespace setae::hysteresis {
 
 /// State of JKR equilibrium at a contact radius.
 [[nodiscard]] contact::jkr::State equilibrium(double contact_radius, const contact::jkr::Contact& contact);
@@ -13,13 +12,6 @@ namespace setae::simulation {
 class Machine {
 public:
     explicit Machine(double stiffness) : compliance_(1.0 / stiffness) {}
-
-    [[nodiscard]] static contact::jkr::Contact approach(const LoopSpecimen& specimen) {
-        return {specimen.radius, specimen.contact_modulus, specimen.work_approach};
-    }
-    [[nodiscard]] static contact::jkr::Contact retraction(const LoopSpecimen& specimen) {
-        return {specimen.radius, specimen.contact_modulus, specimen.work_retraction};
-    }
 
     [[nodiscard]] double motor(const contact::jkr::State& state) const {
         return state.displacement + compliance_ * state.force;
@@ -44,4 +36,4 @@ private:
     double compliance_;  ///< 1/k_m [m/N]
 };
 
-}  // namespace setae::simulation
+}  // namespace setae::hysteresis

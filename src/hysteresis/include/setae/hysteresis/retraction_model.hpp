@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace setae::hysteresis {
+
+/// What roughness adds to the work of adhesion on the way back.
+enum class Law {
+    reversible,             ///< nothing
+    pinning,                ///< the edge is held: 2k U_el/A, k of simulated fronts
+    pinning_by_bands,       ///< the same of every band of a factor of 4, one after the other
+    fitted_pinning,         ///< 2k U_el/A with one k of all pairs
+    conformal_loss,         ///< all that is gained on approach is lost: E_loss = W_int A_true (10)
+    fitted_conformal_loss,  ///< the same with a work of its own: E_loss = W_x A_true
+    opening_work,           ///< opening costs one work a true area, whatever was stored: W_ret = W_x r
+};
+
+/// A number of a law that is fitted to all pairs.
+struct ModelParameter {
+    std::string symbol;    ///< "k", "W_x"
+    std::string quantity;  ///< "pinning_coefficient", "work_per_true_area"
+    std::string unit;      ///< "1", "J/m2"
+};
+
+/// A law, alone or times what a smooth reference needs more on the way back than on approach: the crack tip's own loss.
+///
+///   W_ret = φ (W_app + x),  φ = W_ret/W_app of the smooth reference on the same elastomer, 1 without the crack tip
+///
+/// x: the law's.  Pinning and (10) are two accounts of one energy and exclude each other; either goes with the crack
+/// tip, which multiplies what an edge costs to move. opening_work has W_x r in place of W_app + x.
+struct RetractionModel {
+    Law law = Law::reversible;
+    bool crack_tip = false;
+
+    [[nodiscard]] std::string name() const;     ///< "pinning", "crack_tip_pinning"; of the crack tip alone "crack_tip"
+    [[nodiscard]] std::string formula() const;  ///< "φ (W_app + 2k U_el/A)"
+    [[nodiscard]] bool fitted() const;          ///< whether it has a parameter
+    [[nodiscard]] ModelParameter parameter() const;  ///< of a fitted one
+
+    friend bool operator==(const RetractionModel&, const RetractionModel&) = default;
+};
+
+/// All of them, without and with the crack tip.
+[[nodiscard]] std::vector<RetractionModel> retraction_models();
+
+/// What a model is told of a pair; nothing of its errors.
+struct PairState {
+    double area_ratio = 1.0;        ///< r, >= 1
+    double stored_energy = 0.0;     ///< U_el/A [J/m²], >= 0
+    double work_of_adhesion = 0.0;  ///< W_int [J/m²], > 0
+    double surface_energy = 0.0;    ///< γ1 [J/m²]
+    double work_approach = 0.0;     ///< W_app [J/m²], >= 0
+    double tip_factor = 1.0;        ///< φ
+    double pinning_factor = 1.0;    ///< on k of simulated fronts
+    double jumps_per_area = 0.0;    ///< what both jumps of the sphere lose over π a_max² [J/m²]
+
+    /// W_int r − γ1 (r − 1): what conforming gains before it stores anything [J/m²].
+    [[nodiscard]] double conforming_gain() const;
+    /// U_el over what conforming gains.
+    [[nodiscard]] double energy_share() const { return stored_energy / conforming_gain(); }
+};
+
+/// W_ret = slope θ + constant, θ the model's parameter [J/m²]; slope 0 without one.
+struct RetractionLine {
+    double slope = 0.0, constant = 0.0;
+};
+
+/// band_shares: of U_el, by bands of a factor of 4 in wavevector; pinning_by_bands alone looks at them.
+/// (10) counts the sphere's jumps: they are taken off what the edge loses.
+/// @throws InvalidArgument for a state outside its domains.
+[[nodiscard]] RetractionLine retraction_line(const RetractionModel& model, const PairState& state,
+                                             const std::vector<double>& band_shares);
+
+}  // namespace setae::hysteresis

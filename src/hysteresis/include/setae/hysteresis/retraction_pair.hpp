@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "setae/adhesion/traced_function.hpp"
+#include "setae/hysteresis/retraction_model.hpp"
+#include "setae/hysteresis/sphere_loop.hpp"
+
+namespace setae::hysteresis {
+
+/// A surface and an elastomer as laws of retraction see them, with everything they rest on.
+struct RetractionPair {
+    adhesion::RoughSide rough;
+    adhesion::SoftSide soft;
+    TracedValue work_of_adhesion;               ///< W_int [J/m²]
+    std::optional<TracedValue> approach{};      ///< W_app as measured [J/m²]; without it by (7), 0 at least
+    std::optional<TracedValue> tip_factor{};    ///< φ of a smooth reference; models with a crack tip need it
+    std::optional<TracedValue> radius{};        ///< R [m] of the sphere
+    std::optional<TracedValue> contact_area{};  ///< π a_max² as measured [m²]; without it of `pressing`
+    std::optional<Pressing> pressing{};
+    std::vector<double> band_shares;  ///< of U_el, by bands of a factor of 4
+
+    /// U_el over what conforming gains.
+    [[nodiscard]] double energy_share() const;
+    /// Whether the model has what it needs. In words where not.
+    [[nodiscard]] std::string lacks(const RetractionModel& model) const;
+};
+
+/// The name of the input that k of simulated fronts is, as one relative error of all pairs.
+inline constexpr const char* simulated_pinning_input = "k of simulated fronts";
+
+/// What was measured of W_ret.
+struct MeasuredRetraction {
+    Estimate value;     ///< W_ret [J/m²]; its standard error is of noise and scatter
+    Components inputs;  ///< that it shares with others
+};
+
+/// The pair as a fit of the model's θ sees it. A model without θ has slope 1 and is to be taken at θ = 0.
+[[nodiscard]] adhesion::PairPoint retraction_point(const RetractionModel& model, const RetractionPair& pair,
+                                                   const MeasuredRetraction& measured);
+
+/// What a fit says of a model: θ, and how far pairs scatter about it.
+struct FittedModel {
+    RetractionModel model;
+    TracedValue parameter;  ///< θ; 0 without one
+    Estimate scatter;       ///< of the next pair on a new surface and elastomer: value 0, ± [J/m²]
+};
+
+/// W_ret [J/m²] of a pair by a model, at least W_app, the scatter among its errors.
+[[nodiscard]] TracedValue predicted_retraction(const FittedModel& fitted, const RetractionPair& pair);
+
+/// Where the joules of a loop went.
+struct EnergyShares {
+    TracedValue jump_in, jump_out;  ///< of the sphere [J]
+    TracedValue crack_tip;  ///< (1 − 1/φ) W_ret π a_max² [J]: what a smooth edge loses more on the way back
+    TracedValue roughness;  ///< the rest of (W_ret − W_app) π a_max² [J]
+};
+
+/// A whole loop by a model.
+struct PredictedRetraction {
+    TracedValue work_approach, work_retraction;  ///< [J/m²]
+    TracedValue pull_off_force;                  ///< magnitude of the smallest force [N]
+    TracedValue contact_radius;                  ///< a_max [m]
+    TracedValue energy_loss;                     ///< ∮F dδ [J]
+    EnergyShares shares;                         ///< they add to energy_loss
+    HystereticSphere sphere;                     ///< of the values, for loop_course()
+};
+
+/// Nothing where W_app is 0: no contact forms.
+/// @throws InvalidArgument unless radius and pressing are known.
+[[nodiscard]] std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& fitted,
+                                                                           const RetractionPair& pair);
+
+}  // namespace setae::hysteresis

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "setae/contact/jkr.hpp"
+#include "setae/core/table.hpp"
+
+namespace setae::hysteresis {
+
+/// A soft sphere whose adhesion differs between approach and retraction.
+struct HystereticSphere {
+    double radius = 0.0;           ///< R [m], > 0
+    double contact_modulus = 0.0;  ///< E* [Pa], > 0
+    double work_approach = 0.0;    ///< W_app [J/m²], > 0
+    double work_retraction = 0.0;  ///< W_ret [J/m²], >= W_app
+
+    [[nodiscard]] contact::jkr::Contact approach() const { return {radius, contact_modulus, work_approach}; }
+    [[nodiscard]] contact::jkr::Contact retraction() const { return {radius, contact_modulus, work_retraction}; }
+};
+
+/// How it is pressed on and pulled off.
+struct Pressing {
+    double maximum_force = 0.0;                                          ///< [N] at the turning point, >= 0
+    double machine_stiffness = std::numeric_limits<double>::infinity();  ///< k_m [N/m], > 0; infinite: fixed grips
+};
+
+/// What happens in the loop, by closed forms.
+struct SphereLoop {
+    contact::jkr::State after_jump_in;  ///< first state of contact
+    contact::jkr::State turning_point;  ///< largest force; its contact radius is a_max
+    contact::jkr::State unpinned;       ///< same contact radius, G = W_ret: the edge begins to recede
+    contact::jkr::State parting;        ///< last state of contact
+    double smallest_force = 0.0;  ///< [N], < 0: what is read as pull-off force, −3/2 πRW_ret where the edge receded
+    double jump_in_loss = 0.0;    ///< [J]
+    double edge_loss = 0.0;       ///< (W_ret − W_app) π a_max² [J]
+    double jump_out_loss = 0.0;   ///< [J]
+
+    [[nodiscard]] double energy_loss() const { return jump_in_loss + edge_loss + jump_out_loss; }  ///< ∮ F dδ [J]
+    [[nodiscard]] double largest_contact_area() const;                                             ///< π a_max² [m²]
+};
+
+/// What a loop goes through.
+///
+/// Approach: free flight to first touch, m = 0; there the contact springs to the stable radius on the machine's line
+/// δ + F/k_m = 0, and follows JKR's curve for W_app to the maximum force. Retraction: the edge stays at a_max, dF = 2E*
+/// a_max dδ, until G = W_ret; then JKR's curve for W_ret down to where dF/dδ = −k_m (fixed grips: where δ(a) turns, F =
+/// −5/6 πRW_ret; k_m → 0: −3/2 πRW_ret), or at once where a_max is not stable at W_ret; then free flight. Losses of the
+/// jumps are the differences of total energy, the machine's spring included:
+///
+///   jump in: −U(a, δ; W_app) − F²/2k_m,   jump out: U(a, δ; W_ret) + F²/2k_m
+///
+/// @throws InvalidArgument for values outside their domains.
+/// Source: Johnson, Kendall, Roberts 1971; Maugis (2000) ch. 4; of the sum: energy balance of the closed loop.
+[[nodiscard]] SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing);
+
+/// W_ret [J/m²] with which the loop loses a given energy [J]; sphere.work_retraction is not looked at.
+/// @throws InvalidArgument as sphere_loop(), and for a loss below that with W_ret = W_app, which the message names.
+[[nodiscard]] double work_retraction_for_loss(HystereticSphere sphere, const Pressing& pressing, double energy_loss);
+
+/// The loop as a curve: displacement δ [m], force [N], contact_radius [m], branch (0 approach, 1 retraction), in the
+/// order of time, `points` of them on each branch, jumps as vertical lines at fixed displacement of the motor. The area
+/// it encloses is energy_loss() as far as the points are dense.
+/// @throws InvalidArgument as sphere_loop(), and for fewer than 8 points.
+[[nodiscard]] Table loop_course(const HystereticSphere& sphere, const Pressing& pressing, int points = 200);
+
+}  // namespace setae::hysteresis

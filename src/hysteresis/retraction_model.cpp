@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/hysteresis/retraction_model.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "setae/core/errors.hpp"
+#include "setae/hysteresis/pinning_law.hpp"
+
+namespace setae::hysteresis {
+namespace {
+
+constexpr std::array laws{Law::reversible,     Law::pinning,      Law::pinning_by_bands,     Law::fitted_pinning,
+                          Law::conformal_loss, Law::opening_work, Law::fitted_conformal_loss};
+
+struct LawText {
+    const char *name, *works;  ///< works: what φ multiplies
+};
+
+LawText text_of(Law law) {
+    switch (law) {
+        case Law::reversible: return {"reversible", "W_app"};
+        case Law::pinning: return {"pinning", "W_app + 2k(U_el/AW) U_el/A"};
+        case Law::pinning_by_bands: return {"pinning_by_bands", "W_app + Σ 2k(U_b/AW) U_b/A"};
+        case Law::fitted_pinning: return {"fitted_pinning", "W_app + 2k U_el/A"};
+        case Law::conformal_loss: return {"conformal_loss", "W_app + W_int A_true/A"};
+        case Law::fitted_conformal_loss: return {"fitted_conformal_loss", "W_app + W_x A_true/A"};
+        case Law::opening_work: return {"opening_work", "W_x A_true/A"};
+    }
+    throw InternalError("a law of retraction without a name");
+}
+
+void require_valid(const PairState& state) {
+    if (!(state.area_ratio >= 1.0 && state.stored_energy >= 0.0 && state.work_of_adhesion > 0.0 &&
+          state.work_approach >= 0.0 && state.tip_factor > 0.0 && state.conforming_gain() > 0.0))
+        throw InvalidArgument(fmt::format(
+            "a pair with A_true/A {:.4g}, U_el/A {:.4g} J/m2, W_int {:.4g} J/m2, γ1 {:.4g} J/m2, W_app {:.4g} J/m2 and "
+            "W_ret/W_app {:.4g} of its reference; expected a ratio of areas of 1 or more, works and a factor above 0, and more "
+            "gained by conforming than stretching costs",
+            state.area_ratio, state.stored_energy, state.work_of_adhesion, state.surface_energy, state.work_approach,
+            state.tip_factor));
+}
+
+}  // namespace
+
+std::string RetractionModel::name() const {
+    if (!crack_tip) return text_of(law).name;
+    return law == Law::reversible ? "crack_tip" : fmt::format("crack_tip_{}", text_of(law).name);
+}
+
+std::string RetractionModel::formula() const {
+    const std::string works = text_of(law).works;
+    if (!crack_tip) return works;
+    return works.find(" + ") == std::string::npos ? "φ " + works : fmt::format("φ ({})", works);
+}
+
+bool RetractionModel::fitted() const {
+    return law == Law::fitted_pinning || law == Law::fitted_conformal_loss || law == Law::opening_work;
+}
+
+ModelParameter RetractionModel::parameter() const {
+    if (!fitted()) throw InternalError(name() + " has no parameter");
+    if (law == Law::fitted_pinning) return {"k", "pinning_coefficient", "1"};
+    return {"W_x", "work_per_true_area", "J/m2"};
+}
+
+std::vector<RetractionModel> retraction_models() {
+    std::vector<RetractionModel> models;
+    for (const bool crack_tip : {false, true})
+        for (const Law law : laws) models.push_back({law, crack_tip});
+    return models;
+}
+
+double PairState::conforming_gain() const {
+    return work_of_adhesion * area_ratio - surface_energy * (area_ratio - 1.0);
+}
+
+RetractionLine retraction_line(const RetractionModel& model, const PairState& state,
+                               const std::vector<double>& band_shares) {
+    require_valid(state);
+    const double phi = model.crack_tip ? state.tip_factor : 1.0;
+    const auto adds = [&](double excess) { return RetractionLine{0.0, phi * (state.work_approach + excess)}; };
+    const auto fits = [&](double slope, double constant) { return RetractionLine{phi * slope, phi * constant}; };
+    switch (model.law) {
+        case Law::reversible: return adds(0.0);
+        case Law::pinning:
+            return adds(2.0 * state.pinning_factor * pinning_coefficient(state.energy_share()).value *
+                        state.stored_energy);
+        case Law::pinning_by_bands:
+            return adds(state.pinning_factor *
+                        pinning_by_bands(state.stored_energy, band_shares, state.conforming_gain()));
+        case Law::fitted_pinning: return fits(2.0 * state.stored_energy, state.work_approach);
+        case Law::conformal_loss: return adds(state.work_of_adhesion * state.area_ratio - state.jumps_per_area);
+        case Law::fitted_conformal_loss: return fits(state.area_ratio, state.work_approach - state.jumps_per_area);
+        case Law::opening_work: return fits(state.area_ratio, 0.0);
+    }
+    throw InternalError("a law of retraction without a formula");
+}
+
+}  // namespace setae::hysteresis

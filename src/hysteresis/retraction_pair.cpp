@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/hysteresis/retraction_pair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "setae/contact/jkr.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/hysteresis/pinning_law.hpp"
+
+namespace setae::hysteresis {
+namespace {
+
+using adhesion::PairPoint;
+using contact::jkr::Contact;
+using roughness::SpectralParameters;
+
+/// Inputs of a pair beside its spectrum, in their order.
+enum Input : std::size_t {
+    contact_modulus,
+    surface_energy,
+    work_of_adhesion,
+    approach,
+    tip_factor,
+    pinning_factor,
+    parameter,
+    scatter,
+    radius,
+    contact_area,
+    input_count
+};
+
+/// Numbers of a pair as functions of its inputs.
+class PairFunctions {
+public:
+    explicit PairFunctions(const RetractionPair& pair) : pair_(pair) {
+        const auto or_zero = [](const std::optional<TracedValue>& value) { return value.value_or(TracedValue()); };
+        inputs_.resize(input_count);
+        inputs_[contact_modulus] = pair.soft.contact_modulus;
+        inputs_[surface_energy] = pair.soft.surface_energy;
+        inputs_[work_of_adhesion] = pair.work_of_adhesion;
+        inputs_[approach] = or_zero(pair.approach);
+        inputs_[tip_factor] = pair.tip_factor.value_or(TracedValue(1.0));
+        inputs_[radius] = or_zero(pair.radius);
+        inputs_[contact_area] = or_zero(pair.contact_area);
+        const Estimate factor{.value = 1.0, .standard_error = pinning_uncertainty(pair.energy_share())};
+        inputs_[pinning_factor] = {factor, simulated_pinning_input};
+    }
+
+    void set(const FittedModel& fitted) {
+        inputs_[parameter] = fitted.parameter;
+        inputs_[scatter] = {fitted.scatter, adhesion::own_noise_name("pairs about " + fitted.model.name(),
+                                                                     pair_.rough.name, pair_.soft.name)};
+    }
+
+    [[nodiscard]] TracedValue traced(const adhesion::RoughFunction& function) const {
+        return adhesion::traced_function(pair_.rough, inputs_, function);
+    }
+
+    [[nodiscard]] PairState state(const SpectralParameters& p, const std::vector<double>& in) const {
+        PairState state{.area_ratio = p.area_ratio(),
+                        .stored_energy = in[contact_modulus] * p.elastic_energy_per_modulus,
+                        .work_of_adhesion = in[work_of_adhesion],
+                        .surface_energy = in[surface_energy],
+                        .work_approach = 0.0,
+                        .tip_factor = in[tip_factor],
+                        .pinning_factor = in[pinning_factor],
+                        .jumps_per_area = 0.0};
+        state.work_approach =
+            std::max(0.0, pair_.approach ? in[approach] : state.conforming_gain() - state.stored_energy);
+        state.jumps_per_area = jumps_per_area(state, in);
+        return state;
+    }
+
+    [[nodiscard]] RetractionLine line(const RetractionModel& model, const SpectralParameters& p,
+                                      const std::vector<double>& in) const {
+        return retraction_line(model, state(p, in), pair_.band_shares);
+    }
+
+    [[nodiscard]] double work_retraction(const RetractionModel& model, const SpectralParameters& p,
+                                         const std::vector<double>& in) const {
+        const auto at = state(p, in);
+        const auto line = retraction_line(model, at, pair_.band_shares);
+        return std::max(at.work_approach, line.slope * in[parameter] + line.constant + in[scatter]);
+    }
+
+    [[nodiscard]] HystereticSphere sphere(const RetractionModel& model, const SpectralParameters& p,
+                                          const std::vector<double>& in) const {
+        const double least = 1e-6 * in[work_of_adhesion];  // of W_app, for derivatives of a pair that hardly conforms
+        HystereticSphere sphere{in[radius], in[contact_modulus], std::max(least, state(p, in).work_approach), 0.0};
+        sphere.work_retraction = std::max(sphere.work_approach, work_retraction(model, p, in));
+        return sphere;
+    }
+
+    /// Of the inputs' values.
+    [[nodiscard]] HystereticSphere sphere(const RetractionModel& model) const {
+        std::vector<double> values;
+        for (const auto& input : inputs_) values.push_back(input.value);
+        return sphere(model, pair_.rough.parameters, values);
+    }
+
+    [[nodiscard]] Pressing pressing(const Contact& contact, const std::vector<double>& in) const {
+        auto pressing = pair_.pressing.value_or(Pressing{});
+        if (pair_.contact_area)
+            pressing.maximum_force = std::max(0.0, contact::jkr::force(std::sqrt(in[contact_area] / pi), contact));
+        return pressing;
+    }
+
+private:
+    /// Of (10): the edge loses W_int r less these. In two rounds, as W_ret depends on them.
+    [[nodiscard]] double jumps_per_area(const PairState& state, const std::vector<double>& in) const {
+        const bool known = pair_.radius && (pair_.contact_area || pair_.pressing);
+        if (!known || !(state.work_approach > 0.0)) return 0.0;
+        const Contact contact{in[radius], in[contact_modulus], state.work_approach};
+        const double a = contact::jkr::contact_radius_at_force(pressing(contact, in).maximum_force, contact);
+        const double area = pi * a * a, lost = state.work_of_adhesion * state.area_ratio;
+        const double jump_in = contact::jkr::ideal_loop_loss(contact).jump_in;
+        double jumps = 0.0;
+        for (int round = 0; round < 2; ++round) {
+            const double work = state.work_approach + std::max(0.0, lost - jumps);
+            jumps = (jump_in + contact::jkr::ideal_loop_loss({in[radius], in[contact_modulus], work}).jump_out) / area;
+        }
+        return std::min(jumps, lost);
+    }
+
+    const RetractionPair& pair_;
+    std::vector<TracedValue> inputs_;
+};
+
+}  // namespace
+
+double RetractionPair::energy_share() const {
+    const auto& p = rough.parameters;
+    return PairState{.area_ratio = p.area_ratio(),
+                     .stored_energy = soft.contact_modulus.value * p.elastic_energy_per_modulus,
+                     .work_of_adhesion = work_of_adhesion.value,
+                     .surface_energy = soft.surface_energy.value}
+        .energy_share();
+}
+
+std::string RetractionPair::lacks(const RetractionModel& model) const {
+    if (model.crack_tip && !tip_factor) return "no smooth reference on " + soft.name;
+    if (model.law == Law::pinning_by_bands && band_shares.empty()) return "no spectrum of " + rough.name;
+    return "";
+}
+
+PairPoint retraction_point(const RetractionModel& model, const RetractionPair& pair,
+                           const MeasuredRetraction& measured) {
+    const PairFunctions functions(pair);
+    PairPoint point;
+    point.surface = pair.rough.name;
+    point.elastomer = pair.soft.name;
+    point.quantity = "W_ret";
+    point.measured = measured.value;
+    point.measured_inputs = measured.inputs;
+    point.floored = false;
+    const auto slope = functions.traced(
+        [&](const SpectralParameters& p, const std::vector<double>& in) { return functions.line(model, p, in).slope; });
+    const auto offset = functions.traced([&](const SpectralParameters& p, const std::vector<double>& in) {
+        return -functions.line(model, p, in).constant;
+    });
+    point.slope = model.fitted() ? slope.value : 1.0;
+    if (model.fitted()) point.slope_inputs = slope.components;
+    point.offset = offset.value;
+    point.offset_inputs = offset.components;
+    return point;
+}
+
+TracedValue predicted_retraction(const FittedModel& fitted, const RetractionPair& pair) {
+    PairFunctions functions(pair);
+    functions.set(fitted);
+    return functions.traced([&](const SpectralParameters& p, const std::vector<double>& in) {
+        return functions.work_retraction(fitted.model, p, in);
+    });
+}
+
+std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& fitted, const RetractionPair& pair) {
+    if (!pair.radius || !(pair.pressing || pair.contact_area))
+        throw InvalidArgument(fmt::format("the loop of {} on {}: expected the radius of its sphere and a preload",
+                                          pair.soft.name, pair.rough.name));
+    PairFunctions functions(pair);
+    functions.set(fitted);
+    const auto& model = fitted.model;
+    const auto approach_at = [&](const SpectralParameters& p, const std::vector<double>& in) {
+        return functions.state(p, in).work_approach;
+    };
+    const auto work_approach = functions.traced(approach_at);
+    if (!(work_approach.value > 0.0)) return std::nullopt;
+    PredictedRetraction result;
+    result.sphere = functions.sphere(model);
+    const auto of_loop = [&](auto number) {
+        return functions.traced([&](const SpectralParameters& p, const std::vector<double>& in) {
+            const auto sphere = functions.sphere(model, p, in);
+            return number(sphere_loop(sphere, functions.pressing(sphere.approach(), in)), sphere, in);
+        });
+    };
+    using In = std::vector<double>;
+    const auto tip_loss = [&](const SphereLoop& loop, const HystereticSphere& sphere, const In& in) {
+        const double share = model.crack_tip ? std::max(0.0, 1.0 - 1.0 / in[tip_factor]) : 0.0;
+        return std::min(loop.edge_loss, share * sphere.work_retraction * loop.largest_contact_area());
+    };
+    result.work_approach = work_approach;
+    result.work_retraction = predicted_retraction(fitted, pair);
+    result.pull_off_force =
+        of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return -loop.smallest_force; });
+    result.contact_radius = of_loop(
+        [](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.turning_point.contact_radius; });
+    result.energy_loss =
+        of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.energy_loss(); });
+    auto& shares = result.shares;
+    shares.jump_in =
+        of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.jump_in_loss; });
+    shares.jump_out =
+        of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.jump_out_loss; });
+    shares.crack_tip = of_loop(tip_loss);
+    shares.roughness = of_loop([&](const SphereLoop& loop, const HystereticSphere& sphere, const In& in) {
+        return loop.edge_loss - tip_loss(loop, sphere, in);
+    });
+    return result;
+}
+
+}  // namespace setae::hysteresis
