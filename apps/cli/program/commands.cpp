@@ -36,6 +36,7 @@ namespace jkr_summary_command { Action declare(Options&); }
 namespace synthesize_command { Action declare(Options&); }
 namespace study_command { Action declare(Options&); }
 namespace study_init_command { Action declare(Options&); }
+namespace predict_command { Action declare(Options&); }
 namespace plot_command { Action declare(Options&); }
 namespace lab_make_command { Action declare(Options&); }
 namespace lab_closure_command { Action declare(Options&); }
@@ -110,6 +111,8 @@ constexpr Command table[] = {
     {"", "study", "run a study: surfaces, elastomers, experiments → tables and fits", study_command::declare},
     {"study", "init", "draft a study from what files in folders say; what it must be told is asked in its lines",
      study_init_command::declare},
+    {"", "predict", "hysteresis from roughness: W_ret, pull-off and loss of every pair, and the law that says the measured ones",
+     predict_command::declare},
     {"", "plot", "draw one figure of a study: SVG, PDF, PNG or its numbers as CSV", plot_command::declare},
     {"lab", "make", "write what instruments would record on surfaces and loops of a recipe", lab_make_command::declare},
     {"lab", "closure", "make and study a recipe many times: bias and coverage of every quantity",

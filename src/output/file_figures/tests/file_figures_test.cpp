@@ -10,6 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/comparison_figure.hpp"
 #include "setae/file_figures/contour_figure.hpp"
+#include "setae/file_figures/hysteresis_figure.hpp"
 #include "setae/file_figures/level_figure.hpp"
 #include "setae/file_figures/parameter_figure.hpp"
 #include "setae/file_figures/persson_figure.hpp"
@@ -260,6 +261,39 @@ TEST(ComparisonFigure, ShowsSolutionsWithTheirErrorsAndTheTheoryBeside) {
     EXPECT_DOUBLE_EQ(area.upper[2], 1.0);
     EXPECT_TRUE(std::isnan(series_of(wide.figure.panels[2], "Persson's theory").y[2]));
     EXPECT_EQ(wide.figure.panels[3].y.unit, "J/m2");
+}
+
+TEST(HysteresisFigures, ShowPairsBarsAndLoops) {
+    const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
+    const auto h = study::hysteresis_of(result);
+    const auto pairs = hysteresis_figure(h, {});
+    ASSERT_TRUE(pairs.drawable()) << pairs.reason;
+    int drawn = 0, hollow = 0;
+    for (const auto& series : pairs.figure.panels[0].series) {
+        if (series.legend_only || series.mark != figures::Mark::points) continue;
+        ++drawn;
+        hollow += series.hollow ? 1 : 0;
+        EXPECT_LE(series.left[0], series.x[0]);
+    }
+    EXPECT_EQ(drawn, 16);
+    EXPECT_EQ(hollow, 7);
+
+    const auto bars = loss_shares_figure(h, {});
+    ASSERT_TRUE(bars.drawable()) << bars.reason;
+    EXPECT_EQ(bars.figure.panels[0].y.tick_labels.size(), 16U);
+    EXPECT_EQ(bars.figure.panels[0].y.tick_labels.back(), "PUNCD E0.7");
+
+    const auto loop = predicted_loop_figure(h.pairs.front(), result, {});
+    ASSERT_TRUE(loop.drawable()) << loop.reason;
+    EXPECT_EQ(loop.figure.panels.size(), 2U);
+    EXPECT_NEAR(series_of(loop.figure.panels[0], "predicted, opening_work").y.maxCoeff(), 1000.0, 1e-6);  // µN
+    EXPECT_FALSE(predicted_loop_figure(h.pairs.back(), result, {}).drawable());
+}
+
+TEST(HysteresisFigures, OfNothingMeasuredSayWhy) {
+    const study::Hysteresis none;
+    EXPECT_EQ(hysteresis_figure(none, {}).reason, "no pair has W_ret measured");
+    EXPECT_FALSE(loss_shares_figure(none, {}).drawable());
 }
 
 }  // namespace

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "plot/figure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "program/terminal.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/file_figures/hysteresis_figure.hpp"
+#include "setae/output/file_names.hpp"
+#include "setae/output/hysteresis_output.hpp"
+#include "setae/parallel/cancellation.hpp"
+#include "setae/study/hysteresis.hpp"
+#include "setae/study_figures/write_figures.hpp"
+#include "study/interruption.hpp"
+#include "study/run_arguments.hpp"
+
+namespace setae::cli::predict_command {
+namespace {
+
+constexpr const char* explanation =
+    "every pair of the study, measured or not: W_ret, pull-off and the energy that a whole loop loses, from roughness alone\n"
+    "  W_app           (7) with the study's W_int\n"
+    "  W_ret           the law that says the measured pairs best; (10), E_loss = W_int A_true, where fewer than 6 have W_ret\n"
+    "  pairs that do not come into full contact of themselves, U_el/AW > 0.3, go by the best law of all pairs\n"
+    "laws, φ = W_ret/W_app of a smooth reference on the same elastomer, alone or times every other\n"
+    "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted;\n"
+    "  conformal_loss W_app + W_int A_true/A (10), or with a work of its own; opening_work W_x A_true/A\n"
+    "E_loss            jumps of the sphere under fixed grips + (W_ret - W_app) π a_max²; needs sphere_radius and preload\n"
+    "off               measured - law, rms; next surface, next elastomer: of those that the fit has not seen\n"
+    "odds              for the best law against each, by how well the other surfaces say each surface\n"
+    "docs/theory/hysteresis.md\n";
+
+struct PredictArguments {
+    Common common;
+    RunArguments run;
+    std::string study;
+    std::string output;
+    int trials = 0;
+    std::uint64_t seed = 1;
+    FigureOption figure;
+};
+
+void write_tables(const study::Hysteresis& hysteresis, const std::filesystem::path& folder) {
+    const auto write = [&](const char* name, const tables::TidyTable& table) {
+        bytes::write_whole_file((folder / name).string(), tables::as_csv(table));
+    };
+    write("hysteresis.csv", output::hysteresis_table(hysteresis));
+    write("models.csv", output::model_table(hysteresis));
+    write("model_works.csv", output::model_work_table(hysteresis));
+    if (!hysteresis.trials.empty()) write("trials.csv", output::trial_table(hysteresis));
+    write("losses.csv", output::decomposition_table(hysteresis));
+}
+
+std::vector<file_figures::StudyFigure> figures_of(const study::Hysteresis& hysteresis, const study::StudyResult& result,
+                                                  const file_figures::Look& look) {
+    std::vector<file_figures::StudyFigure> figures{file_figures::hysteresis_figure(hysteresis, look),
+                                                   file_figures::loss_shares_figure(hysteresis, look)};
+    for (const auto& pair : hysteresis.pairs)
+        figures.push_back(file_figures::predicted_loop_figure(pair, result, look));
+    std::vector<std::string> names;
+    for (const auto& figure : figures) names.push_back(figure.name);
+    names = output::file_names(names);
+    for (std::size_t i = 0; i < figures.size(); ++i) figures[i].name = names[i];
+    return figures;
+}
+
+/// How many figures failed.
+int write_figures(const std::vector<file_figures::StudyFigure>& figures, const PredictArguments& arguments,
+                  const cache::Store& store) {
+    study_figures::WriteOptions options;
+    options.folder = (std::filesystem::path(arguments.output) / "figures").string();
+    options.study = arguments.study;
+    options.threads = arguments.common.workers();
+    options.store = &store;
+    options.cancelled = &interruption();
+    int failed = 0;
+    for (const auto& figure : study_figures::write_figures(figures, options))
+        if (!figure.error.empty() && failed++ == 0) complain(fmt::format("figure {}: {}", figure.name, figure.error));
+    return failed;
+}
+
+ExitCode predict(const PredictArguments& arguments, const cache::Store& store, ProgressDisplay& display) {
+    const auto result =
+        study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    display.finish();
+    for (const auto& surface : result.surfaces)
+        if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));
+    std::optional<hysteresis::TrialOptions> trials;
+    if (arguments.trials > 0)
+        trials = {.runs = arguments.trials,
+                  .seed = arguments.seed,
+                  .threads = arguments.common.workers(),
+                  .cancelled = &interruption()};
+    const parallel::CancellationScope scope(interruption());
+    const auto hysteresis = study::hysteresis_of(result, trials);
+    int failures = result.failures();
+    if (!arguments.output.empty()) {
+        std::filesystem::create_directories(arguments.output);
+        write_tables(hysteresis, arguments.output);
+        failures += write_figures(figures_of(hysteresis, result, arguments.figure.look()), arguments, store);
+    }
+    if (arguments.common.json) print_json(output::to_json(hysteresis));
+    else print(output::hysteresis_text(hysteresis, output_size().width));
+    return failures == 0 ? ExitCode::done : ExitCode::some_failed;
+}
+
+ExitCode run(const PredictArguments& arguments) {
+    if (arguments.study.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress_mode());
+    return until_interrupted(store, display, [&] { return predict(arguments, store, display); });
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<PredictArguments>();
+    options.add("study", arguments->study, "TOML file of the study").of_inputs();
+    options.add(
+        "-o,--output", arguments->output,
+        "folder for hysteresis.csv, models.csv, model_works.csv, losses.csv, and figures of them and of each loop");
+    options
+        .add("--trials", arguments->trials,
+             "plant every law so many times on pairs with the ± of these, and rank the laws by what would be measured")
+        .positive();
+    options.add("--seed", arguments->seed, "of the first trial; the others have the next ones").default_shown();
+    arguments->figure.add_to(options);
+    arguments->run.add_to(options);
+    options.example("setae predict study.toml", "how strongly every pair holds on, what its loop loses, by which law");
+    options.example("setae predict study.toml -o way_back", "the same as tables and figures");
+    options.example("setae predict study.toml --trials 20",
+                    "whether measurements like these could tell the laws apart");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::predict_command

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/file_figures/hysteresis_figure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "axes.hpp"
+#include "setae/core/words.hpp"
+
+namespace setae::file_figures {
+namespace {
+
+using figures::Mark;
+using figures::Panel;
+using study::PairHysteresis;
+
+constexpr double milli = 1e-3;
+
+/// Place of a name in the order in which names come.
+int place_of(std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    names.push_back(name);
+    return static_cast<int>(names.size()) - 1;
+}
+
+Array1D one(double value) { return Array1D::Constant(1, value); }
+
+figures::Series point_of(const PairHysteresis& pair, int symbol, int colour) {
+    const auto &measured = *pair.measured_retraction, predicted = pair.work_retraction.estimate();
+    const auto error = [](const Estimate& e) { return std::isfinite(e.standard_error) ? e.standard_error : 0.0; };
+    const double x = predicted.value / milli, y = measured.value / milli;
+    return {.label = fmt::format("{}, {}", pair.surface, pair.elastomer),
+            .x = one(x),
+            .y = one(y),
+            .lower = one(y - error(measured) / milli),
+            .upper = one(y + error(measured) / milli),
+            .mark = Mark::points,
+            .colour = colour,
+            .symbol = symbol,
+            .hollow = !pair.conforms,
+            .left = one(x - error(predicted) / milli),
+            .right = one(x + error(predicted) / milli),
+            .in_legend = false};
+}
+
+figures::Series explained(const std::string& label, int symbol, int colour) {
+    return {.label = label, .mark = Mark::points, .colour = colour, .symbol = symbol, .legend_only = true};
+}
+
+/// A part of a bar.
+figures::Series block(const char* label, double place, double from, double to, int colour, bool in_legend) {
+    constexpr double half = 0.35;
+    return {.label = label,
+            .x = Array1D{{from, from, to, to, from}},
+            .y = Array1D{{place - half, place + half, place + half, place - half, place - half}},
+            .mark = Mark::area,
+            .colour = colour,
+            .opacity = 0.8,
+            .in_legend = in_legend};
+}
+
+struct Part {
+    const char* label;
+    TracedValue hysteresis::EnergyShares::*share;
+};
+constexpr std::array<Part, 4> parts{{{"jump in", &hysteresis::EnergyShares::jump_in},
+                                     {"jump out", &hysteresis::EnergyShares::jump_out},
+                                     {"crack tip", &hysteresis::EnergyShares::crack_tip},
+                                     {"roughness", &hysteresis::EnergyShares::roughness}}};
+
+/// Measured joules and what they went into, or the predicted ones.
+struct Bar {
+    const PairHysteresis& pair;
+    const hysteresis::EnergyShares& shares;
+    std::optional<Estimate> measured;
+};
+
+std::vector<Bar> bars_of(const study::Hysteresis& h, bool measured) {
+    std::vector<Bar> bars;
+    for (const auto& pair : h.pairs) {
+        if (measured && pair.decomposition)
+            bars.push_back({pair, pair.decomposition->shares, pair.decomposition->measured.estimate()});
+        if (!measured && pair.loop) bars.push_back({pair, pair.loop->shares, std::nullopt});
+    }
+    return bars;
+}
+
+/// What is drawn of a loop's curve.
+struct Course {
+    Array1D displacement, force, contact_radius;
+    explicit Course(const Table& table)
+        : displacement(table.at("displacement")),
+          force(table.at("force")),
+          contact_radius(table.at("contact_radius")) {}
+};
+
+/// Works of the way back that lie a standard error off, those that are no less than W_app.
+std::vector<hysteresis::HystereticSphere> spheres_beside(const hysteresis::PredictedRetraction& loop) {
+    std::vector<hysteresis::HystereticSphere> beside;
+    for (const double sign : {-1.0, 1.0}) {
+        auto sphere = loop.sphere;
+        sphere.work_retraction =
+            std::max(sphere.work_approach, sphere.work_retraction + sign * loop.work_retraction.standard_error());
+        if (sphere.work_retraction != loop.sphere.work_retraction) beside.push_back(sphere);
+    }
+    return beside;
+}
+
+/// Both panels of a curve.
+class LoopPanels {
+public:
+    LoopPanels(const Array1D& displacement, const Array1D& force, const Array1D& radius)
+        : along_(axis_unit(displacement, "m")), force_(axis_unit(force, "N")), radius_(axis_unit(radius, "m")) {
+        curve_ = {.title = "A",
+                  .x = {.quantity = "displacement *δ*", .unit = along_.name},
+                  .y = {.quantity = "force *F*", .unit = force_.name}};
+        edge_ = {.title = "B",
+                 .x = {.quantity = "force *F*", .unit = force_.name},
+                 .y = {.quantity = "contact radius *a*", .unit = radius_.name},
+                 .legend = false};
+    }
+
+    void add(const std::string& label, const Array1D& displacement, const Array1D& force, const Array1D& radius,
+             const figures::Series& style) {
+        auto series = style;
+        series.label = label;
+        series.x = displacement / along_.factor;
+        series.y = force / force_.factor;
+        curve_.series.push_back(series);
+        if (radius.size() == 0) return;
+        series.x = force / force_.factor;
+        series.y = radius / radius_.factor;
+        edge_.series.push_back(std::move(series));
+    }
+
+    [[nodiscard]] std::vector<Panel> panels() const { return {curve_, edge_}; }
+
+private:
+    DisplayUnit along_, force_, radius_;
+    Panel curve_, edge_;
+};
+
+}  // namespace
+
+StudyFigure hysteresis_figure(const study::Hysteresis& h, const Look& look) {
+    StudyFigure drawn{.identifier = "hysteresis", .name = "hysteresis", .command = look.command};
+    drawn.title = "Work of adhesion on retraction: measured against predicted from roughness";
+    Panel panel{.x = {.quantity = "predicted *W*_ret", .unit = "mJ/m2", .from = 0.0},
+                .y = {.quantity = "measured *W*_ret", .unit = "mJ/m2", .from = 0.0}};
+    std::vector<std::string> surfaces, elastomers;
+    std::vector<figures::Series> points;
+    double largest = 0.0;
+    for (const auto& pair : h.pairs) {
+        const int symbol = place_of(surfaces, pair.surface), colour = place_of(elastomers, pair.elastomer);
+        if (!pair.measured_retraction) continue;
+        points.push_back(point_of(pair, symbol, colour));
+        largest = std::max({largest, points.back().upper[0], points.back().right[0]});
+    }
+    if (points.empty()) {
+        drawn.reason = "no pair has W_ret measured";
+        return drawn;
+    }
+    panel.series.push_back({.label = "equal",
+                            .x = Array1D{{0.0, largest}},
+                            .y = Array1D{{0.0, largest}},
+                            .mark = Mark::line,
+                            .colour = black,
+                            .dash = 1,
+                            .in_legend = false});
+    panel.series.insert(panel.series.end(), points.begin(), points.end());
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        panel.series.push_back(explained(surfaces[i], static_cast<int>(i), black));
+    for (std::size_t i = 0; i < elastomers.size(); ++i)
+        panel.series.push_back(explained(elastomers[i], 0, static_cast<int>(i)));
+    panel.legend_beside = look.wide();
+    drawn.figure = {
+        .panels = {panel}, .width_mm = look.wide() ? page_mm : column_mm, .height_mm = look.wide() ? 110.0 : 95.0};
+    if (!look.wide()) figures::put_legend_above(drawn.figure);
+    std::vector<std::string> laws;
+    for (const auto& pair : h.pairs) (void)place_of(laws, pair.model.name());
+    drawn.caption = fmt::format(
+        "W_ret of {} against what roughness predicts by {}; bars are one standard error. Symbol: surface; colour: elastomer; "
+        "hollow: bodies that do not come into full contact of themselves. Dashed: equal.",
+        counted(points.size(), "pair", "pairs"), fmt::join(laws, ", "));
+    return drawn;
+}
+
+StudyFigure loss_shares_figure(const study::Hysteresis& h, const Look& look) {
+    StudyFigure drawn{.identifier = "losses", .name = "losses", .command = look.command};
+    auto bars = bars_of(h, true);
+    const bool measured = !bars.empty();
+    if (!measured) bars = bars_of(h, false);
+    drawn.title = measured ? "Where the joules of measured loops went" : "Where the joules of predicted loops go";
+    if (bars.empty()) {
+        drawn.reason = "no loop is measured, and none predicted: elastomers need sphere_radius and preload";
+        return drawn;
+    }
+    Array1D losses(static_cast<Index>(bars.size()));
+    for (Index i = 0; i < losses.size(); ++i) {
+        const auto& bar = bars[static_cast<std::size_t>(i)];
+        losses[i] = 0.0;
+        for (const auto& part : parts) losses[i] += (bar.shares.*part.share).value;
+        if (bar.measured) losses[i] = std::max(losses[i], bar.measured->value);
+    }
+    const auto unit = axis_unit(losses, "J");
+    const auto count = static_cast<double>(bars.size());
+    Panel panel{.x = {.quantity = "energy lost", .unit = unit.name, .from = 0.0},
+                .y = {.from = -0.6, .to = count - 0.4}};
+    panel.y.tick_labels.resize(bars.size());
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        const auto& bar = bars[i];
+        const auto row = bars.size() - 1 - i;  // the first on top
+        const auto place = static_cast<double>(row);
+        panel.y.tick_labels[row] = fmt::format("{} {}", bar.pair.surface, bar.pair.elastomer);
+        double from = 0.0;
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            const double to = from + (bar.shares.*parts[k].share).value / unit.factor;
+            panel.series.push_back(block(parts[k].label, place, from, to, static_cast<int>(k), i == 0));
+            from = to;
+        }
+        if (!bar.measured) continue;
+        const double error = std::isfinite(bar.measured->standard_error) ? bar.measured->standard_error : 0.0;
+        panel.series.push_back({.label = "measured",
+                                .x = one(bar.measured->value / unit.factor),
+                                .y = one(place),
+                                .mark = Mark::points,
+                                .colour = black,
+                                .symbol = 0,
+                                .left = one((bar.measured->value - error) / unit.factor),
+                                .right = one((bar.measured->value + error) / unit.factor),
+                                .in_legend = i == 0});
+    }
+    panel.legend_beside = look.wide();
+    drawn.figure = {.panels = {panel}, .width_mm = look.wide() ? page_mm : column_mm, .height_mm = 35.0 + 5.0 * count};
+    if (!look.wide()) figures::put_legend_above(drawn.figure);
+    drawn.caption = fmt::format(
+        "{} {} under fixed grips: the sphere's jumps into contact and out of it, what the crack tip needs more on the way back on a "
+        "smooth reference, and what roughness adds by the law of each pair.{}",
+        measured ? "Measured loops of" : "Predicted loops of", counted(bars.size(), "pair", "pairs"),
+        measured ? " Symbols: measured, with one standard error." : "");
+    return drawn;
+}
+
+StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::StudyResult& result, const Look& look) {
+    StudyFigure drawn{.identifier = fmt::format("loop:{} {}", pair.surface, pair.elastomer),
+                      .name = fmt::format("loop {} {}", pair.surface, pair.elastomer),
+                      .command = look.command};
+    drawn.title = fmt::format("{} on {}: the loop predicted from roughness", pair.elastomer, pair.surface);
+    if (!pair.loop) {
+        drawn.reason = pair.loop.reason;
+        return drawn;
+    }
+    const auto preload = result.elastomer(pair.elastomer).input.preload;
+    const hysteresis::Pressing pressing{.maximum_force = *preload};
+    const Course course(hysteresis::loop_course(pair.loop->sphere, pressing));
+    LoopPanels panels(course.displacement, course.force, course.contact_radius);
+    std::size_t records = 0;
+    for (const auto& e : result.experiments) {
+        if (!e.analysis || e.input.surface != pair.surface || e.input.elastomer != pair.elastomer) continue;
+        const auto& record = e.analysis->corrected;
+        panels.add(records++ == 0 ? "measured" : "", record.displacement, record.force, record.contact_radius,
+                   {.mark = Mark::points, .colour = 1, .opacity = 0.4, .in_legend = records == 1});
+    }
+    bool first = true;
+    for (const auto& sphere : spheres_beside(*pair.loop)) {
+        const Course beside(hysteresis::loop_course(sphere, pressing));
+        panels.add("W_ret ± its standard error", beside.displacement, beside.force, beside.contact_radius,
+                   {.mark = Mark::line, .colour = 0, .dash = 1, .line_width = 0.8, .opacity = 0.7, .in_legend = first});
+        first = false;
+    }
+    panels.add(fmt::format("predicted, {}", pair.model.name()), course.displacement, course.force,
+               course.contact_radius, {.mark = Mark::line, .colour = 0, .dash = 0});
+    drawn.figure = {.panels = panels.panels(),
+                    .columns = look.wide() ? 2 : 1,
+                    .width_mm = look.wide() ? page_mm : column_mm,
+                    .height_mm = look.wide() ? 70.0 : 130.0};
+    drawn.caption = fmt::format(
+        "Predicted from roughness by {}: force against displacement, contact radius against force. Dashed: W_ret a standard error "
+        "off.{}",
+        pair.model.name(),
+        records > 0 ? fmt::format(" Points: {} of the study.", counted(records, "record", "records")) : "");
+    return drawn;
+}
+
+}  // namespace setae::file_figures

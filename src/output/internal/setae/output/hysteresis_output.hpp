@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "setae/output/json.hpp"
+#include "setae/study/hysteresis.hpp"
+#include "setae/tables/tidy_table.hpp"
+
+namespace setae::output {
+
+/// "answer", "measured_pairs", "conforming_pairs", "rankings" (conforming_pairs, all_pairs: models best first),
+/// "deciding_pair", "trials" where they were made, "pairs".
+[[nodiscard]] Json to_json(const study::Hysteresis& hysteresis);
+
+/// "conforming_pairs", "all_pairs" or "assumed".
+[[nodiscard]] const char* name_of(study::ModelChoice choice);
+
+/// Which law says W_ret best, how well, what cannot be told apart from it and what would decide, in lines of at most so
+/// many characters.
+[[nodiscard]] std::string hysteresis_answer(const study::Hysteresis& hysteresis, std::size_t width);
+
+/// Answer and tables for a terminal.
+[[nodiscard]] std::string hysteresis_text(const study::Hysteresis& hysteresis, std::size_t width);
+
+/// One row a ranking and model, SI.
+[[nodiscard]] tables::TidyTable model_table(const study::Hysteresis& hysteresis);
+/// One row a planted law.
+[[nodiscard]] tables::TidyTable trial_table(const study::Hysteresis& hysteresis);
+/// One row a pair: W_ret, pull-off and loss predicted and measured, SI.
+[[nodiscard]] tables::TidyTable hysteresis_table(const study::Hysteresis& hysteresis);
+/// One row a pair and model: W_ret from roughness alone, SI.
+[[nodiscard]] tables::TidyTable model_work_table(const study::Hysteresis& hysteresis);
+/// One row a measured pair: where its joules went, SI.
+[[nodiscard]] tables::TidyTable decomposition_table(const study::Hysteresis& hysteresis);
+
+}  // namespace setae::output

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "json_support.hpp"
+#include "setae/output/hysteresis_output.hpp"
+
+namespace setae::output {
+namespace {
+
+using hysteresis::EnergyShares;
+using hysteresis::ModelScore;
+
+Json scores_json(const hysteresis::Ranking& ranking) {
+    Json models = Json::array(), unranked = Json::array();
+    for (const auto& s : ranking.models) {
+        const auto& model = s.fitted.model;
+        Json json{{"model", model.name()}, {"formula", model.formula()}, {"parameters", model.fitted() ? 1 : 0}};
+        if (model.fitted()) {
+            const auto parameter = model.parameter();
+            add(json, quantity(parameter.quantity, parameter.symbol, s.fitted.parameter.estimate(), parameter.unit));
+        }
+        const auto in_work = [&](const char* name, double value) {
+            json[name] = {{"value", number(value)}, {"unit", "J/m2"}};
+        };
+        in_work("rms_residual", s.rms_residual);
+        in_work("rms_residual_surface_left_out", s.surface_left_out);
+        in_work("rms_residual_elastomer_left_out", s.elastomer_left_out);
+        in_work("scatter", s.fitted.scatter.standard_error);
+        json["log_likelihood"] = number(s.log_likelihood);
+        json["log_likelihood_surface_left_out"] = number(s.left_out_log_likelihood);
+        json["weight"] = number(s.weight);
+        models.push_back(std::move(json));
+    }
+    for (const auto& u : ranking.unranked)
+        unranked.push_back({{"model", u.model.name()}, {"formula", u.model.formula()}, {"reason", u.reason}});
+    return {{"models", std::move(models)}, {"unranked", std::move(unranked)}};
+}
+
+Json shares_json(const EnergyShares& shares) {
+    Json json;
+    const auto share = [&](const char* name, const char* symbol, const TracedValue& value) {
+        add(json, quantity(name, symbol, value.estimate(), "J"));
+    };
+    share("jump_in", "E_in", shares.jump_in);
+    share("jump_out", "E_out", shares.jump_out);
+    share("crack_tip", "E_tip", shares.crack_tip);
+    share("roughness", "E_rough", shares.roughness);
+    return json;
+}
+
+Json decomposition_json(const study::LossDecomposition& d) {
+    Json json{{"of", d.of_works ? "works" : "loop"}};
+    add(json, quantity("energy_loss", "E_loss", d.measured.estimate(), "J"));
+    json["energy_loss_shares"] = shares_json(d.shares);
+    add(json, quantity("unexplained", "E_loss - Σ", d.unexplained.estimate(), "J"));
+    return json;
+}
+
+Json pair_json(const study::PairHysteresis& p) {
+    Json json{{"surface", p.surface},
+              {"elastomer", p.elastomer},
+              {"model", p.model.name()},
+              {"chosen_by", name_of(p.choice)},
+              {"energy_share", number(p.energy_share)},
+              {"conforms", p.conforms}};
+    const auto put = [&](const char* name, const char* symbol, const TracedValue& value, const char* unit) {
+        add(json, quantity(name, symbol, value.estimate(), unit));
+    };
+    if (p.tip_factor) put("tip_factor", "φ", *p.tip_factor, "1");
+    put("work_of_adhesion_approach", "W_app", p.work_approach, "J/m2");
+    put("work_of_adhesion_retraction", "W_ret", p.work_retraction, "J/m2");
+    if (p.measured_retraction)
+        json["measured"] = to_json(quantity("work_of_adhesion_retraction", "W_ret", *p.measured_retraction, "J/m2"));
+    if (p.pull_off_force) put("pull_off_force", "F_po", *p.pull_off_force, "N");
+    if (p.loop) {
+        put("contact_radius", "a_max", p.loop->contact_radius, "m");
+        put("energy_loss", "E_loss", p.loop->energy_loss, "J");
+        json["energy_loss_shares"] = shares_json(p.loop->shares);
+    } else {
+        json["energy_loss"] = nullptr;
+        json["energy_loss_reason"] = p.loop.reason;
+    }
+    add_outcome(json, "decomposition", p.decomposition, decomposition_json);
+    Json works, likelihoods;
+    for (const auto& m : p.models) {
+        works[m.model.name()] = to_json(quantity("work_of_adhesion_retraction", "W_ret", m.work_retraction, "J/m2"));
+        likelihoods[m.model.name()] = m.log_likelihood ? number(*m.log_likelihood) : Json(nullptr);
+    }
+    json["models"] = std::move(works);
+    json["log_likelihood"] = std::move(likelihoods);
+    return json;
+}
+
+}  // namespace
+
+Json to_json(const study::Hysteresis& h) {
+    Json json{{"answer", hysteresis_answer(h, 100000)},
+              {"measured_pairs", h.measured_pairs},
+              {"conforming_pairs", h.conforming_pairs},
+              {"rankings", {{"conforming_pairs", scores_json(h.conforming)}, {"all_pairs", scores_json(h.all)}}}};
+    json["deciding_pair"] = nullptr;
+    if (h.deciding) {
+        const auto& d = *h.deciding;
+        json["deciding_pair"] = {{"surface", d.surface},
+                                 {"elastomer", d.elastomer},
+                                 {"models", {d.first, d.second}},
+                                 {"work_of_adhesion_retraction",
+                                  {{"values", {number(d.first_work), number(d.second_work)}}, {"unit", "J/m2"}}},
+                                 {"largest_input", d.largest_input},
+                                 {"standard_errors_apart", number(d.standard_errors)}};
+    }
+    if (!h.trials.empty()) {
+        json["trials"] = Json::array();
+        for (const auto& law : h.trials)
+            json["trials"].push_back({{"planted", law.planted.name()},
+                                      {"runs", law.runs},
+                                      {"found", law.found},
+                                      {"not_told_apart", law.not_told_apart},
+                                      {"refused", law.refused}});
+    }
+    json["pairs"] = Json::array();
+    for (const auto& p : h.pairs) json["pairs"].push_back(pair_json(p));
+    json["skipped"] = Json::array();
+    for (const auto& s : h.skipped)
+        json["skipped"].push_back({{"surface", s.surface}, {"elastomer", s.elastomer}, {"reason", s.reason}});
+    return json;
+}
+
+}  // namespace setae::output

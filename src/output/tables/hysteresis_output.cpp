@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/hysteresis_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "setae/core/layout.hpp"
+#include "setae/core/uncertain_text.hpp"
+#include "setae/core/units.hpp"
+#include "setae/core/words.hpp"
+
+namespace setae::output {
+namespace {
+
+using hysteresis::ModelScore;
+using hysteresis::Ranking;
+using tables::TidyTable;
+
+constexpr double milli = 1e-3, nano = 1e-9;
+
+struct NamedRanking {
+    const char* name;  ///< as a choice
+    std::string words;
+    const Ranking& ranking;
+};
+
+/// The one of conforming pairs only where it differs.
+std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
+    std::vector<NamedRanking> list;
+    if (h.conforming_pairs < h.measured_pairs && h.conforming.best())
+        list.push_back({"conforming_pairs",
+                        fmt::format("{} that come into full contact of themselves",
+                                    counted(static_cast<std::size_t>(h.conforming_pairs), "pair", "pairs")),
+                        h.conforming});
+    if (h.all.best()) list.push_back({"all_pairs", fmt::format("all {} pairs", h.measured_pairs), h.all});
+    return list;
+}
+
+std::string work(double value) { return fmt::format("{:.3g} mJ/m²", value / milli); }
+
+/// θ as columns have it, works in mJ/m².
+std::string parameter_cell(const ModelScore& score) {
+    if (!score.fitted.model.fitted()) return "";
+    const auto parameter = score.fitted.model.parameter();
+    return fmt::format("{} {}", parameter.symbol,
+                       uncertain_number(score.fitted.parameter.estimate(), parameter.unit == "1" ? 1.0 : milli));
+}
+
+std::string parameter_text(const ModelScore& score) {
+    if (!score.fitted.model.fitted()) return "";
+    const auto parameter = score.fitted.model.parameter();
+    const auto estimate = score.fitted.parameter.estimate();
+    return fmt::format("{} = {}", parameter.symbol,
+                       parameter.unit == "1" ? uncertain_number(estimate) : format_uncertain(estimate, parameter.unit));
+}
+
+std::string best_sentence(const NamedRanking& of) {
+    const auto& best = *of.ranking.best();
+    const auto parameter = parameter_text(best);
+    auto text = fmt::format(
+        "W_ret of {}: {} says it best, W_ret = {}{}, {} rms off, {} on a surface that was not fitted", of.words,
+        best.fitted.model.name(), best.fitted.model.formula(), parameter.empty() ? "" : " with " + parameter,
+        work(best.rms_residual), work(best.surface_left_out));
+    std::vector<std::string> alike;
+    for (const auto* score : of.ranking.not_told_apart())
+        if (score != &best)
+            alike.push_back(fmt::format("{} ({} off)", score->fitted.model.name(), work(score->surface_left_out)));
+    return text + (alike.empty() ? "; every other law is told apart from it"
+                                 : fmt::format("; not told apart from it: {}", fmt::join(alike, ", ")));
+}
+
+std::string deciding_sentence(const study::DecidingPair& pair) {
+    constexpr double apart = 2.0;
+    const auto there = fmt::format("W_ret of {} on {}, {} or {}, {:.2g} standard errors apart", pair.elastomer,
+                                   pair.surface, work(pair.first_work), work(pair.second_work), pair.standard_errors);
+    const auto rests = pair.largest_input.empty()
+                           ? ""
+                           : fmt::format("; most of what the difference rests on is {}", pair.largest_input);
+    if (pair.standard_errors >= apart)
+        return fmt::format("what tells {} from {}: {}{}", pair.first, pair.second, there, rests);
+    return fmt::format("no pair of the study tells {} from {}; the furthest apart: {}{}", pair.first, pair.second,
+                       there, rests);
+}
+
+std::string odds_text(const Ranking& ranking, const ModelScore& score) {
+    const double odds = ranking.models.front().weight / score.weight;
+    return odds < 1e4 ? fmt::format("{:.2g} : 1", odds) : std::string("> 10⁴ : 1");
+}
+
+/// Models for a reader, what cannot be judged below the others.
+TidyTable shown_models(const NamedRanking& of) {
+    TidyTable table{fmt::format("laws of W_ret, {}", of.words),
+                    {"law", "fitted [mJ/m²]", "off [mJ/m²]", "next surface", "odds against"},
+                    {}};
+    const auto in_milli = [](double value) { return fmt::format("{:.1f}", value / milli); };
+    for (const auto& s : of.ranking.models)
+        table.rows.push_back({s.fitted.model.name(), parameter_cell(s), in_milli(s.rms_residual),
+                              in_milli(s.surface_left_out), odds_text(of.ranking, s)});
+    for (const auto& u : of.ranking.unranked)
+        table.rows.push_back({u.model.name(), u.reason, std::string(), std::string(), std::string()});
+    return table;
+}
+
+std::string in_unit(const TracedValue& value, double unit) { return uncertain_number(value.estimate(), unit); }
+
+/// Pairs by one law.
+TidyTable shown_pairs(const std::string& law, const std::vector<const study::PairHysteresis*>& pairs) {
+    TidyTable table{fmt::format("from roughness alone, by {} [mJ/m², mN, nJ]", law),
+                    {"pair", "U_el/AW", "W_app (7)", "W_ret", "measured", "pull-off", "E_loss"},
+                    {}};
+    const std::string none = "–";
+    for (const auto* p : pairs)
+        table.rows.push_back({fmt::format("{} × {}", p->surface, p->elastomer), fmt::format("{:.2g}", p->energy_share),
+                              in_unit(p->work_approach, milli), in_unit(p->work_retraction, milli),
+                              p->measured_retraction ? uncertain_number(*p->measured_retraction, milli) : none,
+                              p->pull_off_force ? in_unit(*p->pull_off_force, milli) : none,
+                              p->loop ? in_unit(p->loop->energy_loss, nano) : none});
+    return table;
+}
+
+std::string shown_pairs(const study::Hysteresis& h, std::size_t width) {
+    std::vector<std::pair<std::string, std::vector<const study::PairHysteresis*>>> by_law;
+    for (const auto& p : h.pairs) {
+        const auto law = p.model.name();
+        auto place = std::find_if(by_law.begin(), by_law.end(), [&](const auto& entry) { return entry.first == law; });
+        if (place == by_law.end()) place = by_law.insert(by_law.end(), {law, {}});
+        place->second.push_back(&p);
+    }
+    std::string text;
+    for (const auto& [law, pairs] : by_law) text += "\n" + tables::as_text_within(shown_pairs(law, pairs), width);
+    return text;
+}
+
+TidyTable shown_losses(const study::Hysteresis& h) {
+    TidyTable table{"where the joules went [nJ]",
+                    {"pair", "E_loss", "jump in", "jump out", "crack tip", "roughness", "unexplained"},
+                    {}};
+    for (const auto& p : h.pairs) {
+        if (!p.decomposition) continue;
+        const auto& d = *p.decomposition;
+        table.rows.push_back({fmt::format("{} × {}", p.surface, p.elastomer),
+                              in_unit(d.measured, nano) + (d.of_works ? " *" : ""), in_unit(d.shares.jump_in, nano),
+                              in_unit(d.shares.jump_out, nano), in_unit(d.shares.crack_tip, nano),
+                              in_unit(d.shares.roughness, nano), in_unit(d.unexplained, nano)});
+    }
+    return table;
+}
+
+TidyTable shown_trials(const study::Hysteresis& h) {
+    TidyTable table{
+        fmt::format("each law planted {} times with every ± as it is: what measurements like these would say",
+                    h.trials.front().runs),
+        {"planted", "found", "not told apart", "refused", "most often in its place"},
+        {}};
+    for (const auto& law : h.trials)
+        table.rows.push_back({law.planted.name(), fmt::format("{}", law.found), fmt::format("{}", law.not_told_apart),
+                              fmt::format("{}", law.refused), law.most_taken});
+    return table;
+}
+
+/// Value and standard error, two cells.
+void add_value(std::vector<TidyTable::Cell>& row, const Estimate& estimate) {
+    row.emplace_back(estimate.value);
+    row.emplace_back(estimate.standard_error);
+}
+
+const Estimate unknown{.value = undefined, .standard_error = undefined};
+
+}  // namespace
+
+const char* name_of(study::ModelChoice choice) {
+    switch (choice) {
+        case study::ModelChoice::conforming_pairs: return "conforming_pairs";
+        case study::ModelChoice::all_pairs: return "all_pairs";
+        case study::ModelChoice::assumed: return "assumed";
+    }
+    return "";
+}
+
+std::string hysteresis_answer(const study::Hysteresis& h, std::size_t width) {
+    std::string text;
+    for (const auto& ranking : rankings_of(h)) text += wrapped(best_sentence(ranking), width, 2) + "\n";
+    if (text.empty())
+        text =
+            wrapped(fmt::format("{} with W_app and W_ret measured: no law of W_ret is chosen by them, {} are needed; "
+                                "what follows rests on (10), E_loss = W_int A_true",
+                                counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"),
+                                fmt::format("{} on {} surfaces", hysteresis::fewest_ranked_pairs,
+                                            hysteresis::fewest_ranked_surfaces)),
+                    width, 2) +
+            "\n";
+    else if (h.deciding) text += wrapped(deciding_sentence(*h.deciding), width, 2) + "\n";
+    return text;
+}
+
+std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
+    auto text = hysteresis_answer(h, width);
+    for (const auto& ranking : rankings_of(h)) text += "\n" + tables::as_text_within(shown_models(ranking), width);
+    if (!h.trials.empty()) text += "\n" + tables::as_text_within(shown_trials(h), width);
+    text += shown_pairs(h, width);
+    for (const auto& s : h.skipped) text += fmt::format("{} × {}: {}\n", s.surface, s.elastomer, s.reason);
+    const auto losses = shown_losses(h);
+    if (losses.rows.empty()) return text;
+    text += "\n" + tables::as_text_within(losses, width);
+    for (const auto& p : h.pairs)
+        if (p.decomposition && p.decomposition->of_works)
+            return text + "* from W_app, W_ret and the contact area; the loop's own area is not known\n";
+    return text;
+}
+
+TidyTable model_table(const study::Hysteresis& h) {
+    TidyTable table{
+        "",
+        {"ranking", "model", "formula", "parameter", "unit", "value", "standard_error", "rms residual [J/m2]",
+         "rms residual surface left out [J/m2]", "rms residual elastomer left out [J/m2]", "log_likelihood",
+         "log_likelihood surface left out", "weight"},
+        {}};
+    for (const auto& of : rankings_of(h))
+        for (const auto& s : of.ranking.models) {
+            const auto& model = s.fitted.model;
+            const bool fitted = model.fitted();
+            const auto parameter = fitted ? model.parameter() : hysteresis::ModelParameter{};
+            std::vector<TidyTable::Cell> row{std::string(of.name), model.name(), model.formula(), parameter.quantity,
+                                             parameter.unit};
+            add_value(row, fitted ? s.fitted.parameter.estimate() : unknown);
+            for (const double value : {s.rms_residual, s.surface_left_out, s.elastomer_left_out, s.log_likelihood,
+                                       s.left_out_log_likelihood, s.weight})
+                row.emplace_back(value);
+            table.rows.push_back(std::move(row));
+        }
+    return table;
+}
+
+TidyTable trial_table(const study::Hysteresis& h) {
+    TidyTable table{"", {"planted", "runs", "found", "not told apart", "refused", "most often in its place"}, {}};
+    for (const auto& law : h.trials)
+        table.rows.push_back({law.planted.name(), double(law.runs), double(law.found), double(law.not_told_apart),
+                              double(law.refused), law.most_taken});
+    return table;
+}
+
+TidyTable hysteresis_table(const study::Hysteresis& h) {
+    TidyTable table{"",
+                    {"surface",
+                     "elastomer",
+                     "model",
+                     "chosen by",
+                     "U_el/AW",
+                     "W_app (7) [J/m2]",
+                     "standard_error W_app (7) [J/m2]",
+                     "W_ret [J/m2]",
+                     "standard_error W_ret [J/m2]",
+                     "W_ret measured [J/m2]",
+                     "standard_error W_ret measured [J/m2]",
+                     "pull-off force [N]",
+                     "standard_error pull-off force [N]",
+                     "contact radius [m]",
+                     "standard_error contact radius [m]",
+                     "E_loss [J]",
+                     "standard_error E_loss [J]",
+                     "jump in [J]",
+                     "jump out [J]",
+                     "crack tip [J]",
+                     "roughness [J]"},
+                    {}};
+    for (const auto& p : h.pairs) {
+        std::vector<TidyTable::Cell> row{p.surface, p.elastomer, p.model.name(), std::string(name_of(p.choice)),
+                                         p.energy_share};
+        add_value(row, p.work_approach.estimate());
+        add_value(row, p.work_retraction.estimate());
+        add_value(row, p.measured_retraction.value_or(unknown));
+        add_value(row, p.pull_off_force ? p.pull_off_force->estimate() : unknown);
+        add_value(row, p.loop ? p.loop->contact_radius.estimate() : unknown);
+        add_value(row, p.loop ? p.loop->energy_loss.estimate() : unknown);
+        const auto share = [&](TracedValue hysteresis::EnergyShares::*member) {
+            row.emplace_back(p.loop ? (p.loop->shares.*member).value : undefined);
+        };
+        share(&hysteresis::EnergyShares::jump_in);
+        share(&hysteresis::EnergyShares::jump_out);
+        share(&hysteresis::EnergyShares::crack_tip);
+        share(&hysteresis::EnergyShares::roughness);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+TidyTable model_work_table(const study::Hysteresis& h) {
+    TidyTable table{"",
+                    {"surface", "elastomer", "model", "W_ret [J/m2]", "standard_error [J/m2]",
+                     "log_likelihood surface left out", "reason"},
+                    {}};
+    for (const auto& p : h.pairs)
+        for (const auto& m : p.models)
+            table.rows.push_back({p.surface, p.elastomer, m.model.name(), m.work_retraction.value,
+                                  m.work_retraction.standard_error, m.log_likelihood.value_or(undefined), m.reason});
+    return table;
+}
+
+TidyTable decomposition_table(const study::Hysteresis& h) {
+    TidyTable table{"",
+                    {"surface", "elastomer", "model", "of", "E_loss measured [J]", "standard_error E_loss measured [J]",
+                     "jump in [J]", "jump out [J]", "crack tip [J]", "roughness [J]", "unexplained [J]",
+                     "standard_error unexplained [J]"},
+                    {}};
+    for (const auto& p : h.pairs) {
+        if (!p.decomposition) continue;
+        const auto& d = *p.decomposition;
+        std::vector<TidyTable::Cell> row{p.surface, p.elastomer, p.model.name(),
+                                         std::string(d.of_works ? "works" : "loop")};
+        add_value(row, d.measured.estimate());
+        for (const auto* share : {&d.shares.jump_in, &d.shares.jump_out, &d.shares.crack_tip, &d.shares.roughness})
+            row.emplace_back(share->value);
+        add_value(row, d.unexplained.estimate());
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+}  // namespace setae::output

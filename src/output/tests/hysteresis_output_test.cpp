@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/hysteresis_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::output::hysteresis_output_test {
+namespace {
+
+const study::StudyResult& published() {
+    static const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
+    return result;
+}
+
+const study::PairHysteresis& pair_of(const study::Hysteresis& h, const std::string& surface,
+                                     const std::string& elastomer) {
+    return *std::find_if(h.pairs.begin(), h.pairs.end(),
+                         [&](const auto& pair) { return pair.surface == surface && pair.elastomer == elastomer; });
+}
+
+TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
+    const auto h = study::hysteresis_of(published());
+    EXPECT_EQ(h.measured_pairs, 16);
+    EXPECT_EQ(h.conforming_pairs, 9);
+    EXPECT_EQ(pair_of(h, "UNCD", "E0.7").choice, study::ModelChoice::conforming_pairs);
+    EXPECT_EQ(pair_of(h, "NCD", "E10").choice, study::ModelChoice::all_pairs);
+    // W_x r of [D19]'s slopes, W_x by least squares of the nine pairs: within its own ±
+    EXPECT_NEAR(pair_of(h, "UNCD", "E0.7").work_retraction.value / 1.68822, 80.1e-3, 4e-3);
+    // r 1.47496, U_el/(A E*) 9.57 nm of the reconstructed spectrum
+    const double gain = published().work_of_adhesion->value * 1.47496 - 25e-3 * 0.47496;
+    EXPECT_NEAR(pair_of(h, "NCD", "E0.7").energy_share, 9.57e-9 * 0.91999923e6 / gain, 1e-3);
+    EXPECT_NEAR(pair_of(h, "PUNCD", "E1.0").tip_factor->value, 52.5 / 36.8, 1e-12);
+}
+
+TEST(HysteresisOfAStudy, JoulesOfALoopAddUp) {
+    const auto h = study::hysteresis_of(published());
+    for (const auto& pair : h.pairs) {
+        if (!pair.loop) continue;
+        const auto& s = pair.loop->shares;
+        const double sum = s.jump_in.value + s.jump_out.value + s.crack_tip.value + s.roughness.value;
+        EXPECT_NEAR(sum / pair.loop->energy_loss.value, 1.0, 1e-12) << pair.surface << pair.elastomer;
+        EXPECT_NEAR(pair.pull_off_force->value, 1.5 * std::numbers::pi * 1.25e-3 * pair.work_retraction.value, 1e-12);
+        ASSERT_TRUE(pair.decomposition) << pair.decomposition.reason;
+        const auto& d = *pair.decomposition;
+        EXPECT_TRUE(d.of_works);
+        EXPECT_NEAR(d.unexplained.value + d.shares.jump_in.value + d.shares.jump_out.value + d.shares.crack_tip.value +
+                        d.shares.roughness.value,
+                    d.measured.value, 1e-12 * d.measured.value);
+    }
+}
+
+TEST(HysteresisOfAStudy, WithoutReferencesHasNoCrackTips) {
+    auto result = published();
+    result.references.clear();
+    const auto h = study::hysteresis_of(result);
+    for (const auto& score : h.all.models) EXPECT_FALSE(score.fitted.model.crack_tip);
+    ASSERT_FALSE(h.all.unranked.empty());
+    EXPECT_EQ(h.all.unranked.front().reason, "no smooth reference on E0.7");
+}
+
+TEST(HysteresisOfAStudy, OfFewPairsIsByTheBalanceOfTheLoop) {
+    auto result = published();
+    for (auto& pair : result.pairs)
+        if (pair.surface != "UNCD") pair.retraction = pair.pull_off = std::nullopt;
+    const auto h = study::hysteresis_of(result);
+    EXPECT_EQ(h.measured_pairs, 4);
+    EXPECT_FALSE(h.all.best());
+    EXPECT_EQ(h.pairs.front().choice, study::ModelChoice::assumed);
+    EXPECT_EQ(h.pairs.front().model.name(), "conformal_loss");
+    EXPECT_NE(hysteresis_answer(h, 200).find("6 on 3 surfaces are needed"), std::string::npos)
+        << hysteresis_answer(h, 200);
+}
+
+TEST(HysteresisOfAStudy, APairThatCannotBeSaidDoesNotLoseTheOthers) {
+    auto result = published();
+    result.elastomers.front().input.surface_energy.value = 1.0;  // more than W_int pays for, where areas differ
+    const auto h = study::hysteresis_of(result);
+    EXPECT_EQ(h.skipped.size(), 4U);
+    EXPECT_EQ(h.pairs.size(), 12U);
+    EXPECT_NE(h.skipped.front().reason.find("stretching"), std::string::npos);
+}
+
+TEST(HysteresisOfAStudy, WithoutAWorkOfAdhesionIsRefused) {
+    auto result = published();
+    result.work_of_adhesion = study::Outcome<Estimate>::missing("nothing was measured");
+    EXPECT_THROW((void)study::hysteresis_of(result), UndefinedDataError);
+}
+
+TEST(HysteresisText, BeginsWithTheAnswer) {
+    const auto h = study::hysteresis_of(published());
+    const auto text = hysteresis_text(h, 100);
+    EXPECT_EQ(text.find("W_ret of 9 pairs that come into full contact of themselves: opening_work says it best"), 0U)
+        << text;
+    for (const auto& line :
+         {"laws of W_ret, all 16 pairs", "from roughness alone, by opening_work", "where the joules went"})
+        EXPECT_NE(text.find(line), std::string::npos) << line;
+}
+
+TEST(HysteresisTables, HaveARowAPairAndALaw) {
+    const auto h = study::hysteresis_of(published());
+    EXPECT_EQ(hysteresis_table(h).rows.size(), 16U);
+    EXPECT_EQ(model_table(h).rows.size(), 28U);
+    EXPECT_EQ(model_work_table(h).rows.size(), 16U * 14U);
+    EXPECT_EQ(decomposition_table(h).rows.size(), 16U);
+    for (const auto& table : {hysteresis_table(h), model_table(h), model_work_table(h), decomposition_table(h)})
+        for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+}
+
+}  // namespace
+}  // namespace setae::output::hysteresis_output_test

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/hysteresis/law_trials.hpp"
+#include "setae/study/study_result.hpp"
+
+namespace setae::study {
+
+/// W_ret of a pair by one model, from roughness alone: W_app by (7).
+struct ModelWork {
+    hysteresis::RetractionModel model;
+    Estimate work_retraction;  ///< [J/m²]; NaN where the model lacks something
+    std::string reason;        ///< what it lacks
+    /// ln density of what was measured, the pair's surface left out of the fit [(J/m²)⁻¹]
+    std::optional<double> log_likelihood;
+};
+
+/// Where the joules of one measured loop went, by the pair's model with W_app and contact area as measured.
+struct LossDecomposition {
+    TracedValue measured;             ///< E_loss [J]
+    bool of_works = false;            ///< from W_app, W_ret and the contact area: the loop's own area is not known
+    hysteresis::EnergyShares shares;  ///< by the model
+    TracedValue unexplained;          ///< measured − Σ shares [J]
+};
+
+/// How a pair's model was chosen.
+enum class ModelChoice {
+    conforming_pairs,  ///< the best of pairs that come into full contact of themselves
+    all_pairs,         ///< the best of all pairs
+    assumed,           ///< (10): too few pairs have W_ret measured
+};
+
+/// One pair on its way back.
+struct PairHysteresis {
+    std::string surface, elastomer;
+    double energy_share = 0.0;                    ///< U_el over what conforming gains
+    bool conforms = false;                        ///< the share is at most hysteresis::conforming_energy_share
+    std::optional<TracedValue> tip_factor;        ///< W_ret/W_app of the smooth reference
+    std::optional<Estimate> measured_retraction;  ///< by (S2), else by (S1) [J/m²]
+    hysteresis::RetractionModel model;            ///< whose numbers follow
+    ModelChoice choice = ModelChoice::assumed;
+    TracedValue work_approach;                  ///< by (7), 0 at least [J/m²]
+    TracedValue work_retraction;                ///< by the model, from roughness alone [J/m²]
+    std::optional<TracedValue> pull_off_force;  ///< 3/2 π R W_ret [N]; where the sphere is given
+    Outcome<hysteresis::PredictedRetraction> loop;
+    Outcome<LossDecomposition> decomposition;
+    std::vector<ModelWork> models;
+};
+
+/// A pair of which nothing can be said, and why.
+struct SkippedPair {
+    std::string surface, elastomer, reason;
+};
+
+/// A pair that would tell two models apart.
+struct DecidingPair {
+    std::string surface, elastomer;
+    std::string first, second;                   ///< models
+    double first_work = 0.0, second_work = 0.0;  ///< W_ret by them [J/m²]
+    std::string largest_input;                   ///< what most of the ± of their difference rests on
+    double standard_errors = 0.0;                ///< their difference in standard errors of a measurement there
+};
+
+/// Hysteresis predicted from roughness, ranked against what was measured.
+struct Hysteresis {
+    int measured_pairs = 0, conforming_pairs = 0;  ///< with W_ret measured
+    hysteresis::Ranking conforming, all;           ///< W_app as measured
+    std::vector<PairHysteresis> pairs;
+    std::vector<SkippedPair> skipped;
+    std::vector<hysteresis::LawTrials> trials;  ///< of the ranking that comes first, where they were asked for
+    std::optional<DecidingPair> deciding;       ///< between the best law and the likeliest not told apart from it
+};
+
+/// Every pair whose surface has a spectrum and whose elastomer a modulus; W_int is the study's.
+///
+/// Models are ranked with W_app as measured, so that errors of (7) do not count against them; what is predicted rests
+/// on roughness alone, so that pairs without a loop have it, too. Machine stiffness: fixed grips.
+/// @throws UndefinedDataError where the study has no W_int.
+/// trials: whether measurements like the study's could tell the laws apart, hysteresis::law_trials().
+[[nodiscard]] Hysteresis hysteresis_of(const StudyResult& result,
+                                       const std::optional<hysteresis::TrialOptions>& trials = {});
+
+}  // namespace setae::study
