@@ -9,11 +9,13 @@
 #include "setae/answers/run_time.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/output/budget.hpp"
+#include "setae/output/hysteresis_output.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/next_measurement_output.hpp"
 #include "setae/output/screen.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/report/report.hpp"
+#include "setae/study/hysteresis.hpp"
 #include "setae/study/next_measurement.hpp"
 #include "setae/study/provenance.hpp"
 #include "setae/study_figures/write_figures.hpp"
@@ -95,6 +97,16 @@ void bind_studies(nb::module_& module) {
                 });
             },
             nb::arg("target"))
+        .def(
+            "predict",
+            [](const Study& study, int trials, std::uint64_t seed, int threads) {
+                return unlocked([&](const auto& cancelled) {
+                    std::optional<hysteresis::TrialOptions> options;
+                    if (trials > 0) options = {.runs = trials, .seed = seed, .threads = {threads}, .cancelled = &cancelled};
+                    return output::as_text(output::to_json(study::hysteresis_of(study.result, options)));
+                });
+            },
+            nb::arg("trials"), nb::arg("seed"), nb::arg("threads"))
         .def(
             "report",
             [](const Study& study, const std::string& command) {

@@ -104,6 +104,10 @@ class StudyResult(Answer):
         """What one further measurement would leave of a number's ±, as ``setae study --next --json`` prints it."""
         return Answer(self.handle.next_measurements(target))
 
+    def predict(self, *, trials: int = 0, seed: int = 1, threads: int = 0) -> Answer:
+        """Hysteresis of every pair, W_ret, pull-off and loss, and the law that says the measured ones, as ``setae predict --json`` prints it."""
+        return Answer(self.handle.predict(trials, seed, threads))
+
     def report(self, file: Path | None = None) -> str:
         """The report, one page of HTML that needs no network; written to ``file`` where one is named."""
         page = self.handle.report(f"setae study {self.file}")

@@ -50,6 +50,7 @@ FUNCTIONS = {
     "jkr summary": "`setae.replicates`; its figure and tables by the program alone",
     "synthesize": "`setae.synthesize`",
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
+    "predict": "`setae.study(…).run().predict()`; its tables and figures by the program alone",
     "schema": "`setae.schema`",
 }
 GAPS = {
@@ -346,6 +347,7 @@ def test_study(printed, tmp_path):
     assert mine.json() == theirs
     assert "study.json" in mine.write() and pathlib.Path("results/study.json").read_text() == theirs
     assert mine.next_measurements().json() == printed("study", "study.toml", "--output", "results", "--next")
+    assert mine.predict().json() == printed("predict", "study.toml")
 
 
 def test_surface_has_the_numbers_of_params():
