@@ -136,17 +136,19 @@ std::string shown_pairs(const study::Hysteresis& h, std::size_t width) {
     return text;
 }
 
+/// Shares without their ±, which the JSON has, so that a row is a line.
 TidyTable shown_losses(const study::Hysteresis& h) {
     TidyTable table{"where the joules went [nJ]",
                     {"pair", "E_loss", "jump in", "jump out", "crack tip", "roughness", "unexplained"},
                     {}};
+    const auto share = [](const TracedValue& value) { return fmt::format("{:.3g}", value.value / nano); };
     for (const auto& p : h.pairs) {
         if (!p.decomposition) continue;
         const auto& d = *p.decomposition;
         table.rows.push_back({fmt::format("{} × {}", p.surface, p.elastomer),
-                              in_unit(d.measured, nano) + (d.of_works ? " *" : ""), in_unit(d.shares.jump_in, nano),
-                              in_unit(d.shares.jump_out, nano), in_unit(d.shares.crack_tip, nano),
-                              in_unit(d.shares.roughness, nano), in_unit(d.unexplained, nano)});
+                              in_unit(d.measured, nano) + (d.of_works ? " *" : ""), share(d.shares.jump_in),
+                              share(d.shares.jump_out), share(d.shares.crack_tip), share(d.shares.roughness),
+                              in_unit(d.unexplained, nano)});
     }
     return table;
 }
