@@ -13,19 +13,26 @@
 namespace setae::fourier {
 namespace {
 
-/// Columns of the half spectrum that lie together, row by row: two cache lines a row. A block of them is read through
-/// when its columns are transformed, and rows are written to as many places as there are blocks.
+/// Columns of the half spectrum that lie together, row by row: two cache lines a row of double. A block of them is read
+/// through when its columns are transformed, and rows are written to as many places as there are blocks.
 constexpr Index columns_per_block = 8;
 /// Rows handed to a thread at once.
 constexpr Index rows_per_task = 16;
 /// Below so many modes a second thread costs more than it brings.
 constexpr Index modes_for_threads = 128 * 64;
 
+/// On a cache line.
+template <class Real>
+constexpr Index numbers_a_line = 64 / static_cast<Index>(sizeof(ComplexOf<Real>));
+
 Index blocks_of(Index n, Index block) { return (n + block - 1) / block; }
 
 /// From column to column of a block: on cache lines, and never a power of two apart, or columns fight for the same
 /// places of the cache. Blocks keep the same distance.
-Index stride_for(Index modes) { return (modes + 3) / 4 * 4 + 4; }
+template <class Real>
+Index stride_for(Index modes) {
+    return blocks_of(modes, numbers_a_line<Real>) * numbers_a_line<Real> + numbers_a_line<Real>;
+}
 
 Index checked_side(Index points, Index period, const char* side) {
     if (points < 1 || period < points)
@@ -37,7 +44,8 @@ Index checked_side(Index points, Index period, const char* side) {
 }
 
 /// z(k) T(k) for a whole column: T is even in k.
-void multiply(Complex* column, Index period, const double* factors) {
+template <class Real>
+void multiply(ComplexOf<Real>* column, Index period, const Real* factors) {
     const Index half = period / 2;
     for (Index k = 0; k <= half; ++k) column[k] *= factors[k];
     for (Index k = half + 1; k < period; ++k) column[k] *= factors[period - k];
@@ -59,7 +67,8 @@ void transform_along_y(Multiplier& values, parallel::Threads threads) {
     });
 }
 
-double weighted_power(const Complex* column, Index period, const double* factors) {
+template <class Real>
+double weighted_power(const ComplexOf<Real>* column, Index period, const Real* factors) {
     double sum = 0.0;
     for (Index k = 0; k < period; ++k) sum += factors[std::min(k, period - k)] * std::norm(column[k]);
     return sum;
@@ -67,51 +76,59 @@ double weighted_power(const Complex* column, Index period, const double* factors
 
 }  // namespace
 
-MapFilter::MapFilter(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads)
+template <class Real>
+MapFilterOf<Real>::MapFilterOf(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads)
     : nx_(checked_side(nx, period_x, "x")),
       ny_(checked_side(ny, period_y, "y")),
       modes_y_(period_y / 2 + 1),
-      block_stride_(nx * columns_per_block + 4),
-      column_stride_(stride_for(period_x)),
+      block_stride_(nx * columns_per_block + numbers_a_line<Real>),
+      column_stride_(stride_for<Real>(period_x)),
       along_y_(period_y),
       back_along_y_(period_y),
-      along_x_(period_x, ComplexTransform::Sign::minus),
-      back_along_x_(period_x, ComplexTransform::Sign::plus),
+      along_x_(period_x, TransformSign::minus),
+      back_along_x_(period_x, TransformSign::plus),
       threads_{nx * (period_y / 2 + 1) < modes_for_threads ? 1 : threads.resolved()},
       half_(extent(blocks_of(modes_y_, columns_per_block) * block_stride_)),
       rooms_(extent(threads_.count)) {
     for (Room& room : rooms_) {
-        room.line.assign(extent(period_y), 0.0);
-        room.modes.assign(extent(blocks_of(modes_y_, columns_per_block) * columns_per_block), Complex{});
+        room.line.assign(extent(period_y), Real(0));
+        room.modes.assign(extent(blocks_of(modes_y_, columns_per_block) * columns_per_block), ComplexOf<Real>{});
         room.columns.resize(extent(columns_per_block * column_stride_));
     }
 }
 
-void MapFilter::with_rooms(Index tasks, const std::function<void(Index, Room&)>& body) {
+template <class Real>
+void MapFilterOf<Real>::with_rooms(Index tasks, const std::function<void(Index, Room&)>& body) {
     std::atomic<Index> next{0};
     parallel::for_each_index(rooms_.size(), threads_, [&](std::size_t worker) {
         for (Index task = next.fetch_add(1); task < tasks; task = next.fetch_add(1)) body(task, rooms_[worker]);
     });
 }
 
-Multiplier MapFilter::multiplier(const std::function<double(Index, Index)>& factor) const {
-    Multiplier result{.modes_x = period_x() / 2 + 1, .modes_y = period_y() / 2 + 1, .values = {}};
+template <class Real>
+MultiplierOf<Real> MapFilterOf<Real>::multiplier(const std::function<double(Index, Index)>& factor) const {
+    MultiplierOf<Real> result{.modes_x = period_x() / 2 + 1, .modes_y = period_y() / 2 + 1, .values = {}};
     result.values.resize(extent(result.modes_x * result.modes_y));
     const double points = static_cast<double>(period_x()) * static_cast<double>(period_y());
     parallel::for_each_index(extent(result.modes_y), threads_, [&](std::size_t m) {
-        double* line = result.values.data() + static_cast<Index>(m) * result.modes_x;
-        for (Index k = 0; k < result.modes_x; ++k) line[k] = factor(k, static_cast<Index>(m)) / points;
+        Real* line = result.values.data() + static_cast<Index>(m) * result.modes_x;
+        for (Index k = 0; k < result.modes_x; ++k)
+            line[k] = static_cast<Real>(factor(k, static_cast<Index>(m)) / points);
     });
     return result;
 }
 
-Multiplier MapFilter::kernel_multiplier(const std::function<double(Index, Index)>& kernel, KernelAxes along) const {
+template <class Real>
+MultiplierOf<Real> MapFilterOf<Real>::kernel_multiplier(const std::function<double(Index, Index)>& kernel,
+                                                        KernelAxes along) const
+    requires std::same_as<Real, double>
+{
     const auto require_even = [](Index period, const char* axis) {
         if (period % 2 != 0)
             throw InvalidArgument(
                 fmt::format("a kernel along {} needs an even period, the filter has {} points", axis, period));
     };
-    Multiplier result = multiplier(kernel);
+    MultiplierOf<Real> result = multiplier(kernel);
     if (along != KernelAxes::y) {
         require_even(period_x(), "x");
         const EvenTransform transform(result.modes_x);
@@ -126,11 +143,15 @@ Multiplier MapFilter::kernel_multiplier(const std::function<double(Index, Index)
     return result;
 }
 
-Complex* MapFilter::block(Index index) { return half_.data() + index * block_stride_; }
+template <class Real>
+ComplexOf<Real>* MapFilterOf<Real>::block(Index index) {
+    return half_.data() + index * block_stride_;
+}
 
-void MapFilter::forward_rows(const LoadRow& load) {
+template <class Real>
+void MapFilterOf<Real>::forward_rows(const LoadRowOf<Real>& load) {
     with_rooms(blocks_of(nx_, rows_per_task), [&](Index task, Room& room) {
-        std::fill(room.line.begin() + ny_, room.line.end(), 0.0);
+        std::fill(room.line.begin() + ny_, room.line.end(), Real(0));
         const Index first = task * rows_per_task, blocks = blocks_of(modes_y_, columns_per_block);
         for (Index i = first; i < std::min(nx_, first + rows_per_task); ++i) {
             load(i, room.line.data());
@@ -142,35 +163,40 @@ void MapFilter::forward_rows(const LoadRow& load) {
     });
 }
 
-void MapFilter::gather(Index index, Complex* columns) {
-    const Complex* from = block(index);
+template <class Real>
+void MapFilterOf<Real>::gather(Index index, ComplexOf<Real>* columns) {
+    const ComplexOf<Real>* from = block(index);
     for (Index i = 0; i < nx_; ++i)
         for (Index m = 0; m < columns_per_block; ++m) columns[m * column_stride_ + i] = from[i * columns_per_block + m];
     for (Index m = 0; m < columns_per_block; ++m)
-        std::fill(columns + m * column_stride_ + nx_, columns + m * column_stride_ + period_x(), Complex{});
+        std::fill(columns + m * column_stride_ + nx_, columns + m * column_stride_ + period_x(), ComplexOf<Real>{});
 }
 
-void MapFilter::scatter(Index index, const Complex* columns) {
-    Complex* to = block(index);
+template <class Real>
+void MapFilterOf<Real>::scatter(Index index, const ComplexOf<Real>* columns) {
+    ComplexOf<Real>* to = block(index);
     for (Index i = 0; i < nx_; ++i)
         for (Index m = 0; m < columns_per_block; ++m) to[i * columns_per_block + m] = columns[m * column_stride_ + i];
 }
 
+template <class Real>
 template <class Visit>
-void MapFilter::each_column(Index block, Room& room, const Visit& visit) {
+void MapFilterOf<Real>::each_column(Index block, Room& room, const Visit& visit) {
     const Index first = block * columns_per_block, lines = std::min(columns_per_block, modes_y_ - first);
     gather(block, room.columns.data());
     for (Index m = 0; m < lines; ++m) {
-        Complex* column = room.columns.data() + m * column_stride_;
+        ComplexOf<Real>* column = room.columns.data() + m * column_stride_;
         along_x_.apply(column);
         visit(column, first + m);
     }
 }
 
-void MapFilter::apply(const Multiplier& multiplier, const LoadRow& load, const StoreRow& store) {
+template <class Real>
+void MapFilterOf<Real>::apply(const MultiplierOf<Real>& multiplier, const LoadRowOf<Real>& load,
+                              const StoreRowOf<Real>& store) {
     forward_rows(load);
     with_rooms(blocks_of(modes_y_, columns_per_block), [&](Index block, Room& room) {
-        each_column(block, room, [&](Complex* column, Index line) {
+        each_column(block, room, [&](ComplexOf<Real>* column, Index line) {
             multiply(column, period_x(), multiplier.line(line));
             back_along_x_.apply(column);
         });
@@ -188,16 +214,20 @@ void MapFilter::apply(const Multiplier& multiplier, const LoadRow& load, const S
     });
 }
 
-double MapFilter::quadratic_form(const Multiplier& multiplier, const LoadRow& load) {
+template <class Real>
+double MapFilterOf<Real>::quadratic_form(const MultiplierOf<Real>& multiplier, const LoadRowOf<Real>& load) {
     forward_rows(load);
     Array1D sums(multiplier.modes_y);
     with_rooms(blocks_of(modes_y_, columns_per_block), [&](Index block, Room& room) {
-        each_column(block, room, [&](const Complex* column, Index line) {
+        each_column(block, room, [&](const ComplexOf<Real>* column, Index line) {
             const bool twice = line > 0 && 2 * line != period_y();  // the other half of the spectrum
             sums[line] = (twice ? 2.0 : 1.0) * weighted_power(column, period_x(), multiplier.line(line));
         });
     });
     return pairwise_sum(sums);
 }
+
+template class MapFilterOf<double>;
+template class MapFilterOf<float>;
 
 }  // namespace setae::fourier

@@ -11,13 +11,61 @@
 #include "setae/fourier/buffer.hpp"
 
 namespace setae::fourier {
-namespace {
+namespace fftw {
 
 /// FFTW's planner is not thread-safe; its executors are.
-std::mutex& planner_mutex() {
+inline std::mutex& planner_mutex() {
     static std::mutex mutex;
     return mutex;
 }
+
+/// FFTW's functions for one kind of number.
+template <class Real>
+struct Fftw;
+template <>
+struct Fftw<double> {
+    using Plan = fftw_plan;
+    static constexpr auto plan_real = fftw_plan_dft_r2c_1d;
+    static constexpr auto plan_inverse_real = fftw_plan_dft_c2r_1d;
+    static constexpr auto plan_complex = fftw_plan_dft_1d;
+    static constexpr auto execute_real = fftw_execute_dft_r2c;
+    static constexpr auto execute_inverse_real = fftw_execute_dft_c2r;
+    static constexpr auto execute_complex = fftw_execute_dft;
+    static constexpr auto destroy = fftw_destroy_plan;
+    static fftw_complex* of(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
+};
+template <>
+struct Fftw<float> {
+    using Plan = fftwf_plan;
+    static constexpr auto plan_real = fftwf_plan_dft_r2c_1d;
+    static constexpr auto plan_inverse_real = fftwf_plan_dft_c2r_1d;
+    static constexpr auto plan_complex = fftwf_plan_dft_1d;
+    static constexpr auto execute_real = fftwf_execute_dft_r2c;
+    static constexpr auto execute_inverse_real = fftwf_execute_dft_c2r;
+    static constexpr auto execute_complex = fftwf_execute_dft;
+    static constexpr auto destroy = fftwf_destroy_plan;
+    static fftwf_complex* of(ComplexOf<float>* values) { return reinterpret_cast<fftwf_complex*>(values); }
+};
+
+template <class Real>
+struct PlanHandle {
+    explicit PlanHandle(typename Fftw<Real>::Plan plan) : handle(plan) {}
+    PlanHandle(const PlanHandle&) = delete;
+    PlanHandle& operator=(const PlanHandle&) = delete;
+    ~PlanHandle() {
+        const std::lock_guard lock(planner_mutex());
+        Fftw<Real>::destroy(handle);
+    }
+    typename Fftw<Real>::Plan handle;
+};
+
+}  // namespace fftw
+
+using fftw::Fftw;
+using fftw::PlanHandle;
+using fftw::planner_mutex;
+
+namespace {
 
 /// Aligned memory for the planner, which with FFTW_ESTIMATE looks at addresses only: never touched, so it costs
 /// nothing.
@@ -35,8 +83,6 @@ private:
     T* memory_;
 };
 
-fftw_complex* as_fftw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
-
 /// FFTW counts points in int.
 void require_points(Index n) {
     constexpr Index most = std::numeric_limits<int>::max();
@@ -44,48 +90,40 @@ void require_points(Index n) {
         throw InvalidArgument(fmt::format("a transform of {} points; expected at least 1 and at most {}", n, most));
 }
 
-template <class Planned>
-fftw_plan checked(Planned plan, Index n) {
+template <class Plan>
+Plan checked(Plan plan, Index n) {
     if (plan == nullptr) throw InternalError(fmt::format("no transform plan for {} points", n));
     return plan;
 }
 
-struct PlanHandle {
-    explicit PlanHandle(fftw_plan plan) : handle(plan) {}
-    PlanHandle(const PlanHandle&) = delete;
-    PlanHandle& operator=(const PlanHandle&) = delete;
-    ~PlanHandle() {
-        const std::lock_guard lock(planner_mutex());
-        fftw_destroy_plan(handle);
-    }
-    fftw_plan handle;
-};
-
-fftw_plan plan_real(Index n) {
-    const Room<double> in(n);
-    const Room<Complex> out(n / 2 + 1);
+template <class Real>
+auto plan_real(Index n) {
+    using F = Fftw<Real>;
+    const Room<Real> in(n);
+    const Room<ComplexOf<Real>> out(n / 2 + 1);
     const std::lock_guard lock(planner_mutex());
-    return checked(
-        fftw_plan_dft_r2c_1d(static_cast<int>(n), in.data(), as_fftw(out.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT),
-        n);
+    return checked(F::plan_real(static_cast<int>(n), in.data(), F::of(out.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT),
+                   n);
 }
 
-fftw_plan plan_inverse_real(Index n) {
-    const Room<Complex> in(n / 2 + 1);
-    const Room<double> out(n);
+template <class Real>
+auto plan_inverse_real(Index n) {
+    using F = Fftw<Real>;
+    const Room<ComplexOf<Real>> in(n / 2 + 1);
+    const Room<Real> out(n);
     const std::lock_guard lock(planner_mutex());
     return checked(
-        fftw_plan_dft_c2r_1d(static_cast<int>(n), as_fftw(in.data()), out.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT),
-        n);
+        F::plan_inverse_real(static_cast<int>(n), F::of(in.data()), out.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT), n);
 }
 
-fftw_plan plan_complex(Index n, ComplexTransform::Sign sign) {
-    const Room<Complex> values(n);
-    const int direction = sign == ComplexTransform::Sign::minus ? FFTW_FORWARD : FFTW_BACKWARD;
+template <class Real>
+auto plan_complex(Index n, TransformSign sign) {
+    using F = Fftw<Real>;
+    const Room<ComplexOf<Real>> values(n);
+    const int direction = sign == TransformSign::minus ? FFTW_FORWARD : FFTW_BACKWARD;
     const std::lock_guard lock(planner_mutex());
     return checked(
-        fftw_plan_dft_1d(static_cast<int>(n), as_fftw(values.data()), as_fftw(values.data()), direction, FFTW_ESTIMATE),
-        n);
+        F::plan_complex(static_cast<int>(n), F::of(values.data()), F::of(values.data()), direction, FFTW_ESTIMATE), n);
 }
 
 fftw_plan plan_even(Index n) {
@@ -98,49 +136,77 @@ fftw_plan plan_even(Index n) {
 
 }  // namespace
 
-struct RealTransform::Plan : PlanHandle {
-    using PlanHandle::PlanHandle;
+template <class Real>
+struct RealTransformOf<Real>::Plan : PlanHandle<Real> {
+    using PlanHandle<Real>::PlanHandle;
 };
 
-RealTransform::RealTransform(Index n) : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_real(n))) {}
-RealTransform::~RealTransform() = default;
-RealTransform::RealTransform(RealTransform&&) noexcept = default;
-RealTransform& RealTransform::operator=(RealTransform&&) noexcept = default;
+template <class Real>
+RealTransformOf<Real>::RealTransformOf(Index n)
+    : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_real<Real>(n))) {}
+template <class Real>
+RealTransformOf<Real>::~RealTransformOf() = default;
+template <class Real>
+RealTransformOf<Real>::RealTransformOf(RealTransformOf&&) noexcept = default;
+template <class Real>
+RealTransformOf<Real>& RealTransformOf<Real>::operator=(RealTransformOf&&) noexcept = default;
 
-void RealTransform::forward(const double* in, Complex* out) const {
+template <class Real>
+void RealTransformOf<Real>::forward(const Real* in, ComplexOf<Real>* out) const {
     // FFTW_PRESERVE_INPUT keeps the promise of const
-    fftw_execute_dft_r2c(plan_->handle, const_cast<double*>(in), as_fftw(out));
+    Fftw<Real>::execute_real(plan_->handle, const_cast<Real*>(in), Fftw<Real>::of(out));
 }
 
-struct InverseRealTransform::Plan : PlanHandle {
-    using PlanHandle::PlanHandle;
+template class RealTransformOf<double>;
+template class RealTransformOf<float>;
+
+template <class Real>
+struct InverseRealTransformOf<Real>::Plan : PlanHandle<Real> {
+    using PlanHandle<Real>::PlanHandle;
 };
 
-InverseRealTransform::InverseRealTransform(Index n)
-    : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_inverse_real(n))) {}
-InverseRealTransform::~InverseRealTransform() = default;
-InverseRealTransform::InverseRealTransform(InverseRealTransform&&) noexcept = default;
-InverseRealTransform& InverseRealTransform::operator=(InverseRealTransform&&) noexcept = default;
+template <class Real>
+InverseRealTransformOf<Real>::InverseRealTransformOf(Index n)
+    : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_inverse_real<Real>(n))) {}
+template <class Real>
+InverseRealTransformOf<Real>::~InverseRealTransformOf() = default;
+template <class Real>
+InverseRealTransformOf<Real>::InverseRealTransformOf(InverseRealTransformOf&&) noexcept = default;
+template <class Real>
+InverseRealTransformOf<Real>& InverseRealTransformOf<Real>::operator=(InverseRealTransformOf&&) noexcept = default;
 
-void InverseRealTransform::apply(Complex* in, double* out) const {
-    fftw_execute_dft_c2r(plan_->handle, as_fftw(in), out);
+template <class Real>
+void InverseRealTransformOf<Real>::apply(ComplexOf<Real>* in, Real* out) const {
+    Fftw<Real>::execute_inverse_real(plan_->handle, Fftw<Real>::of(in), out);
 }
 
-struct ComplexTransform::Plan : PlanHandle {
-    using PlanHandle::PlanHandle;
+template class InverseRealTransformOf<double>;
+template class InverseRealTransformOf<float>;
+
+template <class Real>
+struct ComplexTransformOf<Real>::Plan : PlanHandle<Real> {
+    using PlanHandle<Real>::PlanHandle;
 };
 
-ComplexTransform::ComplexTransform(Index n, Sign sign)
-    : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_complex(n, sign))) {}
-ComplexTransform::~ComplexTransform() = default;
-ComplexTransform::ComplexTransform(ComplexTransform&&) noexcept = default;
-ComplexTransform& ComplexTransform::operator=(ComplexTransform&&) noexcept = default;
+template <class Real>
+ComplexTransformOf<Real>::ComplexTransformOf(Index n, Sign sign)
+    : points_((require_points(n), n)), plan_(std::make_unique<Plan>(plan_complex<Real>(n, sign))) {}
+template <class Real>
+ComplexTransformOf<Real>::~ComplexTransformOf() = default;
+template <class Real>
+ComplexTransformOf<Real>::ComplexTransformOf(ComplexTransformOf&&) noexcept = default;
+template <class Real>
+ComplexTransformOf<Real>& ComplexTransformOf<Real>::operator=(ComplexTransformOf&&) noexcept = default;
 
-void ComplexTransform::apply(Complex* values) const {
-    fftw_execute_dft(plan_->handle, as_fftw(values), as_fftw(values));
+template <class Real>
+void ComplexTransformOf<Real>::apply(ComplexOf<Real>* values) const {
+    Fftw<Real>::execute_complex(plan_->handle, Fftw<Real>::of(values), Fftw<Real>::of(values));
 }
 
-struct EvenTransform::Plan : PlanHandle {
+template class ComplexTransformOf<double>;
+template class ComplexTransformOf<float>;
+
+struct EvenTransform::Plan : PlanHandle<double> {
     using PlanHandle::PlanHandle;
 };
 

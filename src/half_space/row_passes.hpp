@@ -11,11 +11,23 @@
 
 namespace setae::half_space {
 
-/// A row of a map as one dimension.
-using Row = Eigen::Map<Array1D>;
-using ConstRow = Eigen::Map<const Array1D>;
-inline Row row(Array2D& map, Index i) { return {map.data() + i * map.cols(), map.cols()}; }
-inline ConstRow row(const Array2D& map, Index i) { return {map.data() + i * map.cols(), map.cols()}; }
+/// A map of float or double, and a row of it as one dimension.
+template <class Real>
+using MapOf = Eigen::Array<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+template <class Real>
+using RowOf = Eigen::Map<Eigen::Array<Real, Eigen::Dynamic, 1>>;
+template <class Real>
+using ConstRowOf = Eigen::Map<const Eigen::Array<Real, Eigen::Dynamic, 1>>;
+using Row = RowOf<double>;
+using ConstRow = ConstRowOf<double>;
+template <class Real>
+RowOf<Real> row(MapOf<Real>& map, Index i) {
+    return {map.data() + i * map.cols(), map.cols()};
+}
+template <class Real>
+ConstRowOf<Real> row(const MapOf<Real>& map, Index i) {
+    return {map.data() + i * map.cols(), map.cols()};
+}
 
 /// Numbers of several kinds, one of each a row, from a pass over a map or from what rides along with a transform: rows
 /// are added in an order of their own, whatever thread they came from.

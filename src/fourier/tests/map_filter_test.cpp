@@ -2,6 +2,7 @@
 #include "setae/fourier/map_filter.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -35,16 +36,28 @@ struct Case {
 
 class Filtered : public ::testing::TestWithParam<Case> {};
 
+/// y and Σ x y of a map, by transforms of Real.
+template <class Real>
+std::pair<Array2D, double> filtered(const Case& sides, const Array2D& x) {
+    using Line = Eigen::Map<Eigen::Array<Real, Eigen::Dynamic, 1>>;
+    using ConstLine = Eigen::Map<const Eigen::Array<Real, Eigen::Dynamic, 1>>;
+    const auto [nx, ny, px, py] = sides;
+    MapFilterOf<Real> filter(nx, ny, px, py);
+    const auto T = filter.multiplier([&](Index k, Index m) { return transform(k, m, px, py); });
+    Array2D y(nx, ny);
+    const LoadRowOf<Real> load = [&](Index i, Real* line) {
+        Line(line, ny) = x.row(i).transpose().template cast<Real>();
+    };
+    filter.apply(T, load, [&](Index i, const Real* line) {
+        y.row(i) = ConstLine(line, ny).transpose().template cast<double>();
+    });
+    return {y, filter.quadratic_form(T, load)};
+}
+
 TEST_P(Filtered, MapIsTheConvolution) {
     const auto [nx, ny, px, py] = GetParam();
-    MapFilter filter(nx, ny, px, py);
-    const Multiplier T = filter.multiplier([&](Index k, Index m) { return transform(k, m, px, py); });
     const Array2D x = Array2D::Random(nx, ny);
-    Array2D y(nx, ny);
-    const LoadRow load = [&](Index i, double* line) { Eigen::Map<Eigen::ArrayXd>(line, ny) = x.row(i).transpose(); };
-    filter.apply(T, load, [&](Index i, const double* line) {
-        y.row(i) = Eigen::Map<const Eigen::ArrayXd>(line, ny).transpose();
-    });
+    const auto [y, form_found] = filtered<double>(GetParam(), x);
     double largest = 0.0, form = 0.0;
     for (Index i = 0; i < nx; ++i)
         for (Index j = 0; j < ny; ++j) {
@@ -56,7 +69,15 @@ TEST_P(Filtered, MapIsTheConvolution) {
             form += x(i, j) * sum;
         }
     EXPECT_LT(largest, 1e-13 * static_cast<double>(nx + ny));
-    EXPECT_NEAR(filter.quadratic_form(T, load), form, 1e-12 * std::abs(form));
+    EXPECT_NEAR(form_found, form, 1e-12 * std::abs(form));
+}
+
+TEST_P(Filtered, MapIsTheSameInFloatButForItsRounding) {
+    const Array2D x = Array2D::Random(GetParam().nx, GetParam().ny);
+    const auto [y, form] = filtered<double>(GetParam(), x);
+    const auto [rounded, rounded_form] = filtered<float>(GetParam(), x);
+    EXPECT_LT((rounded - y).abs().maxCoeff(), 1e-6 * y.abs().maxCoeff());
+    EXPECT_NEAR(rounded_form, form, 1e-5 * std::abs(form));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEvenAndOddSides, Filtered,

@@ -36,13 +36,15 @@ public:
           options_(options),
           elastic_(grid, body, Edges::periodic, threads),
           heights_(checked(heights, grid, body, law)),
-          model_(heights_, elastic_, threads),
+          stiffness_(stiffness_of_waves(elastic_)),
+          model_(heights_, elastic_, {law.greatest_tension(), law.range}, threads),
           rows_(heights_, threads),
           points_(static_cast<double>(heights_.size())),
           radius_(2.0 * law.range) {
         for (auto* place : {&here_, &trial_}) *place = {heights_, heights_, heights_, heights_, heights_};
-        for (auto* map : {&gradient_, &face_, &step_, &stiff_step_, &tangent_, &stiff_tangent_})
+        for (auto* map : {&gradient_, &step_, &stiff_step_, &tangent_, &stiff_tangent_})
             *map = Array2D::Zero(heights_.rows(), heights_.cols());
+        face_ = MapOf<float>::Zero(heights_.rows(), heights_.cols());
         rigid_ = heights_;
         apply_stiffness(heights_, rigid_);
         conformal_energy_ =
@@ -107,11 +109,12 @@ private:
         double mean = 0.0;
     };
 
+    [[nodiscard]] std::int64_t all_transforms() const { return transforms_ + model_.transforms(); }
     void apply_stiffness(const Array2D& from, Array2D& to) {
         elastic_.apply(
-            model_.stiffness(), [&](Index i, double* line) { Row(line, from.cols()) = row(from, i); },
+            stiffness_, [&](Index i, double* line) { Row(line, from.cols()) = row(from, i); },
             [&](Index i, const double* line) { row(to, i) = ConstRow(line, to.cols()); });
-        ++model_.transforms;
+        ++transforms_;
     }
     /// Everything of the present gaps anew.
     void refresh() {
@@ -154,6 +157,8 @@ private:
     double residual();
     bool gradient_step();
     bool newton_step(double residual);
+    /// Steps until what is left is as wanted, there is none, or there were too many; what is left.
+    double approach_equilibrium(double left, double wanted, int& iterations);
     void take_trial() { std::swap(here_, trial_); }
     AdhesiveState state(double residual, int iterations, std::int64_t transforms);
 
@@ -161,13 +166,16 @@ private:
     AdhesiveOptions options_;
     ElasticOperator elastic_;
     Array2D heights_, rigid_;
-    FaceModel model_;
+    fourier::Multiplier stiffness_;
+    FaceModel<float> model_;
+    std::int64_t transforms_ = 0;  ///< of its own
     RowPasses rows_;
     double points_, radius_;
     double conformal_energy_ = 0.0, multiplier_ = 0.0, tension_ = 0.0;
     AdhesiveControl control_;
     Place here_, trial_, kept_;
-    Array2D gradient_, face_, step_, stiff_step_;
+    Array2D gradient_, step_, stiff_step_;
+    MapOf<float> face_;
     Array2D tangent_, stiff_tangent_, kept_tangent_, kept_stiff_tangent_;
     bool has_tangent_ = false, kept_has_tangent_ = false;
 };
@@ -223,13 +231,13 @@ double AdhesiveCell::Work::energy_to_trial(bool stiff_known) {
         rows_.each(compare);
     } else {
         elastic_.apply(
-            model_.stiffness(),
+            stiffness_,
             [&](Index i, double* line) { Row(line, here_.gaps.cols()) = row(trial_.gaps, i) - row(here_.gaps, i); },
             [&](Index i, const double* line) {
                 row(trial_.stiff, i) = row(here_.stiff, i) + ConstRow(line, here_.gaps.cols());
                 compare(i);
             });
-        ++model_.transforms;
+        ++transforms_;
     }
     trial_.mean = sums.sum(1) / points_;
     return sums.sum(0) / points_ + control_energy(here_.mean, trial_.mean);
@@ -248,8 +256,9 @@ bool AdhesiveCell::Work::gradient_step() {
 bool AdhesiveCell::Work::newton_step(double residual) {
     const auto sums = rows_.numbers<2>([&](Index i) {
         auto face = row(face_, i);
-        face = (row(here_.gaps, i) > 0.0 || row(gradient_, i) < multiplier_).cast<double>();
-        return std::array{face.sum(), (face * (row(gradient_, i) - multiplier_)).square().sum()};
+        face = (row(here_.gaps, i) > 0.0 || row(gradient_, i) < multiplier_).cast<float>();
+        return std::array{static_cast<double>(face.sum()),
+                          (face.cast<double>() * (row(gradient_, i) - multiplier_)).square().sum()};
     });
     const double forcing = std::min(0.1, std::sqrt(residual / law_.greatest_tension()));
     const double tolerance = forcing * std::sqrt(sums.sum(1) / std::max(1.0, sums.sum(0)));
@@ -307,8 +316,21 @@ AdhesiveState AdhesiveCell::Work::state(double residual, int iterations, std::in
     return result;
 }
 
+double AdhesiveCell::Work::approach_equilibrium(double left, double wanted, int& iterations) {
+    while (left > wanted && iterations < options_.most_iterations) {
+        ++iterations;
+        bool moved = gradient_step();
+        if (moved) left = residual();
+        if (left <= wanted) break;
+        moved = newton_step(left) || moved;
+        if (!moved) break;
+        left = residual();
+    }
+    return left;
+}
+
 AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
-    const auto transforms = model_.transforms;
+    const auto transforms = all_transforms();
     control_ = control;
     if (const auto* held = std::get_if<HeldGap>(&control)) {
         if (!(held->mean_gap >= 0.0))
@@ -322,44 +344,54 @@ AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
     radius_ = 2.0 * law_.range;
     const double wanted = options_.tolerance * law_.greatest_tension();
     double left = residual();
-    int iterations = 0;
-    while (left > wanted && iterations < options_.most_iterations) {
-        ++iterations;
-        bool moved = gradient_step();
-        if (moved) left = residual();
-        if (left <= wanted) break;
-        moved = newton_step(left) || moved;
-        if (!moved) break;
+    int iterations = 0, before = -1;
+    // Newton steps leave stresses the rounding of float: equilibrium is what it is with stresses found anew
+    while (left > wanted && iterations < options_.most_iterations && iterations > before) {
+        before = iterations;
+        left = approach_equilibrium(left, wanted, iterations);
+        refresh();
         left = residual();
     }
-    return state(left, iterations, model_.transforms - transforms);
+    return state(left, iterations, all_transforms() - transforms);
 }
 
 AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
     const double free = rows_.sum([&](Index i) {
-        row(face_, i) = (row(here_.gaps, i) > 0.0).cast<double>();
-        return row(face_, i).sum();
+        row(face_, i) = (row(here_.gaps, i) > 0.0).cast<float>();
+        return static_cast<double>(row(face_, i).sum());
     });
     const bool warm = has_tangent_;
     has_tangent_ = false;
     if (free == 0.0) return {.largest = points_};
-    double sum = warm ? rows_.sum([&](Index i) { return (row(tangent_, i) * row(face_, i)).sum(); }) : 0.0;
+    double sum =
+        warm ? rows_.sum([&](Index i) { return (row(tangent_, i) * row(face_, i).cast<double>()).sum(); }) : 0.0;
     const bool start_warm = sum > 0.5 * points_;
     rows_.each([&](Index i) {
-        if (start_warm) row(tangent_, i) *= row(face_, i) * (points_ / sum);
-        else row(tangent_, i) = row(face_, i) * (points_ / free);
+        const auto face = row(face_, i).cast<double>();
+        if (start_warm) row(tangent_, i) *= face * (points_ / sum);
+        else row(tangent_, i) = face * (points_ / free);
     });
     apply_stiffness(tangent_, stiff_tangent_);
-    rows_.each([&](Index i) { row(gradient_, i) = row(stiff_tangent_, i) + row(here_.slope, i) * row(tangent_, i); });
-    const double power = rows_.sum([&](Index i) { return (row(here_.slope, i) * row(tangent_, i)).square().sum(); });
+    // of a mean gap that changes by ρ
+    rows_.each([&](Index i) {
+        row(gradient_, i) = law_.range * (row(stiff_tangent_, i) + row(here_.slope, i) * row(tangent_, i));
+    });
+    // V'' is 0 of constant tension: what the longest wave answers is the least that counts
+    const double least = elastic_.least_stiffness();
+    const double power = rows_.sum([&](Index i) {
+        return ((row(here_.slope, i).square() + least * least) * row(tangent_, i).square()).sum();
+    });
     const auto outcome = model_.minimise({.gradient = gradient_,
                                           .slopes = here_.slope,
                                           .face = face_,
                                           .radius = std::numeric_limits<double>::infinity(),
-                                          .tolerance = tangent_accuracy * std::sqrt(power / free)},
+                                          .tolerance = tangent_accuracy * law_.range * std::sqrt(power / free)},
                                          step_, stiff_step_);
     if (outcome.curves_down) return {.largest = points_ / free};
-    tangent_ += step_, stiff_tangent_ += stiff_step_;
+    rows_.each([&](Index i) {
+        row(tangent_, i) += row(step_, i) / law_.range;
+        row(stiff_tangent_, i) += row(stiff_step_, i) / law_.range;
+    });
     has_tangent_ = true;
     Tangent result{.stable = true};
     result.largest = rows_.largest([&](Index i) { return row(tangent_, i).abs().maxCoeff(); });

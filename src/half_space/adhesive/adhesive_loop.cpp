@@ -58,10 +58,12 @@ private:
     }
 
     [[nodiscard]] bool pressed() const { return here().state.tension <= -options_.most_pressure; }
-    /// In the state it began with, as far as the ledger sees.
+    /// In the state it began with, as far as the ledger sees: a neck that is drawn out passes its energy, too.
     [[nodiscard]] bool parted() const {
-        return std::abs(here().state.energy() - steps_.front().state.energy()) <=
-               options_.jump_share * cell_.interaction().work_of_adhesion;
+        const double touched = steps_.front().state.area_fraction;
+        return here().state.area_fraction <= touched &&
+               std::abs(here().state.energy() - steps_.front().state.energy()) <=
+                   options_.jump_share * cell_.interaction().work_of_adhesion;
     }
 
     template <class Ended>

@@ -14,70 +14,90 @@ fourier::Multiplier with_mean(fourier::Multiplier multiplier, double mean, Index
     return multiplier;
 }
 
+template <class Real>
+fourier::MultiplierOf<Real> scaled(const fourier::Multiplier& multiplier, double factor) {
+    fourier::MultiplierOf<Real> result{.modes_x = multiplier.modes_x, .modes_y = multiplier.modes_y, .values = {}};
+    result.values.resize(multiplier.values.size());
+    std::ranges::transform(multiplier.values, result.values.begin(),
+                           [factor](double value) { return static_cast<Real>(factor * value); });
+    return result;
+}
+
 }  // namespace
 
-FaceModel::FaceModel(const Array2D& shape, ElasticOperator& elastic, parallel::Threads threads)
-    : elastic_(&elastic),
-      stiffness_(with_mean(elastic.multiplier([](double k) { return std::isinf(k) ? 0.0 : k; }), 0.0, shape.size())),
-      preconditioner_(with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.least_stiffness()); }),
-                                1.0 / elastic.least_stiffness(), shape.size())),
-      rows_(shape, threads),
-      residual_(shape),
-      preconditioned_(shape),
-      direction_(shape),
-      stiff_direction_(shape) {}
+fourier::Multiplier stiffness_of_waves(const ElasticOperator& elastic) {
+    const auto finite = elastic.multiplier([](double k) { return std::isinf(k) ? 0.0 : k; });
+    return with_mean(finite, 0.0, 1);
+}
 
-void FaceModel::precondition(const FaceProblem& problem, Array2D& step, Array2D& stiff_step, double length,
-                             double hold) {
-    const Array2D& face = problem.face;
-    RowSums<2> before(face.rows()), after(face.rows());
-    const auto load = [&](Index i, double* line) {
+template <class Real>
+FaceModel<Real>::FaceModel(const Array2D& shape, const ElasticOperator& elastic, const FaceUnits& units,
+                           parallel::Threads threads)
+    : filter_(shape.rows(), shape.cols(), shape.rows(), shape.cols(), threads),
+      stiffness_(scaled<Real>(stiffness_of_waves(elastic), units.length / units.stress)),
+      preconditioner_(
+          scaled<Real>(with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.least_stiffness()); }),
+                                 1.0 / elastic.least_stiffness(), shape.size()),
+                       units.stress / units.length)),
+      units_(units),
+      rows_(shape, threads) {
+    for (auto* map : {&slopes_, &step_, &stiff_step_, &residual_, &preconditioned_, &direction_, &stiff_direction_})
+        *map = MapOf<Real>::Zero(shape.rows(), shape.cols());
+}
+
+template <class Real>
+void FaceModel<Real>::precondition(const Scaled& problem, Real length, Real hold) {
+    RowSums<2> before(step_.rows()), after(step_.rows());
+    const auto load = [&](Index i, Real* line) {
         auto r = row(residual_, i);
-        double largest = 0.0;
-        if (length != 0.0) {
+        Real largest = 0;
+        if (length != Real(0)) {
             const auto p = row(direction_, i);
             const auto Kp = row(stiff_direction_, i);
-            auto d = row(step, i);
+            auto d = row(step_, i);
             d += length * p;
-            row(stiff_step, i) += length * Kp;
-            r -= length * row(face, i) * (Kp + row(problem.slopes, i) * p - hold);
+            row(stiff_step_, i) += length * Kp;
+            r -= length * row(problem.face, i).template cast<Real>() * (Kp + row(slopes_, i) * p - hold);
             largest = d.abs().maxCoeff();
         }
-        before.store(i, {r.square().sum(), largest});
-        Row(line, r.size()) = r;
+        before.store(i, {static_cast<double>(r.square().sum()), static_cast<double>(largest)});
+        RowOf<Real>(line, r.size()) = r;
     };
-    const auto store = [&](Index i, const double* line) {
+    const auto store = [&](Index i, const Real* line) {
         auto z = row(preconditioned_, i);
-        z = row(face, i) * ConstRow(line, z.size());
-        after.store(i, {z.sum(), (z * row(residual_, i)).sum()});
+        z = row(problem.face, i).template cast<Real>() * ConstRowOf<Real>(line, z.size());
+        after.store(i, {static_cast<double>(z.sum()), static_cast<double>((z * row(residual_, i)).sum())});
     };
-    elastic_->apply(preconditioner_, load, store);
-    ++transforms;
+    filter_.apply(preconditioner_, load, store);
+    ++transforms_;
     residual_power_ = before.sum(0);
     largest_ = before.largest(1);
     mean_preconditioned_ = problem.mean_held ? after.sum(0) / count_ : 0.0;
     product_ = after.sum(1);
 }
 
-void FaceModel::apply_hessian(const FaceProblem& problem, double along_last) {
-    const Array2D& face = problem.face;
-    RowSums<1> directions(face.rows());
-    RowSums<2> responses(face.rows());
-    const auto load = [&](Index i, double* line) {
+template <class Real>
+void FaceModel<Real>::apply_hessian(const Scaled& problem, Real along_last) {
+    const auto mean_preconditioned = static_cast<Real>(mean_preconditioned_);
+    RowSums<1> directions(step_.rows());
+    RowSums<2> responses(step_.rows());
+    const auto load = [&](Index i, Real* line) {
         auto p = row(direction_, i);
-        p = row(face, i) * (row(preconditioned_, i) - mean_preconditioned_) + along_last * p;
-        directions.store(i, {p.sum()});
-        Row(line, p.size()) = p;
+        p = row(problem.face, i).template cast<Real>() * (row(preconditioned_, i) - mean_preconditioned) +
+            along_last * p;
+        directions.store(i, {static_cast<double>(p.sum())});
+        RowOf<Real>(line, p.size()) = p;
     };
-    const auto store = [&](Index i, const double* line) {
+    const auto store = [&](Index i, const Real* line) {
         const auto p = row(direction_, i);
         auto Kp = row(stiff_direction_, i);
-        Kp = ConstRow(line, Kp.size());
-        const auto Hp = Kp + row(problem.slopes, i) * p;
-        responses.store(i, {(p * Hp).sum(), (row(face, i) * Hp).sum()});
+        Kp = ConstRowOf<Real>(line, Kp.size());
+        const auto Hp = Kp + row(slopes_, i) * p;
+        responses.store(i, {static_cast<double>((p * Hp).sum()),
+                            static_cast<double>((row(problem.face, i).template cast<Real>() * Hp).sum())});
     };
-    elastic_->apply(stiffness_, load, store);
-    ++transforms;
+    filter_.apply(stiffness_, load, store);
+    ++transforms_;
     const double sum = directions.sum(), mean = sum / static_cast<double>(direction_.size());
     curvature_ = responses.sum(0);
     if (problem.mean_held) {
@@ -88,50 +108,62 @@ void FaceModel::apply_hessian(const FaceProblem& problem, double along_last) {
     }
 }
 
-double FaceModel::reach(const Array2D& step, double radius) {
-    return -rows_.largest([&](Index i) {
-        const auto d = row(step, i);
+template <class Real>
+Real FaceModel<Real>::reach(Real radius) {
+    return static_cast<Real>(-rows_.largest([&](Index i) {
+        const auto d = row(step_, i);
         const auto p = row(direction_, i);
-        double least = std::numeric_limits<double>::infinity();
+        Real least = std::numeric_limits<Real>::infinity();
         for (Index j = 0; j < d.size(); ++j)
-            if (p[j] != 0.0) least = std::min(least, (radius - std::copysign(1.0, p[j]) * d[j]) / std::abs(p[j]));
-        return -least;
-    });
+            if (p[j] != Real(0))
+                least = std::min(least, (radius - std::copysign(Real(1), p[j]) * d[j]) / std::abs(p[j]));
+        return -static_cast<double>(least);
+    }));
 }
 
-void FaceModel::move(Array2D& step, Array2D& stiff_step, double length) {
+template <class Real>
+void FaceModel<Real>::move(Real length) {
     rows_.each([&](Index i) {
-        row(step, i) += length * row(direction_, i);
-        row(stiff_step, i) += length * row(stiff_direction_, i);
+        row(step_, i) += length * row(direction_, i);
+        row(stiff_step_, i) += length * row(stiff_direction_, i);
     });
 }
 
-FaceOutcome FaceModel::minimise(const FaceProblem& problem, Array2D& step, Array2D& stiff_step) {
-    FaceOutcome outcome;
+template <class Real>
+void FaceModel<Real>::load(const FaceProblem& problem) {
     const auto sums = rows_.numbers<2>([&](Index i) {
-        for (auto* map : {&step, &stiff_step, &direction_}) row(*map, i).setZero();
-        return std::array{row(problem.face, i).sum(), (row(problem.face, i) * row(problem.gradient, i)).sum()};
+        for (auto* map : {&step_, &stiff_step_, &direction_}) row(*map, i).setZero();
+        const auto face = row(problem.face, i).template cast<double>();
+        return std::array{face.sum(), (face * row(problem.gradient, i)).sum()};
     });
     count_ = sums.sum(0);
-    if (count_ == 0.0) return outcome;
+    if (count_ == 0.0) return;
     const double hold = problem.mean_held ? sums.sum(1) / count_ : 0.0;
-    rows_.each([&](Index i) { row(residual_, i) = row(problem.face, i) * (hold - row(problem.gradient, i)); });
-    precondition(problem, step, stiff_step, 0.0, 0.0);
-    outcome.first_residual = std::sqrt(residual_power_ / count_);
+    rows_.each([&](Index i) {
+        row(residual_, i) = row(problem.face, i).template cast<Real>() *
+                            ((hold - row(problem.gradient, i)) / units_.stress).template cast<Real>();
+        row(slopes_, i) = (row(problem.slopes, i) * (units_.length / units_.stress)).template cast<Real>();
+    });
+}
+
+template <class Real>
+FaceOutcome FaceModel<Real>::descend(const Scaled& problem, int most_iterations) {
+    FaceOutcome outcome;
+    precondition(problem, 0, 0);
     double along_last = 0.0;
-    for (int k = 0; k < problem.most_iterations && std::sqrt(residual_power_ / count_) > problem.tolerance; ++k) {
-        apply_hessian(problem, along_last);
+    for (int k = 0; k < most_iterations && std::sqrt(residual_power_ / count_) > problem.tolerance; ++k) {
+        apply_hessian(problem, static_cast<Real>(along_last));
         const double before = product_;
         if (!(curvature_ > 0.0)) {
-            move(step, stiff_step, reach(step, problem.radius));
+            move(reach(problem.radius));
             outcome.curves_down = true;
             return outcome;
         }
-        const double length = before / curvature_;
-        precondition(problem, step, stiff_step, length, hold_);
+        const auto length = static_cast<Real>(before / curvature_);
+        precondition(problem, length, static_cast<Real>(hold_));
         if (largest_ > problem.radius) {
-            move(step, stiff_step, -length);
-            move(step, stiff_step, reach(step, problem.radius));
+            move(-length);
+            move(reach(problem.radius));
             outcome.at_radius = true;
             return outcome;
         }
@@ -139,5 +171,26 @@ FaceOutcome FaceModel::minimise(const FaceProblem& problem, Array2D& step, Array
     }
     return outcome;
 }
+
+template <class Real>
+FaceOutcome FaceModel<Real>::minimise(const FaceProblem& problem, Array2D& step, Array2D& stiff_step) {
+    FaceOutcome outcome;
+    load(problem);
+    if (count_ > 0.0)
+        outcome = descend({.face = problem.face,
+                           .mean_held = problem.mean_held,
+                           .control_stiffness = problem.control_stiffness * units_.length / units_.stress,
+                           .radius = static_cast<Real>(problem.radius / units_.length),
+                           .tolerance = problem.tolerance / units_.stress},
+                          problem.most_iterations);
+    rows_.each([&](Index i) {
+        row(step, i) = units_.length * row(step_, i).template cast<double>();
+        row(stiff_step, i) = units_.stress * row(stiff_step_, i).template cast<double>();
+    });
+    return outcome;
+}
+
+template class FaceModel<float>;
+template class FaceModel<double>;
 
 }  // namespace setae::half_space

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "row_passes.hpp"
+#include "setae/fourier/map_filter.hpp"
 #include "setae/half_space/elastic_operator.hpp"
 
 namespace setae::half_space {
@@ -12,9 +13,9 @@ namespace setae::half_space {
 ///
 ///   q(d) = G·d + ½ d·H d,  H d = K d + V'' d + c ⟨d⟩,  d = 0 outside the face, ⟨d⟩ = 0 where the mean is held
 struct FaceProblem {
-    const Array2D& gradient;  ///< G [Pa]
-    const Array2D& slopes;    ///< V'' [Pa/m]
-    const Array2D& face;      ///< 1 where free, else 0
+    const Array2D& gradient;   ///< G [Pa]
+    const Array2D& slopes;     ///< V'' [Pa/m]
+    const MapOf<float>& face;  ///< 1 where free, else 0
     bool mean_held = true;
     double control_stiffness = 0.0;  ///< c [Pa/m] of what holds the mean
     double radius = 0.0;             ///< |d| <= radius [m]
@@ -26,37 +27,56 @@ struct FaceProblem {
 struct FaceOutcome {
     bool curves_down = false;  ///< along a direction, which was followed to the radius
     bool at_radius = false;
-    double first_residual = 0.0;  ///< rms of G in the face, its mean taken off where held [Pa]
+};
+
+/// What stresses and lengths are counted in, so that all numbers are about 1.
+struct FaceUnits {
+    double stress = 1.0, length = 1.0;
 };
 
 /// Minimises the model by conjugate gradients (Steihaug), preconditioned in the face by 1/(k + k(q_min)). Everything
-/// rides along with the transforms: two pairs an iteration, no pass of its own.
+/// rides along with the transforms: two pairs an iteration, no pass of its own. What comes out is a direction, whose
+/// energy the caller finds in double: float does, and halves the traffic.
+template <class Real>
 class FaceModel {
 public:
-    FaceModel(const Array2D& shape, ElasticOperator& elastic, parallel::Threads threads);
+    FaceModel(const Array2D& shape, const ElasticOperator& elastic, const FaceUnits& units, parallel::Threads threads);
 
     /// d and K d.
     FaceOutcome minimise(const FaceProblem& problem, Array2D& step, Array2D& stiff_step);
 
-    /// K: k(q), 0 for the mean.
-    [[nodiscard]] const fourier::Multiplier& stiffness() const { return stiffness_; }
-    /// Pairs of transforms so far, with those of the owner.
-    std::int64_t transforms = 0;
+    /// Pairs of transforms so far.
+    [[nodiscard]] std::int64_t transforms() const { return transforms_; }
 
 private:
-    void precondition(const FaceProblem& problem, Array2D& step, Array2D& stiff_step, double length, double hold);
-    void apply_hessian(const FaceProblem& problem, double along_last);
+    /// In the model's units.
+    struct Scaled {
+        const MapOf<float>& face;
+        bool mean_held;
+        double control_stiffness;
+        Real radius;
+        double tolerance;
+    };
+    void load(const FaceProblem& problem);
+    FaceOutcome descend(const Scaled& problem, int most_iterations);
+    void precondition(const Scaled& problem, Real length, Real hold);
+    void apply_hessian(const Scaled& problem, Real along_last);
     /// How far along the direction |d| reaches the radius.
-    [[nodiscard]] double reach(const Array2D& step, double radius);
-    void move(Array2D& step, Array2D& stiff_step, double length);
+    [[nodiscard]] Real reach(Real radius);
+    void move(Real length);
 
-    ElasticOperator* elastic_;
-    fourier::Multiplier stiffness_, preconditioner_;
+    fourier::MapFilterOf<Real> filter_;
+    fourier::MultiplierOf<Real> stiffness_, preconditioner_;
+    FaceUnits units_;
     RowPasses rows_;
-    Array2D residual_, preconditioned_, direction_, stiff_direction_;
+    MapOf<Real> slopes_, step_, stiff_step_, residual_, preconditioned_, direction_, stiff_direction_;
+    std::int64_t transforms_ = 0;
     // of the last preconditioning and of the last Hessian
     double mean_preconditioned_ = 0.0, product_ = 0.0, residual_power_ = 0.0, largest_ = 0.0;
     double curvature_ = 0.0, hold_ = 0.0, count_ = 0.0;
 };
+
+/// k(q) of every mode, 0 for the mean.
+[[nodiscard]] fourier::Multiplier stiffness_of_waves(const ElasticOperator& elastic);
 
 }  // namespace setae::half_space

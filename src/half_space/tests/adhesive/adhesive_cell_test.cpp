@@ -188,6 +188,18 @@ TEST(AdhesiveCell, RefusesHeightsThatAreUndefined) {
     EXPECT_THROW((AdhesiveCell(Array2D::Zero(8, 8), {8, 8, 8.0, 8.0}, body, {1.0, 0.5})), InvalidArgument);
 }
 
+// constant tension has no V'': the body alone answers, and no gap moves by much more than the mean
+TEST(AdhesiveCell, HasATangentUnderConstantTension) {
+    AdhesiveCell cell(sine(64, 0.3), {1, 64, 1.0, 64.0}, body, {1.0, 2.0, AttractionLaw::dugdale});
+    cell.begin_at(6.0);
+    ASSERT_TRUE(cell.solve(HeldGap{5.0}).converged);
+    const auto tangent = cell.find_tangent();
+    EXPECT_TRUE(tangent.stable);
+    EXPECT_LT(tangent.largest, 3.0);
+    const double slope = (cell.solve(HeldGap{5.001}).tension - cell.solve(HeldGap{4.999}).tension) / 0.002;
+    EXPECT_NEAR(tangent.tension_slope, slope, 0.1 * std::abs(slope));
+}
+
 // the ledger closes for every law: W_appr = w − e − D, W_sep = w − e + D, the state is the one it began with
 TEST(AdhesiveLoop, HasALedgerThatCloses) {
     for (const auto law :

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <vector>
 
@@ -12,18 +13,24 @@
 namespace setae::fourier {
 
 /// Real factors T(k, m) of a filter that is even along x and along y, made by MapFilter::multiplier.
-struct Multiplier {
-    Index modes_x = 0;      ///< k = 0 … period_x/2
-    Index modes_y = 0;      ///< m = 0 … period_y/2
-    Buffer<double> values;  ///< T(k, m)/(period_x period_y) at m · modes_x + k
+template <class Real>
+struct MultiplierOf {
+    Index modes_x = 0;    ///< k = 0 … period_x/2
+    Index modes_y = 0;    ///< m = 0 … period_y/2
+    Buffer<Real> values;  ///< T(k, m)/(period_x period_y) at m · modes_x + k
 
-    [[nodiscard]] const double* line(Index m) const { return values.data() + m * modes_x; }
+    [[nodiscard]] const Real* line(Index m) const { return values.data() + m * modes_x; }
 };
+using Multiplier = MultiplierOf<double>;
 
 /// Writes the ny values of row i of what is filtered; called once a row, from any thread.
-using LoadRow = std::function<void(Index i, double* line)>;
+template <class Real>
+using LoadRowOf = std::function<void(Index i, Real* line)>;
+using LoadRow = LoadRowOf<double>;
 /// Takes the ny values of row i of what came out; called once a row, from any thread, after the last LoadRow.
-using StoreRow = std::function<void(Index i, const double* line)>;
+template <class Real>
+using StoreRowOf = std::function<void(Index i, const Real* line)>;
+using StoreRow = StoreRowOf<double>;
 
 /// A map times an even function of the wavevector.
 ///
@@ -34,16 +41,17 @@ using StoreRow = std::function<void(Index i, const double* line)>;
 /// nor transformed, and nothing is allocated after construction. The caller's own arithmetic rides along in the first
 /// and the last pass. O(P_x P_y log(P_x P_y)). Same bytes for any number of threads. An object filters one map at a
 /// time.
-class MapFilter {
+template <class Real>
+class MapFilterOf {
 public:
     /// @throws InvalidArgument for nx or ny < 1, or a period shorter than its side.
-    MapFilter(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads = {});
+    MapFilterOf(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads = {});
 
     [[nodiscard]] Index period_x() const { return along_x_.points(); }
     [[nodiscard]] Index period_y() const { return along_y_.points(); }
 
     /// T(k, m) = factor(k, m), k = 0 … period_x/2, m = 0 … period_y/2. `factor` is called from any thread.
-    [[nodiscard]] Multiplier multiplier(const std::function<double(Index k, Index m)>& factor) const;
+    [[nodiscard]] MultiplierOf<Real> multiplier(const std::function<double(Index k, Index m)>& factor) const;
 
     /// T of a filter given as an even kernel of the distance, counted in points.
     ///
@@ -51,39 +59,41 @@ public:
     ///
     /// Along one axis alone, the other argument is a mode as in T.
     /// `kernel` is called for i = 0 … period_x/2, j = 0 … period_y/2, from any thread.
-    /// @throws InvalidArgument for an odd period along an axis of the kernel.
+    /// @throws InvalidArgument for an odd period along an axis of the kernel. Of double alone.
     enum class KernelAxes { x, y, both };
-    [[nodiscard]] Multiplier kernel_multiplier(const std::function<double(Index i, Index j)>& kernel,
-                                               KernelAxes along = KernelAxes::both) const;
+    [[nodiscard]] MultiplierOf<Real> kernel_multiplier(const std::function<double(Index i, Index j)>& kernel,
+                                                       KernelAxes along = KernelAxes::both) const
+        requires std::same_as<Real, double>;
 
     /// `load` and `store` may read and write the same map.
-    void apply(const Multiplier& multiplier, const LoadRow& load, const StoreRow& store);
+    void apply(const MultiplierOf<Real>& multiplier, const LoadRowOf<Real>& load, const StoreRowOf<Real>& store);
 
     /// Σ_ij x_ij y_ij, summed over modes: one transform. With zeros added, y counts beyond nx and ny, too, where x = 0.
-    [[nodiscard]] double quadratic_form(const Multiplier& multiplier, const LoadRow& load);
+    [[nodiscard]] double quadratic_form(const MultiplierOf<Real>& multiplier, const LoadRowOf<Real>& load);
 
 private:
     struct Room {
-        Buffer<double> line;
-        Buffer<Complex> modes;
-        Buffer<Complex> columns;
+        Buffer<Real> line;
+        Buffer<ComplexOf<Real>> modes;
+        Buffer<ComplexOf<Real>> columns;
     };
-    Complex* block(Index index);
-    void forward_rows(const LoadRow& load);
-    void gather(Index index, Complex* columns);
-    void scatter(Index index, const Complex* columns);
+    ComplexOf<Real>* block(Index index);
+    void forward_rows(const LoadRowOf<Real>& load);
+    void gather(Index index, ComplexOf<Real>* columns);
+    void scatter(Index index, const ComplexOf<Real>* columns);
     /// visit(column, line) of every line of a block, transformed along x in the room.
     template <class Visit>
     void each_column(Index block, Room& room, const Visit& visit);
     void with_rooms(Index tasks, const std::function<void(Index task, Room& room)>& body);
 
     Index nx_, ny_, modes_y_, block_stride_, column_stride_;
-    RealTransform along_y_;
-    InverseRealTransform back_along_y_;
-    ComplexTransform along_x_, back_along_x_;
+    RealTransformOf<Real> along_y_;
+    InverseRealTransformOf<Real> back_along_y_;
+    ComplexTransformOf<Real> along_x_, back_along_x_;
     parallel::Threads threads_;
-    Buffer<Complex> half_;
+    Buffer<ComplexOf<Real>> half_;
     std::vector<Room> rooms_;
 };
+using MapFilter = MapFilterOf<double>;
 
 }  // namespace setae::fourier

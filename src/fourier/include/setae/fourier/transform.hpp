@@ -8,7 +8,11 @@
 
 namespace setae::fourier {
 
-using Complex = std::complex<double>;
+template <class Real>
+using ComplexOf = std::complex<Real>;
+using Complex = ComplexOf<double>;
+
+// Transforms of double, and of float where a search direction is all that is wanted.
 
 /// The half spectrum of n real values.
 ///
@@ -16,73 +20,82 @@ using Complex = std::complex<double>;
 ///
 /// No factor in front: the physical transform of heights a step Δ apart is Δ · out_k. The rest of the spectrum follows
 /// from out_{n−k} = conj(out_k). Plans never depend on timing, so the same input gives the same bytes in every run.
-class RealTransform {
+template <class Real>
+class RealTransformOf {
 public:
     /// @throws InvalidArgument for n < 1.
-    explicit RealTransform(Index n);
-    ~RealTransform();
-    RealTransform(RealTransform&&) noexcept;
-    RealTransform& operator=(RealTransform&&) noexcept;
+    explicit RealTransformOf(Index n);
+    ~RealTransformOf();
+    RealTransformOf(RealTransformOf&&) noexcept;
+    RealTransformOf& operator=(RealTransformOf&&) noexcept;
 
     [[nodiscard]] Index points() const { return points_; }
     [[nodiscard]] Index modes() const { return points_ / 2 + 1; }
 
     /// `in` (n values) and `out` (modes() values) do not overlap and start on 16 bytes, as in a Buffer. Any number of
     /// threads may call it at once. O(n log n).
-    void forward(const double* in, Complex* out) const;
+    void forward(const Real* in, ComplexOf<Real>* out) const;
 
 private:
     struct Plan;
     Index points_;
     std::unique_ptr<Plan> plan_;
 };
+using RealTransform = RealTransformOf<double>;
 
 /// The n real values of a half spectrum.
 ///
 ///   out_j = sum_{k=0}^{n−1} in_k exp(2πi jk/n),  in_{n−k} = conj(in_k)
 ///
 /// Takes in_0 … in_{n/2}; the imaginary parts of in_0 and, for even n, of in_{n/2} are ignored. No factor in front.
-class InverseRealTransform {
+template <class Real>
+class InverseRealTransformOf {
 public:
     /// @throws InvalidArgument for n < 1.
-    explicit InverseRealTransform(Index n);
-    ~InverseRealTransform();
-    InverseRealTransform(InverseRealTransform&&) noexcept;
-    InverseRealTransform& operator=(InverseRealTransform&&) noexcept;
+    explicit InverseRealTransformOf(Index n);
+    ~InverseRealTransformOf();
+    InverseRealTransformOf(InverseRealTransformOf&&) noexcept;
+    InverseRealTransformOf& operator=(InverseRealTransformOf&&) noexcept;
 
     [[nodiscard]] Index points() const { return points_; }
     [[nodiscard]] Index modes() const { return points_ / 2 + 1; }
 
     /// `in` (modes() values) is overwritten; otherwise as RealTransform::forward.
-    void apply(Complex* in, double* out) const;
+    void apply(ComplexOf<Real>* in, Real* out) const;
 
 private:
     struct Plan;
     Index points_;
     std::unique_ptr<Plan> plan_;
 };
+using InverseRealTransform = InverseRealTransformOf<double>;
+
+/// Of i in the exponent.
+enum class TransformSign { minus, plus };
 
 /// The spectrum of n complex values, in place: z_k = sum_j z_j exp(∓2πi jk/n), no factor in front.
-class ComplexTransform {
+template <class Real>
+class ComplexTransformOf {
 public:
-    enum class Sign { minus, plus };
+    using Sign = TransformSign;
 
     /// @throws InvalidArgument for n < 1.
-    explicit ComplexTransform(Index n, Sign sign = Sign::minus);
-    ~ComplexTransform();
-    ComplexTransform(ComplexTransform&&) noexcept;
-    ComplexTransform& operator=(ComplexTransform&&) noexcept;
+    explicit ComplexTransformOf(Index n, Sign sign = Sign::minus);
+    ~ComplexTransformOf();
+    ComplexTransformOf(ComplexTransformOf&&) noexcept;
+    ComplexTransformOf& operator=(ComplexTransformOf&&) noexcept;
 
     [[nodiscard]] Index points() const { return points_; }
 
     /// `values` start on 16 bytes. Any number of threads may call it at once.
-    void apply(Complex* values) const;
+    void apply(ComplexOf<Real>* values) const;
 
 private:
     struct Plan;
     Index points_;
     std::unique_ptr<Plan> plan_;
 };
+using ComplexTransform = ComplexTransformOf<double>;
 
 /// The spectrum of an even periodic sequence from half of it, in place.
 ///
