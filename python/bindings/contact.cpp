@@ -10,6 +10,7 @@
 #include "setae/answers/adhesive_sweep.hpp"
 #include "setae/answers/contact_comparison.hpp"
 #include "setae/answers/hard_wall.hpp"
+#include "setae/answers/made_surface.hpp"
 #include "setae/answers/persson_contact.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/half_space/hard_wall.hpp"
@@ -127,9 +128,22 @@ void bind_attraction(Class& request) {
         .def_rw("law", &Request::law);
 }
 
-SolvedContact pressed(const Item& item, const answers::HardWallRequest& request, const std::atomic<bool>& cancelled) {
+/// The surface that touches: a measurement's, or made from a spectrum.
+processing::PipelineResult touching(const Item& item, const answers::MadeSurfaceRequest& made) {
+    if (item.heights) {
+        if (made.given())
+            throw InvalidArgument(
+                "pixels, cell and surface are of a surface made from a spectrum; expected them without heights");
+        return prepared_of(item);
+    }
+    const auto& request = item.request;
+    return answers::contact_surface(item.path, request.file, request.processing.pipeline(), made);
+}
+
+SolvedContact pressed(const Item& item, const answers::HardWallRequest& request,
+                      const answers::MadeSurfaceRequest& made, const std::atomic<bool>& cancelled) {
     request.require_complete();
-    const auto prepared = prepared_of(item);
+    const auto prepared = touching(item, made);
     const auto stop_where_asked = [&](const half_space::SolveProgress&) {
         if (cancelled) throw Interrupted();
     };
@@ -140,18 +154,19 @@ SolvedContact pressed(const Item& item, const answers::HardWallRequest& request,
 }
 
 SolvedContact attracted(const Item& item, const answers::HardWallRequest& request,
-                        const answers::InteractionRequest& attraction) {
+                        const answers::InteractionRequest& attraction, const answers::MadeSurfaceRequest& made) {
     request.require_complete();
     (void)attraction.interaction();
-    const auto prepared = prepared_of(item);
+    const auto prepared = touching(item, made);
     auto answer = answers::adhesive_contact(item.path, prepared.measurement, request, attraction);
     auto json = output::as_text(answers::to_json(answer, prepared.records));
     return {answer.cell.pressures(), answer.cell.gaps(), std::move(answer.quantities), std::move(json)};
 }
 
-Sweep swept(const Item& item, const answers::SweepRequest& request, const std::atomic<bool>& cancelled) {
+Sweep swept(const Item& item, const answers::SweepRequest& request, const answers::MadeSurfaceRequest& made,
+            const std::atomic<bool>& cancelled) {
     request.require_complete();
-    const auto prepared = prepared_of(item);
+    const auto prepared = touching(item, made);
     const auto go_on = [&](const answers::SweepProgress&) {
         if (cancelled) throw Interrupted();
         return true;
@@ -159,6 +174,16 @@ Sweep swept(const Item& item, const answers::SweepRequest& request, const std::a
     auto answer = answers::adhesive_sweep(item.path, prepared.measurement, request, {}, go_on);
     auto json = output::as_text(answers::to_json(answer, prepared.records));
     return {std::move(answer.steps), std::move(answer.quantities), std::move(json)};
+}
+
+void bind_made_surface(nb::module_& module) {
+    using Request = answers::MadeSurfaceRequest;
+    nb::class_<Request>(module, "MadeSurfaceRequest")
+        .def(nb::init<>())
+        .def_rw("pixels", &Request::pixels)
+        .def_rw("cell", &Request::cell)
+        .def_rw("surface", &Request::surface)
+        .def_rw("seed", &Request::seed);
 }
 
 void bind_solve(nb::module_& module) {
@@ -182,12 +207,15 @@ void bind_solve(nb::module_& module) {
         .def_ro("json", &SolvedContact::json);
     module.def(
         "contact",
-        [](const Item& item, const Request& asked, const answers::InteractionRequest& attracting) {
+        [](const Item& item, const Request& asked, const answers::InteractionRequest& attracting,
+           const answers::MadeSurfaceRequest& made) {
             return unlocked([&](const std::atomic<bool>& cancelled) {
-                return attracting.given() ? attracted(item, asked, attracting) : pressed(item, asked, cancelled);
+                return attracting.given() ? attracted(item, asked, attracting, made)
+                                          : pressed(item, asked, made, cancelled);
             });
         },
-        nb::arg("item"), nb::arg("request"), nb::arg("attraction"), "as `setae contact solve --json` prints it");
+        nb::arg("item"), nb::arg("request"), nb::arg("attraction"), nb::arg("made"),
+        "as `setae contact solve --json` prints it");
 }
 
 void bind_sweep(nb::module_& module) {
@@ -205,10 +233,10 @@ void bind_sweep(nb::module_& module) {
         .def_ro("json", &Sweep::json);
     module.def(
         "contact_sweep",
-        [](const Item& item, const Request& asked) {
-            return unlocked([&](const std::atomic<bool>& cancelled) { return swept(item, asked, cancelled); });
+        [](const Item& item, const Request& asked, const answers::MadeSurfaceRequest& made) {
+            return unlocked([&](const std::atomic<bool>& cancelled) { return swept(item, asked, made, cancelled); });
         },
-        nb::arg("item"), nb::arg("request"), "as `setae contact sweep --json` prints it");
+        nb::arg("item"), nb::arg("request"), nb::arg("made"), "as `setae contact sweep --json` prints it");
 }
 
 }  // namespace
@@ -216,6 +244,7 @@ void bind_sweep(nb::module_& module) {
 void bind_contact(nb::module_& module) {
     bind_persson(module);
     bind_comparison(module);
+    bind_made_surface(module);
     bind_solve(module);
     bind_sweep(module);
 }

@@ -39,6 +39,11 @@ class Contact(Answer):
         return bool(self["status"] == "converged")
 
 
+def made_surface(pixels: int | str | None, cell: Text | None, surface: str | None, seed: int) -> Any:
+    """What a surface that is made from a spectrum is told."""
+    return filled(_setae.MadeSurfaceRequest(), pixels=None if pixels is None else str(pixels), cell=cell, surface=surface, seed=seed)
+
+
 def contact(
     measurement: Measured,
     *,
@@ -56,6 +61,10 @@ def contact(
     range: Text | None = None,
     law: str = "exponential",
     tolerance: float = 1e-8,
+    pixels: int | str | None = None,
+    cell: Text | None = None,
+    surface: str | None = None,
+    seed: int = 1,
     size: Text | None = None,
     unit: str | None = None,
 ) -> Contact:
@@ -65,6 +74,9 @@ def contact(
     layer: its thickness on a rigid base, with ``nu`` and ``bonded`` or ``frictionless``.  hardness: the body flows there.
     W_int, range: both bodies attract each other, V(0) = −W_int and V'(0) = W_int/range; ``law`` says how that falls with the gap,
     "exponential", "cubic", "dugdale" or "lennard_jones". The equilibrium is the one met coming from far; pressure or mean_gap, no hardness.
+
+    A file that is the table of a spectrum, or a study, has a surface made from it: ``pixels`` "512" or "1024x512", ``cell`` its extent,
+    ``surface`` which of a study's, ``seed``. Its waves are those of the spectrum that the grid holds.
 
     Full contact of a wave needs p = E* q A/2:
 
@@ -88,7 +100,7 @@ def contact(
         tolerance=tolerance,
     )
     attraction = filled(_setae.InteractionRequest(), work_of_adhesion=W_int, range=range, law=law)
-    solved: Any = _setae.contact(one(measurement, size, unit), request, attraction)
+    solved: Any = _setae.contact(one(measurement, size, unit), request, attraction, made_surface(pixels, cell, surface, seed))
     return Contact(solved.json, solved.pressures, solved.gaps, tuple(map(quantity_from, json.loads(solved.quantities()))))
 
 
@@ -126,12 +138,16 @@ def contact_sweep(
     bonded: bool = False,
     frictionless: bool = False,
     nu: float | None = None,
+    pixels: int | str | None = None,
+    cell: Text | None = None,
+    surface: str | None = None,
+    seed: int = 1,
     size: Text | None = None,
     unit: str | None = None,
 ) -> ContactSweep:
     """A rigid rough surface and an elastic body that attract each other, brought together and parted; the cell repeats itself.
 
-    W_int, range, law and the body: as of :func:`contact`.  stage_stiffness: of a stage that is moved, "10 N/m"; else the mean gap is.
+    W_int, range, law, the body, and what a surface is made from: as of :func:`contact`.  stage_stiffness: of a stage that is moved, "10 N/m"; else the mean gap is.
     to_gap, to_pressure: where it turns; without them at full contact.  A cell has a loss of its own, even a flat one.
 
     >>> import numpy, setae
@@ -154,7 +170,7 @@ def contact_sweep(
         frictionless=frictionless,
         poisson_ratio=nu,
     )
-    swept: Any = _setae.contact_sweep(one(measurement, size, unit), request)
+    swept: Any = _setae.contact_sweep(one(measurement, size, unit), request, made_surface(pixels, cell, surface, seed))
     return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))))
 
 

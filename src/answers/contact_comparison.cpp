@@ -10,6 +10,7 @@
 
 #include "setae/answers/columns.hpp"
 #include "setae/answers/contact_problem.hpp"
+#include "setae/answers/made_surface.hpp"
 #include "setae/answers/pressures.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/answers/synthesis.hpp"
@@ -19,13 +20,11 @@
 #include "setae/half_space/hard_wall.hpp"
 #include "setae/persson/cell_scales.hpp"
 #include "setae/roughness/spectral_moments.hpp"
-#include "setae/spectra/abel.hpp"
 
 namespace setae::answers {
 namespace {
 
-constexpr double pixels_per_wave = 4.0;        ///< at least, of the shortest
-constexpr Index most_points = Index{1} << 28;  ///< a contact of them takes some 40 GB
+constexpr double pixels_per_wave = 4.0;  ///< at least, of the shortest
 
 /// What is compared, in the order of the table.
 struct Compared {
@@ -34,56 +33,13 @@ struct Compared {
 constexpr std::array<Compared, 4> compared{
     {{"area_fraction", "1"}, {"mean_gap", "m"}, {"contact_stiffness", "Pa/m"}, {"stored_energy", "J/m2"}}};
 
-/// C_iso as power laws between nodes; of one measurement, whose modes scatter as much as they hold, from their means
-/// over bins, from its longest wave to its shortest.
-spectra::Spectrum isotropic(const study::SurfaceResult& surface) {
-    const auto& used = surface.used().curve;
-    const bool modes = used.nodes == spectra::Nodes::modes;
-    const spectra::Spectrum& curve = modes ? *surface.combined : used;
-    std::vector<Index> known;
-    for (Index i = 0; i < curve.wavevector.size(); ++i)
-        if (curve.density[i] > 0.0) known.push_back(i);
-    Array1D q = curve.wavevector(known), density = curve.density(known);
-    const Index n = q.size();
-    if (n < 2) throw UndefinedDataError("fewer than two values of the spectrum inside its band");
-    auto band = used.band;
-    if (modes) {
-        band.lower = std::max(band.lower, used.wavevector[0]);
-        band.upper = std::min(band.upper, used.wavevector[used.wavevector.size() - 1]);
-    }
-    if (curve.kind == spectra::Density::C1D)
-        density = spectra::isotropic_from_profile(q, density, std::max(band.upper, q[n - 1] * q[n - 1] / q[n - 2]));
-    return {.wavevector = std::move(q), .density = std::move(density), .band = band, .kind = spectra::Density::C_iso};
-}
-
-/// The curve with a node on each end of its band, and none beyond.
-spectra::Spectrum within_its_band(const spectra::Spectrum& curve) {
-    std::vector<double> nodes{curve.band.lower};
-    for (const double q : curve.wavevector)
-        if (q > curve.band.lower * (1.0 + 1e-9) && q < curve.band.upper * (1.0 - 1e-9)) nodes.push_back(q);
-    nodes.push_back(curve.band.upper);
-    auto within = curve;
-    within.wavevector = Eigen::Map<const Array1D>(nodes.data(), static_cast<Index>(nodes.size()));
-    within.density = roughness::values_at(curve, within.wavevector);
-    return within;
-}
-
-/// C_iso inside the band, 0 outside.
-spectra::SpectralDensity density_of(const spectra::Spectrum& curve) {
-    return [table = spectra::tabulated_density(curve.wavevector, curve.density), band = curve.band](double q) {
-        constexpr double rounding = 1e-9;
-        if (q < band.lower * (1.0 - rounding) || q > band.upper * (1.0 + rounding)) return 0.0;
-        return table(std::min(q, band.upper));
-    };
-}
-
 synthesis::SurfaceGrid grid_of(const ComparisonRequest& request, const Band& band) {
     const double longest = 2.0 * pi / band.lower, shortest = 2.0 * pi / band.upper;
     const auto points = point_counts(request.pixels);
-    if (points[0] < 2 || points[1] < 2 || points[0] > most_points / points[1])
+    if (points[0] < 2 || points[1] < 2 || points[0] > most_points_made / points[1])
         throw InvalidArgument(
             fmt::format("surfaces of {} x {} points; expected at least 2 x 2 and no more than {} in all", points[0],
-                        points[1], most_points));
+                        points[1], most_points_made));
     const auto size = request.cell.empty() ? std::array{2.0 * longest, 2.0 * longest} : extents(request.cell);
     const synthesis::SurfaceGrid grid{points[0], points[1], size[0], size[1]};
     if (!(std::min(size[0], size[1]) >= longest * (1.0 - 1e-9)))
@@ -128,7 +84,7 @@ void ComparisonRequest::require_complete() const {
 ContactComparison compare_contact(const study::SurfaceResult& surface, const ComparisonRequest& request,
                                   parallel::Threads threads, const std::function<void(Index, Index)>& progress) {
     request.require_complete();
-    const auto curve = within_its_band(isotropic(surface));
+    const auto curve = isotropic_spectrum(surface);
     const auto C_iso = density_of(curve);
     const auto body = request.theory.body();
     const Array1D pressures = pressures_of(request.theory.pressure);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/contact_problem.hpp"
 
-#include "setae/answers/diagnosis.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
-#include "setae/study/pipeline_file.hpp"
+#include "setae/output/quantity_table.hpp"
 
 namespace setae::cli {
 
@@ -31,15 +30,27 @@ void add_interaction_options(Options& options, answers::InteractionRequest& inte
 }
 
 void ContactSurface::add_to(Options& options) {
-    options.add("file", path, "a map or a line, or a file or container that holds one").of_inputs();
+    options
+        .add("file", path,
+             "a map or a line, or a file or container that holds one; a table of a spectrum, or a study, of which a "
+             "surface is made")
+        .of_inputs();
     file.add_to(options);
     processing.add_to(options);
+    options.add("--pixels", made.pixels, "of a surface made from a spectrum: 512 or 1024x512");
+    options.add("--cell", made.cell, "its extent, such as \"2 um\"; default: twice the longest wave");
+    options.add("--surface", made.surface, "which of a study's surfaces");
+    options.add("--seed", made.seed, "of the places of its waves").default_shown();
 }
 
-processing::PipelineResult ContactSurface::processed() const {
+processing::PipelineResult ContactSurface::processed(parallel::Threads threads) const {
     if (path.empty()) throw InvalidArgument("no file; expected a map");
-    return processing::apply(processing.pipeline(), answers::measurements_of(path, file).front(),
-                             study::measurement_loader(file.read_options()));
+    return answers::contact_surface(path, file, processing.pipeline(), made, threads);
+}
+
+std::string made_surface_text(const processing::PipelineResult& surface, std::size_t width) {
+    if (surface.records.empty() || surface.records.front().step != answers::making_step) return "";
+    return output::quantity_table("surface made from the spectrum", surface.records.front().numbers, width) + "\n";
 }
 
 }  // namespace setae::cli

@@ -7,6 +7,7 @@
 #include "files/file_options.hpp"
 #include "program/options.hpp"
 #include "setae/answers/contact_problem.hpp"
+#include "setae/answers/made_surface.hpp"
 #include "setae/processing/pipeline.hpp"
 
 namespace setae::cli {
@@ -17,15 +18,20 @@ void add_body_options(Options& options, answers::BodyRequest& body);
 /// --w, --range and --law.
 void add_interaction_options(Options& options, answers::InteractionRequest& interaction);
 
-/// A file whose surface touches.
+/// A file whose surface touches, or from whose spectrum one is made.
 struct ContactSurface {
     std::string path;
     FileOptions file;
     PipelineOption processing;
+    answers::MadeSurfaceRequest made;
 
     void add_to(Options& options);
-    /// What the file holds after its processing. @throws InvalidArgument for no file, and as reading does.
-    [[nodiscard]] processing::PipelineResult processed() const;
+    /// What the file holds, or is made from it, after its processing. @throws InvalidArgument for no file, and as
+    /// reading and answers::made_surface() do.
+    [[nodiscard]] processing::PipelineResult processed(parallel::Threads threads) const;
 };
+
+/// What a surface that was made is; nothing for one that was read.
+[[nodiscard]] std::string made_surface_text(const processing::PipelineResult& surface, std::size_t width);
 
 }  // namespace setae::cli

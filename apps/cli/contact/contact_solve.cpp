@@ -86,7 +86,7 @@ ExitCode press(const processing::PipelineResult& processed, const Arguments& arg
     }
     const auto width = output_size().width;
     print(wrapped(half_space::contact_sentence(problem, contact, stiffness), width) + "\n\n" +
-          output::quantity_table("", quantities, width) +
+          made_surface_text(processed, width) + output::quantity_table("", quantities, width) +
           fmt::format("{} after {} iterations: duality gap {:.1e}, penetration {}\n",
                       half_space::name_of(contact.status), contact.iterations, contact.certificate.duality_gap,
                       format_value(contact.certificate.penetration, "m")));
@@ -106,7 +106,7 @@ ExitCode attract(const processing::PipelineResult& processed, const Arguments& a
     }
     const auto width = output_size().width;
     print(wrapped(half_space::adhesive_sentence(solved.cell, state), width) + "\n\n" +
-          output::quantity_table("", solved.quantities, width) +
+          made_surface_text(processed, width) + output::quantity_table("", solved.quantities, width) +
           fmt::format("{} after {} iterations: residual {:.1e}\n", state.converged ? "converged" : "not_converged",
                       state.iterations, state.residual));
     show(solved.alerts);
@@ -116,7 +116,7 @@ ExitCode attract(const processing::PipelineResult& processed, const Arguments& a
 ExitCode run(const Arguments& arguments) {
     require_map_ending(arguments.output);
     arguments.require_complete();
-    const auto processed = arguments.surface.processed();
+    const auto processed = arguments.surface.processed(arguments.common.workers());
     return arguments.given() ? attract(processed, arguments) : press(processed, arguments);
 }
 

@@ -72,7 +72,7 @@ answers::SweepAnswer sweep(const topography::Measurement& measurement, const Arg
 ExitCode run(const Arguments& arguments) {
     require_table_or_figure(arguments.output);
     arguments.require_complete();
-    const auto processed = arguments.surface.processed();
+    const auto processed = arguments.surface.processed(arguments.common.workers());
     const auto answer = sweep(processed.measurement, arguments);
     write_table_or_figure(
         arguments.output, answer.steps,
@@ -85,7 +85,8 @@ ExitCode run(const Arguments& arguments) {
     }
     const auto width = output_size().width;
     print(wrapped(half_space::loop_sentence(answer.loop, answer.interaction), width) + "\n\n" +
-          output::quantity_table("", answer.quantities, width) + fmt::format("{} steps\n", answer.loop.steps.size()));
+          made_surface_text(processed, width) + output::quantity_table("", answer.quantities, width) +
+          fmt::format("{} steps\n", answer.loop.steps.size()));
     show(answer.alerts);
     return ExitCode::done;
 }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "setae/answers/surface_request.hpp"
+#include "setae/parallel/for_each.hpp"
+#include "setae/processing/pipeline.hpp"
+#include "setae/spectra/spectral_density.hpp"
+#include "setae/study/surface_analysis.hpp"
+
+namespace setae::answers {
+
+inline constexpr Index most_points_made = Index{1} << 28;  ///< a contact of them takes some 40 GB
+
+/// C_iso of a surface as power laws between nodes, a node on each end of its band and none beyond. Of one measurement,
+/// whose modes scatter as much as they hold, from their means over bins.
+/// @throws UndefinedDataError for fewer than two values.
+[[nodiscard]] spectra::Spectrum isotropic_spectrum(const study::SurfaceResult& surface);
+
+/// C_iso of such a curve inside its band, 0 outside.
+[[nodiscard]] spectra::SpectralDensity density_of(const spectra::Spectrum& curve);
+
+/// What a surface that is made from a spectrum is told.
+struct MadeSurfaceRequest {
+    std::string pixels;   ///< "512" or "1024x512"
+    std::string cell;     ///< "2 um" or "2 um x 1 um"; empty: twice the longest wave
+    std::string surface;  ///< of a study that has several
+    std::uint64_t seed = 1;
+
+    /// Whether anything is told that a map has by itself.
+    [[nodiscard]] bool given() const { return !pixels.empty() || !cell.empty() || !surface.empty(); }
+};
+
+/// Whether a file is a study or the table of a spectrum: what a surface can be made from, and no map.
+[[nodiscard]] bool is_of_spectrum(const std::string& path, const FileRequest& file);
+
+/// A periodic map with the spectrum of a table, or of a surface of a study as that is analysed (likelihood or average).
+///
+/// Its waves are those of the spectrum that the grid holds, down to four pixels, each as strong as the spectrum says;
+/// the record says which they are, what they have of h_rms and h', and the share of U_el.
+/// @throws InvalidArgument for a grid that holds none of them, as study::read_study() and study::analyse_surface().
+[[nodiscard]] processing::PipelineResult made_surface(const std::string& path, const FileRequest& file,
+                                                      const MadeSurfaceRequest& request,
+                                                      parallel::Threads threads = {});
+
+/// The name of the step in its record.
+inline constexpr const char* making_step = "synthesize";
+
+/// The surface that touches: made from a spectrum, or read; then processed.
+/// @throws InvalidArgument for a request beside a map, and as made_surface(), measurements_of() and processing do.
+[[nodiscard]] processing::PipelineResult contact_surface(const std::string& path, const FileRequest& file,
+                                                         const processing::Pipeline& pipeline,
+                                                         const MadeSurfaceRequest& request,
+                                                         parallel::Threads threads = {});
+
+}  // namespace setae::answers
