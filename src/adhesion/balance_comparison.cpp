@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
 
+#include "balance_score.hpp"
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
 
@@ -21,18 +22,6 @@ std::vector<double> measured(const std::vector<PairPoint>& pairs) {
     std::vector<double> values;
     for (const auto& pair : pairs) values.push_back(pair.measured.value);
     return values;
-}
-
-BalanceScore score(int parameters, double work, double residual_squares, double total_squares, std::size_t pairs) {
-    BalanceScore result{.n = static_cast<int>(pairs),
-                        .parameters = parameters,
-                        .work_of_adhesion = work,
-                        .residual_squares = residual_squares};
-    const auto n = static_cast<double>(pairs);
-    result.r_squared = 1.0 - residual_squares / total_squares;
-    result.log_likelihood = -0.5 * n * std::log(residual_squares / n);
-    result.left_out_deviation = std::numeric_limits<double>::quiet_NaN();
-    return result;
 }
 
 void require_at_least(std::size_t pairs, std::size_t least) {
@@ -103,10 +92,22 @@ double surface_squares(const std::vector<PairPoint>& own, double work) {
 
 }  // namespace
 
+BalanceScore score_of(int parameters, double work, double residual_squares, double total_squares, std::size_t pairs) {
+    BalanceScore result{.n = static_cast<int>(pairs),
+                        .parameters = parameters,
+                        .work_of_adhesion = work,
+                        .residual_squares = residual_squares};
+    const auto n = static_cast<double>(pairs);
+    result.r_squared = 1.0 - residual_squares / total_squares;
+    result.log_likelihood = -0.5 * n * std::log(residual_squares / n);
+    result.left_out_deviation = std::numeric_limits<double>::quiet_NaN();
+    return result;
+}
+
 BalanceScore score_balance(const std::vector<PairPoint>& pairs) {
     require_at_least(pairs.size(), 2);
     const auto minimum = least_squares(pairs);
-    auto result = score(1, minimum.x, minimum.cost, squares_about_mean(measured(pairs)), pairs.size());
+    auto result = score_of(1, minimum.x, minimum.cost, squares_about_mean(measured(pairs)), pairs.size());
     result.left_out_deviation = left_out(pairs, [](const auto& others, const auto& own) {
         require_at_least(others.size(), 1);
         return surface_squares(own, least_squares(others).x);
@@ -119,8 +120,8 @@ BalanceScore score_free_energies(const std::vector<FreeEnergyPoint>& pairs) {
     std::vector<double> values;
     for (const auto& point : pairs) values.push_back(point.pair.measured.value);
     const double total = squares_about_mean(values);
-    return score(1 + static_cast<int>(fit.energy_per_modulus.size()), fit.work_of_adhesion,
-                 (1.0 - fit.r_squared) * total, total, pairs.size());
+    return score_of(1 + static_cast<int>(fit.energy_per_modulus.size()), fit.work_of_adhesion,
+                    (1.0 - fit.r_squared) * total, total, pairs.size());
 }
 
 StrainedInterfaceFit fit_strained_interface(const std::vector<PairPoint>& pairs) {
@@ -155,7 +156,7 @@ StrainedInterfaceFit fit_strained_interface(const std::vector<PairPoint>& pairs)
 BalanceScore score_strained_interface(const std::vector<PairPoint>& pairs) {
     require_at_least(pairs.size(), 3);
     const auto best = best_change(pairs);
-    auto result = score(2, best.work, best.cost, squares_about_mean(measured(pairs)), pairs.size());
+    auto result = score_of(2, best.work, best.cost, squares_about_mean(measured(pairs)), pairs.size());
     result.left_out_deviation = left_out(pairs, [](const auto& others, const auto& own) {
         require_at_least(others.size(), 3);
         const auto fitted = best_change(others);

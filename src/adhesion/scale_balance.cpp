@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "setae/adhesion/partial_contact.hpp"
 #include "setae/adhesion/work_of_adhesion.hpp"
-#include "setae/contact/wavy.hpp"
 #include "setae/roughness/true_area.hpp"
 
 namespace setae::adhesion {
@@ -16,12 +17,11 @@ void extend(std::optional<Band>& band, double wavevector) {
     band->upper = wavevector;
 }
 
-/// Of the sine wave of the same energies and rms height: p* = E* q h/2 = √8 U/h_rms with U = E* q h²/8.
+/// Of simulated patches of the same energies and rms height.
 double pressure_to_close(double gained, double stored, double rms_height) {
     if (!(stored > 0.0 && rms_height > 0.0)) return 0.0;
-    const double full = std::sqrt(8.0) * stored / rms_height;
-    if (!(gained > 0.0)) return full;
-    return std::max(0.0, full * contact::wavy::closing_pressure(stored / gained));
+    const double share = gained > 0.0 ? stored / gained : std::numeric_limits<double>::infinity();
+    return unloaded_contact(share).closing_pressure * stored / rms_height;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ constexpr const char* explanation =
     "loop     a_max by (1) with W_app; E_loss = W_int r pi a_max^2                             [D19] (1), (10)\n"
     "         W_ret from E_loss = (W_ret - W_app) pi a_max^2 + jump in (W_app) + jump out (W_ret); F = 3/2 pi R W  (S1)\n"
     "bridging wavevectors q above which the roughness stores more than it gains                THEORY 8\n"
-    "pressed  q above which it stores more than 0.49 of that: closes under pressure alone      Johnson (1995)\n";
+    "pressed  q above which it stores more than 0.25 of that: closes under pressure alone      docs/theory/conformity.md\n";
 
 struct Arguments {
     Common common;

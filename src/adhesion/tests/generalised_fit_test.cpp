@@ -46,7 +46,8 @@ TEST(GeneralisedFit, CarriesASharedSurfaceEnergyInClosedForm) {
         gg += (p.slope - 1.0) * (p.slope - 1.0);
     }
     const auto fit = fit_generalised(list, ModelScatter{});
-    const double s2 = gamma_error * gamma_error, information = (rr - s2 * rg * rg / (sigma * sigma + s2 * gg)) / (sigma * sigma);
+    const double s2 = gamma_error * gamma_error,
+                 information = (rr - s2 * rg * rg / (sigma * sigma + s2 * gg)) / (sigma * sigma);
     EXPECT_NEAR(fit.work_of_adhesion.value, W, 1e-12);
     EXPECT_NEAR(fit.work_of_adhesion.standard_error() * std::sqrt(information), 1.0, 1e-9);
     // ordinary least squares would have dW/dγ1 = Σ r (r − 1)/Σ r²; here γ1 is fitted along, as far as data tell it
@@ -75,7 +76,8 @@ TEST(GeneralisedFit, ScatterOfOneGroupIsTheSamplesOwn) {
     for (const double v : values) mean += v / 5.0;
     for (const double v : values) squares += (v - mean) * (v - mean);
     for (std::size_t i = 0; i < values.size(); ++i)
-        list.push_back({.surface = "s", .elastomer = "e" + std::to_string(i), .measured = {values[i], 1e-3}, .slope = 1.0});
+        list.push_back(
+            {.surface = "s", .elastomer = "e" + std::to_string(i), .measured = {values[i], 1e-3}, .slope = 1.0});
     const auto fit = fit_generalised(list);
     EXPECT_NEAR(fit.work_of_adhesion.value, mean, 1e-9);
     EXPECT_NEAR(fit.scatter.pair, std::sqrt(squares / 4.0 - 1e-6), 1e-6);
@@ -98,7 +100,8 @@ TEST(GeneralisedFit, ASharedGainDoesNotPullDown) {
     const auto without = fit_generalised(plain, ModelScatter{});
     // offsets do not scale with the gain: y (1 + g) = W r − o is fitted by W (1 + g) and what of o looks like r
     EXPECT_NEAR(fit.work_of_adhesion.value / without.work_of_adhesion.value, 1.0, 0.02);
-    EXPECT_GT(fit.work_of_adhesion.components.at("lens").variance(), 50.0 * std::pow(without.work_of_adhesion.standard_error(), 2) * 0.1);
+    EXPECT_GT(fit.work_of_adhesion.components.at("lens").variance(),
+              50.0 * std::pow(without.work_of_adhesion.standard_error(), 2) * 0.1);
 }
 
 struct Coverage {
@@ -121,12 +124,16 @@ Coverage coverage_of(bool correlated, double surface_effect) {
             auto& p = list[i];
             const std::size_t s = i / 4;
             const double r = p.slope + ratio[s];
-            const double truth = W * r - (gamma_1 + gamma) * (r - 1.0) - (p.offset - gamma_1 * (p.slope - 1.0)) + effect[s];
+            const double truth =
+                W * r - (gamma_1 + gamma) * (r - 1.0) - (p.offset - gamma_1 * (p.slope - 1.0)) + effect[s];
             p.measured.value = truth * (1.0 + gain) + 0.0008 * normal(random);
-            const auto name = [&](const char* what) { return correlated ? std::string(what) : what + std::to_string(i); };
+            const auto name = [&](const char* what) {
+                return correlated ? std::string(what) : what + std::to_string(i);
+            };
             p.measured_inputs = one(name("lens"), 0.02 * p.measured.value);
             p.slope_inputs = one(name("spectrum") + p.surface, 0.02);
-            p.offset_inputs = combined({{gamma_1, p.slope_inputs}, {1.0, one(name("gamma"), gamma_error * (p.slope - 1.0))}});
+            p.offset_inputs =
+                combined({{gamma_1, p.slope_inputs}, {1.0, one(name("gamma"), gamma_error * (p.slope - 1.0))}});
         }
         const auto interval = interval_of(fit_generalised(list).work_of_adhesion.estimate());
         result.held += interval->lower <= W && W <= interval->upper ? 1 : 0;

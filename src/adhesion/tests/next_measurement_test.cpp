@@ -44,9 +44,9 @@ TEST(NextMeasurement, PromisesWhatTheVarianceOfAMeanSays) {
 TEST(NextMeasurement, GoesByTheHourWhereAllHoursAreKnown) {
     const auto pairs = smooth_pairs(4e-4, 3e-4);
     const auto fit = fit_generalised(pairs, ModelScatter{});
-    const auto next = next_measurements(
-        work_target(pairs, fit),
-        {{.kind = Kind::loop, .name = "s", .elastomer = "e0", .hours = 0.1}, {.kind = Kind::input, .name = "lens", .hours = 50.0}});
+    const auto next =
+        next_measurements(work_target(pairs, fit), {{.kind = Kind::loop, .name = "s", .elastomer = "e0", .hours = 0.1},
+                                                    {.kind = Kind::input, .name = "lens", .hours = 50.0}});
     EXPECT_EQ(next[0].candidate.kind, Kind::loop);
 }
 
@@ -56,7 +56,8 @@ TEST(NextMeasurement, OfAPredictionKnowsWhatOnlyThatRestsOn) {
     line.slope_inputs = one(roughness::spectrum_input("rough"), 0.1);
     const auto fit = fit_generalised(pairs, ModelScatter{});
     const double now = raw_prediction(line, fit.work_of_adhesion).standard_error();
-    const auto next = next_measurements(prediction_target(pairs, fit, line), {{.kind = Kind::spectrum, .name = "rough"}});
+    const auto next =
+        next_measurements(prediction_target(pairs, fit, line), {{.kind = Kind::spectrum, .name = "rough"}});
     const double W = fit.work_of_adhesion.value;
     EXPECT_NEAR(next[0].standard_error, std::sqrt(now * now - 0.5 * std::pow(W * 0.1, 2)), 1e-9);
 }

@@ -23,7 +23,9 @@ struct Side {
     [[nodiscard]] RoughSide rough() const { return {"A", parameters, spread}; }
 };
 
-SoftSide soft(double error = 0.0) { return {"soft", {{.value = modulus, .standard_error = error}, "modulus"}, gamma_1}; }
+SoftSide soft(double error = 0.0) {
+    return {"soft", {{.value = modulus, .standard_error = error}, "modulus"}, gamma_1};
+}
 
 TEST(PredictedLoop, LosesWhatEquationTenSays) {
     const Side side;
@@ -68,8 +70,8 @@ TEST(PredictedLoop, CarriesTheErrorsOfItsInputs) {
                one = predict_loop(side.rough(), soft(), work, press);
     ASSERT_TRUE(both && one);
     // dF/dW_int = 3/2 π R r at fixed modulus
-    EXPECT_NEAR(one->pull_off_force_reversible.standard_error,
-                1.5 * pi * radius * side.parameters.area_ratio() * 1e-3, 1e-12);
+    EXPECT_NEAR(one->pull_off_force_reversible.standard_error, 1.5 * pi * radius * side.parameters.area_ratio() * 1e-3,
+                1e-12);
     EXPECT_GT(both->contact_radius.standard_error, one->contact_radius.standard_error);
     Side scattered;
     scattered.spread.replicas = {{.rms_slope = 0.34, .elastic_energy_per_modulus = 1e-10},
@@ -82,10 +84,8 @@ TEST(PredictedLoop, IsNoneWhereSurfacesDoNotConform) {
     const Side rough{.parameters = {.rms_slope = 0.35, .elastic_energy_per_modulus = 1e-7}};
     EXPECT_FALSE(predict_loop(rough.rough(), soft(), W_int, press));
     const Side side;
-    EXPECT_THROW((void)predict_loop(side.rough(), soft(), W_int, {.radius = 0.0, .preload = 1e-3}),
-                 InvalidArgument);
-    EXPECT_THROW((void)predict_loop(side.rough(), soft(), W_int, {.radius = 1e-3, .preload = -1e-3}),
-                 InvalidArgument);
+    EXPECT_THROW((void)predict_loop(side.rough(), soft(), W_int, {.radius = 0.0, .preload = 1e-3}), InvalidArgument);
+    EXPECT_THROW((void)predict_loop(side.rough(), soft(), W_int, {.radius = 1e-3, .preload = -1e-3}), InvalidArgument);
 }
 
 }  // namespace

@@ -381,6 +381,9 @@ Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draw
             predicted_json(*pair.persson_tosatti, {.value = pair.persson_tosatti->work.floored}, "[D19] (S13)");
         json["without_area_change"] =
             predicted_json(*pair.without_area_change, {.value = pair.without_area_change->work.floored}, "[D19] (2)");
+        json["partial_contact"] = {
+            {"area_fraction", number(pair.contact.area_fraction)},
+            {"work_of_adhesion", to_json(quantity("work_of_adhesion", "W_app", pair.partial_contact->estimate(), "J/m2"))}};
         if (pair.general)
             json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2",
                                             "of end states, or [D19] (5), (6) where form = printed"));
@@ -397,7 +400,7 @@ Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draw
         json["pressed"] = band(pair.scales->pressed);
         json["closing"] = name(pair.closing());
         add(json, named("closing_pressure", "p", pair.scales->closing_pressure[0], "Pa",
-                        "of the sine wave of the same energies and rms height"));
+                        "closes 99 % of patches of the same energies and rms height"));
         add(json, named("energy_in_contact", "U/U_el", pair.seen.energy, "1",
                         "stored energy of the waves within the contact, in a layer, over that of all on a half-space"));
     }

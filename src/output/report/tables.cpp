@@ -624,6 +624,7 @@ std::string balance_name(const std::string& fit) {
     if (fit == "modified") return "(7)";
     if (fit == "persson_tosatti") return "(S13)";
     if (fit == "without_area_change") return "(2)";
+    if (fit == "partial_contact") return "(7), partial contact";
     return fit == "loop" ? "(10), loops" : fit;
 }
 

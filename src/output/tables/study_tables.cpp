@@ -139,7 +139,9 @@ tables::TidyTable pair_table(const study::StudyResult& result) {
     append(table.columns, uncertainty_columns("E_loss", "J"));
     table.columns.emplace_back("E_loss (10) [J]");
     append(table.columns, uncertainty_columns("E_loss (10)", "J"));
-    append(table.columns, {"contact area [m2]", "ideal smooth loss [J]"});
+    append(table.columns, {"contact area [m2]", "ideal smooth loss [J]", "W_app partial contact [J/m2]"});
+    append(table.columns, uncertainty_columns("partial contact", "J/m2"));
+    table.columns.emplace_back("partial contact A/A_app [1]");
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->pairs) {
             const auto& surface = result.surface(p.surface);
@@ -161,7 +163,10 @@ tables::TidyTable pair_table(const study::StudyResult& result) {
             const auto loss = p.predicted_loss ? std::optional(p.predicted_loss->estimate()) : std::nullopt;
             add_cells(row, value_of(loss));
             append(row, uncertainty_cells(loss));
-            add_cells(row, p.contact_area.value_or(undefined), p.ideal_loss.value_or(undefined));
+            const auto partial = p.partial_contact ? std::optional(p.partial_contact->estimate()) : std::nullopt;
+            add_cells(row, p.contact_area.value_or(undefined), p.ideal_loss.value_or(undefined), value_of(partial));
+            append(row, uncertainty_cells(partial));
+            add_cells(row, predicted ? p.contact.area_fraction : undefined);
             table.rows.push_back(std::move(row));
         }
     return table;

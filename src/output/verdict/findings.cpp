@@ -94,7 +94,9 @@ Rivals rivals_of(const StudyResult& result) {
     Rivals rivals;
     const auto own = as_taken("modified");
     if (own == result.balances.end()) return rivals;
-    for (const auto& [balance, name] : {std::pair{"without_area_change", "(2)"}, {"persson_tosatti", "(S13)"}}) {
+    for (const auto& [balance, name] : {std::pair{"without_area_change", "(2)"},
+                                        {"persson_tosatti", "(S13)"},
+                                        {"partial_contact", "(7) with partial contact"}}) {
         const auto other = as_taken(balance);
         if (other == result.balances.end()) continue;
         const double behind = own->score.log_likelihood - other->score.log_likelihood;

@@ -8,8 +8,8 @@
 
 #include "pairs.hpp"
 #include "setae/adhesion/contact_scales.hpp"
+#include "setae/adhesion/partial_contact.hpp"
 #include "setae/adhesion/unmeasured_waves.hpp"
-#include "setae/contact/wavy.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/study/next_measurement.hpp"
@@ -56,6 +56,8 @@ private:
     [[nodiscard]] std::vector<adhesion::FreeEnergyPoint> free_points(const ParametersOf& parameters_of,
                                                                      double factor) const;
     [[nodiscard]] Outcome<adhesion::FreeEnergyFit> fit_free() const;
+    [[nodiscard]] std::vector<adhesion::PartialContactPoint> partial_points(const ParametersOf& parameters_of,
+                                                                            double factor) const;
     [[nodiscard]] Outcome<adhesion::StrainedInterfaceFit> fit_interface() const;
     [[nodiscard]] std::vector<CutoffPoint> scan_cutoffs() const;
     [[nodiscard]] std::vector<std::string> profiled_inputs() const;
@@ -134,7 +136,8 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
         point.slope = rough.parameters.area_ratio() * *pair.contact_area;
         const RoughSide side{pair.surface, rough.parameters, rough.spread};
         const auto ratio = side.traced([](const SpectralParameters& p) { return p.area_ratio(); });
-        point.slope_inputs = combined({{*pair.contact_area, ratio.components}, {ratio.value, pair.contact_area_inputs}});
+        point.slope_inputs =
+            combined({{*pair.contact_area, ratio.components}, {ratio.value, pair.contact_area_inputs}});
         point.floored = false;
         whole.push_back(point);
         if (!pair.ideal_loss) continue;
@@ -154,6 +157,20 @@ std::vector<adhesion::FreeEnergyPoint> Concluding::free_points(const ParametersO
         point.offset *= factor;
         const auto& modulus = result_.elastomer(point.elastomer).traced_contact_modulus;
         found.push_back({std::move(point), modulus});
+    }
+    return found;
+}
+
+/// What conforming gains and stores of all pairs; factor: on γ1.
+std::vector<adhesion::PartialContactPoint> Concluding::partial_points(const ParametersOf& parameters_of,
+                                                                      double factor) const {
+    const auto whole = points(adhesion::modified_point, parameters_of);
+    auto gained = points(adhesion::point_without_stored_energy, parameters_of);
+    std::vector<adhesion::PartialContactPoint> found;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        const double stored = whole[i].offset - gained[i].offset;
+        gained[i].offset *= factor;
+        found.push_back({std::move(gained[i]), stored});
     }
     return found;
 }
@@ -214,6 +231,7 @@ void Concluding::compare(std::vector<ComparedBalance>& balances, const std::vect
         return found;
     }();
     add("modified", adhesion::score_balance(scaled));
+    add("partial_contact", adhesion::score_partial_contact(partial_points(of, factor)));
     if (factor == 1.0) {  // γ1 does not enter the next two
         add("without_area_change", adhesion::score_balance(points(adhesion::point_without_area_change, of)));
         add("persson_tosatti", adhesion::score_balance(points(adhesion::persson_tosatti_point, of)));
@@ -237,8 +255,8 @@ std::vector<ComparedBalance> Concluding::compare_balances() const {
     return balances;
 }
 
-/// Of elastomers, loops and instruments: what is stated of a surface's spectrum changes its numbers too far for a straight
-/// line over two standard errors.
+/// Of elastomers, loops and instruments: what is stated of a surface's spectrum changes its numbers too far for a
+/// straight line over two standard errors.
 std::vector<std::string> Concluding::profiled_inputs() const {
     auto names = stated_inputs(result_, to_);
     std::erase_if(names, [](const std::string& name) { return name.starts_with("surfaces."); });
@@ -302,17 +320,20 @@ std::optional<adhesion::ApparentWork> general_balance(const ElastomerInput& soft
 void add_alerts(PairResult& pair) {
     const auto subject = pair.surface + " × " + pair.elastomer;
     if (!pair.modified->work.conforms)
-        pair.alerts.push_back({"WILL_NOT_CONFORM", subject,
-                               fmt::format("(7) gives {:.3g} mJ/m2, floored at 0", 1e3 * pair.modified->work.raw),
-                               "conformal contact is not predicted; area and energy of full contact do not apply"});
+        pair.alerts.push_back(
+            {"WILL_NOT_CONFORM", subject,
+             fmt::format("(7) gives {:.3g} mJ/m2; contact on {:.0f} % of the area gains {:.2g}",
+                         1e3 * pair.modified->work.raw, 100.0 * pair.contact.area_fraction,
+                         1e3 * pair.partial_contact->value),
+             "(7) is floored at 0: area and energy of full contact do not apply; docs/theory/conformity.md"});
     if (pair.closing() == adhesion::Closing::under_pressure) {
         const auto& band = *pair.scales->pressed;
         pair.alerts.push_back(
             {"NEEDS_PRESSURE", subject,
              fmt::format(
                  "the roughness above q does not close by itself for q between {:.3g} and {:.3g} 1/m: it stores "
-                 "more than {:.2f} of what it gains; closing takes {:.3g} kPa at least",
-                 band.lower, band.upper, contact::wavy::closing_energy(),
+                 "more than {:.2f} of what it gains; 99 % of it take {:.3g} kPa to close",
+                 band.lower, band.upper, adhesion::closing_energy_share,
                  1e-3 * pair.scales->closing_pressure.maxCoeff()),
              "what is measured on approach may be partial contact; press harder, or compare with loops of other loads"});
     }
@@ -335,6 +356,11 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     pair.stored_energy = prediction.stored_energy;
     pair.modified = prediction.modified;
     pair.line = adhesion::modified_point(rough, soft);
+    const auto gained = adhesion::point_without_stored_energy(rough, soft);
+    const double gain = gained.raw_prediction(work.value);
+    pair.contact = adhesion::unloaded_contact(gain > 0.0 ? pair.stored_energy.value / gain
+                                                         : std::numeric_limits<double>::infinity());
+    pair.partial_contact = adhesion::partial_prediction(rough, soft, work);
     pair.persson_tosatti = prediction.persson_tosatti;
     pair.without_area_change = prediction.without_area_change;
     pair.budget = prediction.budget;
@@ -343,8 +369,7 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     if (input.sphere_radius && input.preload)
         pair.loop = adhesion::predict_loop(rough, soft, work, {elastomer.traced_radius(), *input.preload});
     if (pair.contact_area)
-        pair.predicted_loss =
-            adhesion::predicted_loss(rough, work, {*pair.contact_area, pair.contact_area_inputs});
+        pair.predicted_loss = adhesion::predicted_loss(rough, work, {*pair.contact_area, pair.contact_area_inputs});
     else if (pair.loop) pair.predicted_loss = pair.loop->energy_loss;
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value,

@@ -8,7 +8,7 @@
 
 namespace setae::adhesion {
 
-/// How roughness comes into contact and stays: what closes by itself (stored < 0.49 gained) needs nothing, what stores
+/// How roughness comes into contact and stays: what closes by itself (stored < 0.25 gained) needs nothing, what stores
 /// more than it gains opens by itself, what lies between closes under pressure alone and stays closed.
 enum class Closing { by_itself, under_pressure, opens };
 [[nodiscard]] const char* name(Closing closing);  ///< "closes by itself", "closes under pressure", "opens by itself"
@@ -34,11 +34,9 @@ struct ScaleBalance {
 ///
 /// Within `bridging` the solid would rather span the roughness shorter than 2π/q than conform to it, whatever (7) says
 /// in sum; formulas for full conformity then overstate both area and energy. Gained against stored tells whether closed
-/// gaps open; open ones close later. `closing_pressure` is that of the sine wave of the same stored and gained energy
-/// and rms height, contact::wavy::closing_pressure(stored/gained) √8 stored/h_rms: the least that can do it, since
-/// random roughness has been found to close by itself only below stored/gained of 0.15 to 0.3. contact_modulus [Pa] >
-/// 0; work_of_adhesion W_int and surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8; Johnson, Int. J. Solids Struct. 32
-/// (1995) 423.
+/// gaps open; open ones close later. `closing_pressure` is that which closes 99 % of simulated patches of the same
+/// stored and gained energy and rms height, unloaded_contact(). contact_modulus [Pa] > 0; work_of_adhesion W_int and
+/// surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8; docs/measured/conformity.md.
 [[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
                                          double work_of_adhesion, double surface_energy, double area_shape = 1.0);
 

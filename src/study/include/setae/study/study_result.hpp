@@ -11,6 +11,7 @@
 #include "setae/adhesion/input_profile.hpp"
 #include "setae/adhesion/left_out.hpp"
 #include "setae/adhesion/pair_fit.hpp"
+#include "setae/adhesion/partial_contact.hpp"
 #include "setae/adhesion/predicted_loop.hpp"
 #include "setae/adhesion/prediction.hpp"
 #include "setae/adhesion/prediction_test.hpp"
@@ -95,6 +96,8 @@ struct PairResult {
     std::optional<adhesion::PredictedWork> modified;             ///< (7)
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
+    adhesion::UnloadedContact contact;           ///< under no load, of simulated patches that store as much
+    std::optional<TracedValue> partial_contact;  ///< W_app of that contact: (7) where it is full [J/m²]
     std::optional<adhesion::PairPoint> line;      ///< (7) as a line in W_int; nothing measured is in it
     std::optional<adhesion::DrawnValue> drawn;    ///< max(0, (7)) by draws of everything it rests on [J/m²]
     /// (10) at W_int and the contact area, measured or of `loop`, with every input it rests on [J]
@@ -157,8 +160,8 @@ struct CutoffPoint {
 
 /// One balance against all pairs, under one choice of the cut and of γ1.
 struct ComparedBalance {
-    std::string balance;               ///< "modified", "without_area_change", "persson_tosatti", "free_energies",
-                                       ///< "strained_interface"
+    std::string balance;               ///< "modified", "partial_contact", "without_area_change", "persson_tosatti",
+                                       ///< "free_energies", "strained_interface"
     double shortest_wavelength = 0.0;  ///< that every spectrum is cut at [m]; 0: as the study takes them
     double surface_energy_factor = 1;  ///< on γ1 of every elastomer
     adhesion::BalanceScore score;

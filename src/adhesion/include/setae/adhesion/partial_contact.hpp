@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "setae/adhesion/balance_comparison.hpp"
+#include "setae/adhesion/prediction.hpp"
+
+namespace setae::adhesion {
+
+/// What a rough contact is that nothing presses or pulls, coming from far.
+struct UnloadedContact {
+    double area_fraction = 1.0;  ///< in contact, over the nominal area
+    double gain = 1.0;           ///< energy gained by it over W, what conforming gains; (7) says 1 − e
+    double gain_error = 0.0;     ///< of `gain`: between kinds of patches
+    /// Mean pressure that closes 99 % of the area, over U_el/(A h_rms); 0 where it closes by itself.
+    double closing_pressure = 0.0;
+};
+
+/// The share of energy up to which roughness closes by itself, to 99 % of its area.
+inline constexpr double closing_energy_share = 0.25;
+
+/// Of simulated patches that store energy_share = U_el/(A W) in full contact, e >= 0; W = W_int r − γ1 (r − 1).
+///
+///   gain = 1 − e and area 1 up to e = 0.15; e = 0.5: 0.51 and 0.89; 1: 0.20 and 0.56; monotone cubics between
+///
+/// Self-affine patches, H = 0.8, in bands of 4 to 16, gain linear in ρ/h_rms and taken at 0.05; gain_error: from there to the
+/// shortest range simulated, and of the mean. Beyond e = 3 gain and area fall as e⁻³.
+/// Source: docs/measured/conformity.md, `setae lab conform`.
+[[nodiscard]] UnloadedContact unloaded_contact(double energy_share);
+
+/// W_app = W gain(U_el/(A W)): (7) where contact is full, and what contact gains where it is not.
+/// gain: W = W_int r − γ1 (r − 1) [J/m²].  stored_energy: U_el/A [J/m²] >= 0.  0 for W <= 0.
+[[nodiscard]] double partial_balance(double gain, double stored_energy);
+
+/// A pair as that balance sees it.
+struct PartialContactPoint {
+    PairPoint gained;            ///< W as a line in W_int: slope r, offset γ1 (r − 1)
+    double stored_energy = 0.0;  ///< U_el/A [J/m²]
+
+    [[nodiscard]] double prediction(double work_of_adhesion) const;  ///< W_app [J/m²]
+};
+
+/// W_int by least squares. @throws InvalidArgument for fewer than two pairs.
+[[nodiscard]] BalanceScore score_partial_contact(const std::vector<PartialContactPoint>& pairs);
+
+/// W_app of a pair by that balance with every input it rests on: linear about their values, the table's own ± as an
+/// input of its own.
+[[nodiscard]] TracedValue partial_prediction(const RoughSide& rough, const SoftSide& soft, const TracedValue& work);
+
+/// The name of the input that gain_error is.
+inline constexpr const char* simulated_patches_input = "gain of simulated patches";
+
+}  // namespace setae::adhesion
