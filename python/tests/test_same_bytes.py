@@ -60,6 +60,7 @@ GAPS = {
     "lab loops": "as lab make",
     "lab closure": "hours of studies; by the program",
     "lab contours": "as lab closure",
+    "lab conform": "as lab closure",
     "lab area": "as lab closure",
     "lab foil": "as lab closure",
     "lab causes": "as lab closure",
@@ -232,6 +233,14 @@ def test_contact(printed):
     assert attracted.pressures.min() < 0 and attracted["status"] == "converged"
     levelled = setae.read("rough.nc").level()
     assert setae.contact(levelled, **body).json() == printed("contact", "solve", "rough.nc", "--step", "level_plane", *typed)
+
+
+def test_contact_of_a_spectrum(printed):
+    made = {"pixels": 64, "cell": "2 um", "seed": 3}
+    asked = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa", "--pixels", 64, "--cell", "2 um", "--seed", 3)
+    of_table = setae.contact("rougher/truth.csv", contact_modulus="1 MPa", pressure="1 kPa", **made)
+    assert of_table.json() == printed("contact", "solve", "rougher/truth.csv", *asked)
+    assert of_table["processing"][0]["step"] == "synthesize"
 
 
 def test_contact_sweep(printed):

@@ -42,6 +42,7 @@ namespace lab_make_command { Action declare(Options&); }
 namespace lab_closure_command { Action declare(Options&); }
 namespace lab_causes_command { Action declare(Options&); }
 namespace lab_next_command { Action declare(Options&); }
+namespace lab_conform_command { Action declare(Options&); }
 namespace lab_area_command { Action declare(Options&); }
 namespace lab_loops_command { Action declare(Options&); }
 namespace lab_contours_command { Action declare(Options&); }
@@ -119,6 +120,8 @@ constexpr Command table[] = {
      lab_closure_command::declare},
     {"lab", "causes", "what each thing a mean of spectra leaves uncorrected does, alone", lab_causes_command::declare},
     {"lab", "next", "do what `setae study --next` advises, and hold it to its promise", lab_next_command::declare},
+    {"lab", "conform", "simulate rough patches in adhesive contact: whether they close, and what that gains",
+     lab_conform_command::declare},
     {"lab", "area", "compare the true area of self-affine maps with that of Gaussian slopes (Fig. S7)",
      lab_area_command::declare},
     {"lab", "loops", "fit many noisy loops that are known: bias and coverage of every fit", lab_loops_command::declare},

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "program/command.hpp"
+#include "program/command_line.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "program/terminal.hpp"
+#include "setae/answers/patch_survey.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/core/layout.hpp"
+#include "setae/file_figures/patch_figure.hpp"
+#include "setae/parallel/cancellation.hpp"
+#include "setae/platform/terminal.hpp"
+#include "study/interruption.hpp"
+#include "study/run_arguments.hpp"
+
+namespace setae::cli::lab_conform_command {
+namespace {
+
+constexpr const char* explanation =
+    "Does a soft body conform to all waves of a rough one, as (7) supposes? Random patches in a periodic cell, an elastic half-space,\n"
+    "an attraction of finite range; nothing but their spectrum goes in.                                   docs/theory/conformity.md\n"
+    "U_el/AW     e, what full contact stores over what it gains, W = W_int r - γ1 (r - 1); slopes count to first order, in W alone\n"
+    "from far    let go above the highest point, no load: area in contact, and what that gained over W; (7) says 1 - e\n"
+    "preload     pressed at h'E* first, then no load\n"
+    "p closes    pressure over h'E* at which 99 % of the area touch, to 3 %;  T opens  tension over σ that opens full contact\n"
+    "range       ρ of the grid, w dx/(E*ρ²) = --squared-ratio; finer grids (--shortest-wave) have shorter ranges beside the height\n"
+    "--loops     far, full contact and back; even a flat cell loses 0.35 W, by jumping as a whole: never a contact's loss\n"
+    "STUDY       patches have the pairs' U_el/AW and, where most of it is stored, their surfaces' spectra\n";
+
+struct ConformArguments : answers::PatchSurveyRequest {
+    Common common;
+    RunArguments run;
+    std::string study, output;
+};
+
+/// A line on a terminal: how many patches are done.
+answers::PatchProgress progress_line() {
+    if (!platform::is_terminal(platform::Stream::errors)) return {};
+    return [](std::size_t done, std::size_t of) {
+        fmt::print(stderr, "\r{} of {} patches{}", done, of, done == of ? "\n" : "");
+    };
+}
+
+answers::PatchSurveyAnswer survey_of_study(const ConformArguments& arguments, const cache::Store& store,
+                                           ProgressDisplay& display) {
+    const auto result =
+        study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    display.finish();
+    return answers::patch_survey(result, arguments, arguments.common.workers(), progress_line());
+}
+
+/// Table and figure.
+ExitCode write(const answers::PatchSurveyAnswer& answer, const ConformArguments& arguments) {
+    const std::filesystem::path folder = arguments.output;
+    std::filesystem::create_directories(folder);
+    bytes::write_whole_file((folder / "conform.csv").string(), tables::as_csv(answers::patch_survey_table(answer)));
+    const auto figure = file_figures::patch_figure(
+        answer.rows, {.width = file_figures::FigureWidth::double_column, .command = command_line()});
+    return for_each_item({"conform.svg", "conform.png", "conform.pdf"}, [&](const std::string& name) {
+        file_figures::write_figure(figure, (folder / name).string());
+    });
+}
+
+ExitCode show(const answers::PatchSurveyAnswer& answer, const ConformArguments& arguments) {
+    for (const auto& skipped : answer.skipped) complain(skipped);
+    if (arguments.common.json) {
+        print_json(answers::to_json(answer));
+    } else {
+        const auto width = output_size().width;
+        print(wrapped(answers::sentence(answer), width) + "\n\n" +
+              tables::as_text_within(answers::patch_screen_table(answer), width, 3));
+    }
+    const bool written = arguments.output.empty() || write(answer, arguments) == ExitCode::done;
+    return written && answer.skipped.empty() ? ExitCode::done : ExitCode::some_failed;
+}
+
+ExitCode run(const ConformArguments& arguments) {
+    if (arguments.study.empty())
+        return show(answers::patch_survey(arguments, arguments.common.workers(), progress_line()), arguments);
+    const auto store = arguments.run.store();
+    ProgressDisplay display(arguments.run.progress_mode());
+    return until_interrupted(store, display, [&] {
+        const parallel::CancellationScope scope(interruption());
+        return show(survey_of_study(arguments, store, display), arguments);
+    });
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<ConformArguments>();
+    options.add("study", arguments->study, "TOML file of a study whose pairs are simulated; default: --energy-share")
+        .of_inputs();
+    options.add("-o,--output", arguments->output, "folder for conform.csv and the figure");
+    options.add("--energy-share", arguments->energy_shares, "U_el/AW of the patches").separated_by(',').default_shown();
+    options.add("--points", arguments->points, "of a patch along x and y").separated_by(',').default_shown();
+    options.add("--shortest-wave", arguments->points_a_wave, "in points").separated_by(',').default_shown();
+    options.add("--waves", arguments->waves_a_side, "longest waves along a side").default_shown();
+    options.add("--hurst", arguments->hurst_exponent, "H of the band; a study's surfaces have their own")
+        .default_shown();
+    options.add("--squared-ratio", arguments->squared_ratios, "w dx/(E*ρ²), at most 1; sets the range")
+        .separated_by(',')
+        .default_shown();
+    options.add("--law", arguments->law, "how the attraction falls with the gap")
+        .one_of({"exponential", "cubic", "dugdale", "lennard_jones"})
+        .default_shown();
+    options.add("--seeds", arguments->seeds, "patches of each kind").positive().default_shown();
+    options.add("--seed", arguments->seed, "of the first; the others have the next ones").default_shown();
+    options.flag("--loops", arguments->loops, "whole loops, too: minutes in place of seconds");
+    arguments->run.add_to(options);
+    options.example("setae lab conform", "up to what stored energy (7) holds, to how many per cent");
+    options.example("setae lab conform study.toml -o conform", "the pairs of a study, with their spectra");
+    options.example("setae lab conform --points 128,256 --shortest-wave 8 --seeds 20", "two bands side by side");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::lab_conform_command

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/output/json.hpp"
+#include "setae/patches/survey.hpp"
+#include "setae/study/study_result.hpp"
+#include "setae/tables/tidy_table.hpp"
+
+namespace setae::answers {
+
+/// What `setae lab conform` is told; see docs/theory/conformity.md.
+struct PatchSurveyRequest {
+    std::vector<double> energy_shares{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.2};  ///< U_el/(A W)
+    std::vector<Index> points{256};
+    std::vector<double> points_a_wave{16.0};  ///< of the shortest wave
+    std::vector<double> squared_ratios{0.5};  ///< μ² of the grid
+    double waves_a_side = 4.0;                ///< of the longest wave
+    double hurst_exponent = 0.8;
+    std::string law = "exponential";
+    int seeds = 8;
+    std::uint64_t seed = 1;
+    bool loops = false;
+
+    /// Every number of points with every shortest wave and range.
+    [[nodiscard]] std::vector<patches::PatchDesign> kinds() const;
+};
+
+/// A pair of a study whose spectrum patches have.
+struct PatchPair {
+    std::string surface, elastomer;
+    double work = 0.0;            ///< W = W_int r − γ1 (r − 1), what conforming gains [J/m²]
+    double energy_in_band = 0.0;  ///< share of U_el that the surface stores in the patch's band; all of it is put there
+    std::optional<Estimate> measured;  ///< W_app [J/m²]
+};
+
+struct PatchSurveyAnswer {
+    std::vector<patches::SurveyRow> rows;
+    std::vector<PatchPair> pairs;  ///< one a row; empty where no study was told
+    bool loops = false;
+    std::vector<std::string> skipped;  ///< pairs of the study of which nothing can be said, and why
+};
+
+using PatchProgress = std::function<void(std::size_t done, std::size_t of)>;
+
+/// @throws InvalidArgument as patches::survey().
+[[nodiscard]] PatchSurveyAnswer patch_survey(const PatchSurveyRequest& request, parallel::Threads threads = {},
+                                             const PatchProgress& progress = {});
+
+/// The pairs of a study: each with its share of energy, and with its surface's spectrum in the band of the patch that
+/// holds most of U_el. @throws UndefinedDataError where no pair has both.
+[[nodiscard]] PatchSurveyAnswer patch_survey(const study::StudyResult& study, const PatchSurveyRequest& request,
+                                             parallel::Threads threads = {}, const PatchProgress& progress = {});
+
+/// Up to what share patches close by themselves, and how far (7) is off where they do not.
+[[nodiscard]] std::string sentence(const PatchSurveyAnswer& answer);
+
+/// A row for each design: what it is, what its patches did.
+[[nodiscard]] tables::TidyTable patch_survey_table(const PatchSurveyAnswer& answer);
+
+/// The same as wide as a terminal: of a study what its pairs' contact gains.
+[[nodiscard]] tables::TidyTable patch_screen_table(const PatchSurveyAnswer& answer);
+
+/// "answer", "rows" and "skipped".
+[[nodiscard]] output::Json to_json(const PatchSurveyAnswer& answer);
+
+}  // namespace setae::answers
