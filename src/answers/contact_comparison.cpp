@@ -24,8 +24,6 @@
 namespace setae::answers {
 namespace {
 
-constexpr double pixels_per_wave = 4.0;  ///< at least, of the shortest
-
 /// What is compared, in the order of the table.
 struct Compared {
     const char *name, *unit;
@@ -35,24 +33,19 @@ constexpr std::array<Compared, 4> compared{
 
 synthesis::SurfaceGrid grid_of(const ComparisonRequest& request, const Band& band) {
     const double longest = 2.0 * pi / band.lower, shortest = 2.0 * pi / band.upper;
-    const auto points = point_counts(request.pixels);
-    if (points[0] < 2 || points[1] < 2 || points[0] > most_points_made / points[1])
-        throw InvalidArgument(
-            fmt::format("surfaces of {} x {} points; expected at least 2 x 2 and no more than {} in all", points[0],
-                        points[1], most_points_made));
-    const auto size = request.cell.empty() ? std::array{2.0 * longest, 2.0 * longest} : extents(request.cell);
-    const synthesis::SurfaceGrid grid{points[0], points[1], size[0], size[1]};
-    if (!(std::min(size[0], size[1]) >= longest * (1.0 - 1e-9)))
+    const auto grid = surface_grid(request.pixels, request.cell, band);
+    const double smaller = std::min(grid.size_x, grid.size_y), larger = std::max(grid.size_x, grid.size_y);
+    if (!(smaller >= longest * (1.0 - 1e-9)))
         throw InvalidArgument(fmt::format(
             "a cell of {} does not hold the longest wave, {}; expected a larger --cell, or --longest-wavelength",
-            format_value(std::min(size[0], size[1]), "m"), format_value(longest, "m")));
-    const double pixel = std::max(size[0] / static_cast<double>(points[0]), size[1] / static_cast<double>(points[1]));
+            format_value(smaller, "m"), format_value(longest, "m")));
+    const double pixel = longest_pixel(grid);
     if (!(pixels_per_wave * pixel <= shortest * (1.0 + 1e-9)))
         throw InvalidArgument(
             fmt::format("the shortest wave, {}, has {:.2g} pixels and needs {}; expected --pixels {} or more, or "
                         "--shortest-wavelength \"{}\"",
                         format_value(shortest, "m"), shortest / pixel, pixels_per_wave,
-                        static_cast<Index>(std::ceil(pixels_per_wave * std::max(size[0], size[1]) / shortest)),
+                        static_cast<Index>(std::ceil(pixels_per_wave * larger / shortest)),
                         format_value(pixels_per_wave * pixel, "m")));
     return grid;
 }

@@ -25,8 +25,6 @@
 namespace setae::answers {
 namespace {
 
-constexpr double pixels_per_wave = 4.0;  ///< of the shortest that is made
-
 /// C_iso as power laws between nodes; of one measurement, whose modes scatter as much as they hold, from their means
 /// over bins, from its longest wave to its shortest.
 spectra::Spectrum isotropic(const study::SurfaceResult& surface) {
@@ -95,20 +93,12 @@ synthesis::SurfaceGrid grid_of(const MadeSurfaceRequest& request, const Band& ba
     if (request.pixels.empty())
         throw InvalidArgument(
             "a spectrum is no map; expected --pixels 512 and --cell \"2 um\" of the surface to be made");
-    const auto points = point_counts(request.pixels);
-    if (points[0] < 2 || points[1] < 2 || points[0] > most_points_made / points[1])
-        throw InvalidArgument(
-            fmt::format("a surface of {} x {} points; expected at least 2 x 2 and no more than {} in all", points[0],
-                        points[1], most_points_made));
-    const double longest = 2.0 * pi / band.lower;
-    const auto size = request.cell.empty() ? std::array{2.0 * longest, 2.0 * longest} : extents(request.cell);
-    return {points[0], points[1], size[0], size[1]};
+    return surface_grid(request.pixels, request.cell, band);
 }
 
 /// The waves of a band that a grid holds. @throws InvalidArgument where there are none.
 Band held(const Band& band, const synthesis::SurfaceGrid& grid) {
-    const double pixel =
-        std::max(grid.size_x / static_cast<double>(grid.nx), grid.size_y / static_cast<double>(grid.ny));
+    const double pixel = longest_pixel(grid);
     const Band waves{std::max(band.lower, 2.0 * pi / std::min(grid.size_x, grid.size_y)),
                      std::min(band.upper, 2.0 * pi / (pixels_per_wave * pixel))};
     if (waves.lower < waves.upper) return waves;
@@ -145,6 +135,22 @@ spectra::SpectralDensity density_of(const spectra::Spectrum& curve) {
         if (q < band.lower * (1.0 - rounding) || q > band.upper * (1.0 + rounding)) return 0.0;
         return table(std::min(q, band.upper));
     };
+}
+
+synthesis::SurfaceGrid surface_grid(const std::string& pixels, const std::string& cell, const Band& band) {
+    constexpr Index most_points = Index{1} << 28;  // a contact of them takes some 40 GB
+    const auto points = point_counts(pixels);
+    if (points[0] < 2 || points[1] < 2 || points[0] > most_points / points[1])
+        throw InvalidArgument(
+            fmt::format("surfaces of {} x {} points; expected at least 2 x 2 and no more than {} in all", points[0],
+                        points[1], most_points));
+    const double longest = 2.0 * pi / band.lower;
+    const auto size = cell.empty() ? std::array{2.0 * longest, 2.0 * longest} : extents(cell);
+    return {points[0], points[1], size[0], size[1]};
+}
+
+double longest_pixel(const synthesis::SurfaceGrid& grid) {
+    return std::max(grid.size_x / static_cast<double>(grid.nx), grid.size_y / static_cast<double>(grid.ny));
 }
 
 bool is_of_spectrum(const std::string& path, const FileRequest& file) {

@@ -12,7 +12,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/hysteresis/retraction_model.hpp"
-#include "setae/roughness/spectral_moments.hpp"
+#include "setae/roughness/energy_below.hpp"
 
 namespace setae::answers {
 namespace {
@@ -23,32 +23,23 @@ using patches::SurveyRow;
 
 constexpr double right_balance = 0.05;  ///< (7) counts as right where it is that close to what contact gains
 
-/// U_el of the waves below each wavevector, linear between nodes.
+/// What share of U_el bands hold.
 class StoredEnergy {
 public:
-    explicit StoredEnergy(const spectra::Spectrum& curve) {
-        auto cumulative = roughness::cumulative_parameters(curve);
-        wavevector_ = std::move(cumulative.wavevector);
-        energy_ = std::move(cumulative.elastic_energy_per_modulus);
-    }
-    [[nodiscard]] bool known() const { return wavevector_.size() > 1 && energy_[energy_.size() - 1] > 0.0; }
-    [[nodiscard]] double lowest() const { return wavevector_[0]; }
-    [[nodiscard]] double highest() const { return wavevector_[wavevector_.size() - 1]; }
+    explicit StoredEnergy(const spectra::Spectrum& curve) : cumulative_(roughness::cumulative_parameters(curve)) {}
+    [[nodiscard]] bool known() const { return cumulative_.wavevector.size() > 1 && all() > 0.0; }
+    [[nodiscard]] double lowest() const { return cumulative_.wavevector[0]; }
+    [[nodiscard]] double highest() const { return cumulative_.wavevector[cumulative_.wavevector.size() - 1]; }
     [[nodiscard]] double share(double from, double to) const {
-        return (below(to) - below(from)) / energy_[energy_.size() - 1];
+        return (roughness::energy_below(cumulative_, to) - roughness::energy_below(cumulative_, from)) / all();
     }
 
 private:
-    [[nodiscard]] Index piece(double q) const {
-        const auto above = std::upper_bound(wavevector_.begin(), wavevector_.end(), q) - wavevector_.begin();
-        return std::clamp<Index>(above, 1, wavevector_.size() - 1);
+    [[nodiscard]] double all() const {
+        const auto& energy = cumulative_.elastic_energy_per_modulus;
+        return energy[energy.size() - 1];
     }
-    [[nodiscard]] double below(double q) const {
-        const Index i = piece(q);
-        const double way = std::clamp((q - wavevector_[i - 1]) / (wavevector_[i] - wavevector_[i - 1]), 0.0, 1.0);
-        return energy_[i - 1] + way * (energy_[i] - energy_[i - 1]);
-    }
-    Array1D wavevector_, energy_;
+    roughness::CumulativeParameters cumulative_;
 };
 
 /// Of the bands of a ratio the one that holds most of U_el: where it begins.
@@ -128,10 +119,7 @@ std::optional<double> crossing(const std::vector<const SurveyRow*>& rows, double
 std::vector<const SurveyRow*> first_kind(const std::vector<SurveyRow>& rows) {
     std::vector<const SurveyRow*> kind;
     for (const auto& row : rows)
-        if (row.design.points == rows.front().design.points &&
-            row.design.points_a_wave == rows.front().design.points_a_wave &&
-            row.design.squared_ratio == rows.front().design.squared_ratio)
-            kind.push_back(&row);
+        if (row.design.like(rows.front().design)) kind.push_back(&row);
     std::ranges::stable_sort(kind, {}, [](const SurveyRow* row) { return row->design.energy_share; });
     return kind;
 }

@@ -167,7 +167,7 @@ private:
     ElasticOperator elastic_;
     Array2D heights_, rigid_;
     fourier::Multiplier stiffness_;
-    FaceModel<float> model_;
+    FaceModel model_;
     std::int64_t transforms_ = 0;  ///< of its own
     RowPasses rows_;
     double points_, radius_;
@@ -378,9 +378,8 @@ AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
     });
     // V'' is 0 of constant tension: what the longest wave answers is the least that counts
     const double least = elastic_.least_stiffness();
-    const double power = rows_.sum([&](Index i) {
-        return ((row(here_.slope, i).square() + least * least) * row(tangent_, i).square()).sum();
-    });
+    const double power = rows_.sum(
+        [&](Index i) { return ((row(here_.slope, i).square() + least * least) * row(tangent_, i).square()).sum(); });
     const auto outcome = model_.minimise({.gradient = gradient_,
                                           .slopes = here_.slope,
                                           .face = face_,

@@ -14,12 +14,11 @@ fourier::Multiplier with_mean(fourier::Multiplier multiplier, double mean, Index
     return multiplier;
 }
 
-template <class Real>
-fourier::MultiplierOf<Real> scaled(const fourier::Multiplier& multiplier, double factor) {
-    fourier::MultiplierOf<Real> result{.modes_x = multiplier.modes_x, .modes_y = multiplier.modes_y, .values = {}};
+fourier::MultiplierOf<float> scaled(const fourier::Multiplier& multiplier, double factor) {
+    fourier::MultiplierOf<float> result{.modes_x = multiplier.modes_x, .modes_y = multiplier.modes_y, .values = {}};
     result.values.resize(multiplier.values.size());
     std::ranges::transform(multiplier.values, result.values.begin(),
-                           [factor](double value) { return static_cast<Real>(factor * value); });
+                           [factor](double value) { return static_cast<float>(factor * value); });
     return result;
 }
 
@@ -30,23 +29,21 @@ fourier::Multiplier stiffness_of_waves(const ElasticOperator& elastic) {
     return with_mean(finite, 0.0, 1);
 }
 
-template <class Real>
-FaceModel<Real>::FaceModel(const Array2D& shape, const ElasticOperator& elastic, const FaceUnits& units,
-                           parallel::Threads threads)
+FaceModel::FaceModel(const Array2D& shape, const ElasticOperator& elastic, const FaceUnits& units,
+                     parallel::Threads threads)
     : filter_(shape.rows(), shape.cols(), shape.rows(), shape.cols(), threads),
-      stiffness_(scaled<Real>(stiffness_of_waves(elastic), units.length / units.stress)),
+      stiffness_(scaled(stiffness_of_waves(elastic), units.length / units.stress)),
       preconditioner_(
-          scaled<Real>(with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.least_stiffness()); }),
-                                 1.0 / elastic.least_stiffness(), shape.size()),
-                       units.stress / units.length)),
+          scaled(with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.least_stiffness()); }),
+                           1.0 / elastic.least_stiffness(), shape.size()),
+                 units.stress / units.length)),
       units_(units),
       rows_(shape, threads) {
     for (auto* map : {&slopes_, &step_, &stiff_step_, &residual_, &preconditioned_, &direction_, &stiff_direction_})
         *map = MapOf<Real>::Zero(shape.rows(), shape.cols());
 }
 
-template <class Real>
-void FaceModel<Real>::precondition(const Scaled& problem, Real length, Real hold) {
+void FaceModel::precondition(const Scaled& problem, Real length, Real hold) {
     RowSums<2> before(step_.rows()), after(step_.rows());
     const auto load = [&](Index i, Real* line) {
         auto r = row(residual_, i);
@@ -57,7 +54,7 @@ void FaceModel<Real>::precondition(const Scaled& problem, Real length, Real hold
             auto d = row(step_, i);
             d += length * p;
             row(stiff_step_, i) += length * Kp;
-            r -= length * row(problem.face, i).template cast<Real>() * (Kp + row(slopes_, i) * p - hold);
+            r -= length * row(problem.face, i) * (Kp + row(slopes_, i) * p - hold);
             largest = d.abs().maxCoeff();
         }
         before.store(i, {static_cast<double>(r.square().sum()), static_cast<double>(largest)});
@@ -65,7 +62,7 @@ void FaceModel<Real>::precondition(const Scaled& problem, Real length, Real hold
     };
     const auto store = [&](Index i, const Real* line) {
         auto z = row(preconditioned_, i);
-        z = row(problem.face, i).template cast<Real>() * ConstRowOf<Real>(line, z.size());
+        z = row(problem.face, i) * ConstRowOf<Real>(line, z.size());
         after.store(i, {static_cast<double>(z.sum()), static_cast<double>((z * row(residual_, i)).sum())});
     };
     filter_.apply(preconditioner_, load, store);
@@ -76,15 +73,13 @@ void FaceModel<Real>::precondition(const Scaled& problem, Real length, Real hold
     product_ = after.sum(1);
 }
 
-template <class Real>
-void FaceModel<Real>::apply_hessian(const Scaled& problem, Real along_last) {
+void FaceModel::apply_hessian(const Scaled& problem, Real along_last) {
     const auto mean_preconditioned = static_cast<Real>(mean_preconditioned_);
     RowSums<1> directions(step_.rows());
     RowSums<2> responses(step_.rows());
     const auto load = [&](Index i, Real* line) {
         auto p = row(direction_, i);
-        p = row(problem.face, i).template cast<Real>() * (row(preconditioned_, i) - mean_preconditioned) +
-            along_last * p;
+        p = row(problem.face, i) * (row(preconditioned_, i) - mean_preconditioned) + along_last * p;
         directions.store(i, {static_cast<double>(p.sum())});
         RowOf<Real>(line, p.size()) = p;
     };
@@ -93,8 +88,8 @@ void FaceModel<Real>::apply_hessian(const Scaled& problem, Real along_last) {
         auto Kp = row(stiff_direction_, i);
         Kp = ConstRowOf<Real>(line, Kp.size());
         const auto Hp = Kp + row(slopes_, i) * p;
-        responses.store(i, {static_cast<double>((p * Hp).sum()),
-                            static_cast<double>((row(problem.face, i).template cast<Real>() * Hp).sum())});
+        responses.store(i,
+                        {static_cast<double>((p * Hp).sum()), static_cast<double>((row(problem.face, i) * Hp).sum())});
     };
     filter_.apply(stiffness_, load, store);
     ++transforms_;
@@ -108,8 +103,7 @@ void FaceModel<Real>::apply_hessian(const Scaled& problem, Real along_last) {
     }
 }
 
-template <class Real>
-Real FaceModel<Real>::reach(Real radius) {
+FaceModel::Real FaceModel::reach(Real radius) {
     return static_cast<Real>(-rows_.largest([&](Index i) {
         const auto d = row(step_, i);
         const auto p = row(direction_, i);
@@ -121,33 +115,29 @@ Real FaceModel<Real>::reach(Real radius) {
     }));
 }
 
-template <class Real>
-void FaceModel<Real>::move(Real length) {
+void FaceModel::move(Real length) {
     rows_.each([&](Index i) {
         row(step_, i) += length * row(direction_, i);
         row(stiff_step_, i) += length * row(stiff_direction_, i);
     });
 }
 
-template <class Real>
-void FaceModel<Real>::load(const FaceProblem& problem) {
+void FaceModel::load(const FaceProblem& problem) {
     const auto sums = rows_.numbers<2>([&](Index i) {
         for (auto* map : {&step_, &stiff_step_, &direction_}) row(*map, i).setZero();
-        const auto face = row(problem.face, i).template cast<double>();
+        const auto face = row(problem.face, i).cast<double>();
         return std::array{face.sum(), (face * row(problem.gradient, i)).sum()};
     });
     count_ = sums.sum(0);
     if (count_ == 0.0) return;
     const double hold = problem.mean_held ? sums.sum(1) / count_ : 0.0;
     rows_.each([&](Index i) {
-        row(residual_, i) = row(problem.face, i).template cast<Real>() *
-                            ((hold - row(problem.gradient, i)) / units_.stress).template cast<Real>();
-        row(slopes_, i) = (row(problem.slopes, i) * (units_.length / units_.stress)).template cast<Real>();
+        row(residual_, i) = row(problem.face, i) * ((hold - row(problem.gradient, i)) / units_.stress).cast<Real>();
+        row(slopes_, i) = (row(problem.slopes, i) * (units_.length / units_.stress)).cast<Real>();
     });
 }
 
-template <class Real>
-FaceOutcome FaceModel<Real>::descend(const Scaled& problem, int most_iterations) {
+FaceOutcome FaceModel::descend(const Scaled& problem, int most_iterations) {
     FaceOutcome outcome;
     precondition(problem, 0, 0);
     double along_last = 0.0;
@@ -172,8 +162,7 @@ FaceOutcome FaceModel<Real>::descend(const Scaled& problem, int most_iterations)
     return outcome;
 }
 
-template <class Real>
-FaceOutcome FaceModel<Real>::minimise(const FaceProblem& problem, Array2D& step, Array2D& stiff_step) {
+FaceOutcome FaceModel::minimise(const FaceProblem& problem, Array2D& step, Array2D& stiff_step) {
     FaceOutcome outcome;
     load(problem);
     if (count_ > 0.0)
@@ -184,13 +173,10 @@ FaceOutcome FaceModel<Real>::minimise(const FaceProblem& problem, Array2D& step,
                            .tolerance = problem.tolerance / units_.stress},
                           problem.most_iterations);
     rows_.each([&](Index i) {
-        row(step, i) = units_.length * row(step_, i).template cast<double>();
-        row(stiff_step, i) = units_.stress * row(stiff_step_, i).template cast<double>();
+        row(step, i) = units_.length * row(step_, i).cast<double>();
+        row(stiff_step, i) = units_.stress * row(stiff_step_, i).cast<double>();
     });
     return outcome;
 }
-
-template class FaceModel<float>;
-template class FaceModel<double>;
 
 }  // namespace setae::half_space

@@ -35,9 +35,8 @@ struct FaceUnits {
 };
 
 /// Minimises the model by conjugate gradients (Steihaug), preconditioned in the face by 1/(k + k(q_min)). Everything
-/// rides along with the transforms: two pairs an iteration, no pass of its own. What comes out is a direction, whose
-/// energy the caller finds in double: float does, and halves the traffic.
-template <class Real>
+/// rides along with the transforms: two pairs an iteration, no pass of its own. In float, which halves the traffic:
+/// what comes out is a direction, whose energy the caller finds in double.
 class FaceModel {
 public:
     FaceModel(const Array2D& shape, const ElasticOperator& elastic, const FaceUnits& units, parallel::Threads threads);
@@ -49,9 +48,11 @@ public:
     [[nodiscard]] std::int64_t transforms() const { return transforms_; }
 
 private:
+    using Real = float;
+
     /// In the model's units.
     struct Scaled {
-        const MapOf<float>& face;
+        const MapOf<Real>& face;
         bool mean_held;
         double control_stiffness;
         Real radius;

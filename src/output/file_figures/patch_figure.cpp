@@ -18,11 +18,6 @@ using patches::SurveyRow;
 struct Kind {
     std::vector<const SurveyRow*> rows;
 
-    [[nodiscard]] bool holds(const SurveyRow& row) const {
-        const auto &first = rows.front()->design, &other = row.design;
-        return first.points == other.points && first.points_a_wave == other.points_a_wave &&
-               first.squared_ratio == other.squared_ratio;
-    }
     [[nodiscard]] std::string label() const {
         return fmt::format("band {:.3g}, {} points, μ² {:.2g}", rows.front()->design.band(),
                            rows.front()->design.points, rows.front()->design.squared_ratio);
@@ -32,7 +27,8 @@ struct Kind {
 std::vector<Kind> kinds_of(const std::vector<SurveyRow>& rows) {
     std::vector<Kind> kinds;
     for (const auto& row : rows) {
-        auto found = std::ranges::find_if(kinds, [&](const Kind& kind) { return kind.holds(row); });
+        auto found =
+            std::ranges::find_if(kinds, [&](const Kind& kind) { return kind.rows.front()->design.like(row.design); });
         if (found == kinds.end()) kinds.push_back({{&row}});
         else found->rows.push_back(&row);
     }

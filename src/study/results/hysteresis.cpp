@@ -13,6 +13,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/hysteresis/pinning_law.hpp"
+#include "setae/roughness/energy_below.hpp"
 
 namespace setae::study {
 namespace {
@@ -47,12 +48,7 @@ std::vector<double> band_shares_of(const spectra::Spectrum& curve) {
     const auto &q = cumulative.wavevector, &energy = cumulative.elastic_energy_per_modulus;
     const Index last = q.size() - 1;
     if (last < 1 || !(energy[last] > 0.0)) return {};
-    const auto below = [&](double wavevector) {
-        const auto* above = std::lower_bound(q.data(), q.data() + q.size(), wavevector);
-        const Index i = std::clamp<Index>(above - q.data(), 1, last);
-        const double way = std::clamp((wavevector - q[i - 1]) / (q[i] - q[i - 1]), 0.0, 1.0);
-        return energy[i - 1] + way * (energy[i] - energy[i - 1]);
-    };
+    const auto below = [&](double wavevector) { return roughness::energy_below(cumulative, wavevector); };
     constexpr double factor = 4.0;
     std::vector<double> shares;
     for (double upper = q[last]; upper > q[0]; upper /= factor)

@@ -12,7 +12,7 @@ namespace setae::adhesion {
 struct UnloadedContact {
     double area_fraction = 1.0;  ///< in contact, over the nominal area
     double gain = 1.0;           ///< energy gained by it over W, what conforming gains; (7) says 1 − e
-    double gain_error = 0.0;     ///< of `gain`: between kinds of patches
+    double gain_error = 0.0;     ///< of `gain`
     /// Mean pressure that closes 99 % of the area, over U_el/(A h_rms); 0 where it closes by itself.
     double closing_pressure = 0.0;
 };

@@ -9,10 +9,19 @@
 #include "setae/processing/pipeline.hpp"
 #include "setae/spectra/spectral_density.hpp"
 #include "setae/study/surface_analysis.hpp"
+#include "setae/synthesis/random_surface.hpp"
 
 namespace setae::answers {
 
-inline constexpr Index most_points_made = Index{1} << 28;  ///< a contact of them takes some 40 GB
+inline constexpr double pixels_per_wave = 4.0;  ///< of the shortest wave of a surface that is made
+
+/// Points "512" or "1024x512" and extent of a surface that is made; extent empty: twice the band's longest wave.
+/// @throws InvalidArgument for malformed texts, fewer than 2 x 2 points, and so many that a contact of them fits
+/// nowhere.
+[[nodiscard]] synthesis::SurfaceGrid surface_grid(const std::string& pixels, const std::string& cell, const Band& band);
+
+/// The longer side of its pixels [m].
+[[nodiscard]] double longest_pixel(const synthesis::SurfaceGrid& grid);
 
 /// C_iso of a surface as power laws between nodes, a node on each end of its band and none beyond. Of one measurement,
 /// whose modes scatter as much as they hold, from their means over bins.

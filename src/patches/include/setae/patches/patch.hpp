@@ -27,6 +27,10 @@ struct PatchDesign {
     std::optional<spectra::SpectralDensity> spectrum = std::nullopt;
 
     [[nodiscard]] double band() const;  ///< longest over shortest wave
+    /// Whether points, shortest wave and μ² are the same: what tells kinds of patches in a survey apart.
+    [[nodiscard]] bool like(const PatchDesign& other) const {
+        return points == other.points && points_a_wave == other.points_a_wave && squared_ratio == other.squared_ratio;
+    }
 };
 
 /// A patch in units of E* = w = a pixel's width = 1.
