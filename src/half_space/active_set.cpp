@@ -5,13 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "setae/core/extent.hpp"
-
 namespace setae::half_space {
 namespace {
 
-/// By how much a set's residual is to fall before the set is guessed anew, and after how many iterations at most.
-constexpr double residual_reduction = 0.25;
+/// How many iterations a set gets at most before it is guessed anew.
 constexpr Index most_per_set = 16;
 /// A new set whose gap is not smaller than this times the last one's was guessed too boldly.
 constexpr double progress_ratio = 0.7;
@@ -20,34 +17,35 @@ constexpr Index patience = 100;
 /// Rounding of displacements, relative to heights and to what the mean pressure does to the longest wave.
 constexpr double rounding = 1e-13;
 
+ModelUnits units_of(double highest, const ElasticOperator& stiffness) {
+    const double length = highest > 0.0 ? highest : 1.0, steepest = stiffness.greatest_stiffness();
+    return {.length = length, .pressure = length * (steepest > 0.0 ? steepest : 1.0)};
+}
+
 }  // namespace
 
 ActiveSetSolver::ActiveSetSolver(ElasticOperator& response, const fourier::Multiplier& compliance,
-                                 ElasticOperator& stiffness, const Array2D& heights, const Target& target,
+                                 const ElasticOperator& stiffness, const Array2D& heights, const Target& target,
                                  parallel::Threads threads)
     : response_(response),
       compliance_(compliance),
-      preconditioner_(stiffness),
-      stiffness_(stiffness.multiplier([least = stiffness.least_stiffness()](double k) {
-          return k > 0.0 && std::isfinite(k) ? k : std::max(least, std::numeric_limits<double>::min());
-      })),
+      softest_(std::max(stiffness.least_stiffness(), std::numeric_limits<double>::min())),
       heights_(heights),
       target_(target),
       rows_(heights, threads),
+      highest_(rows_.largest([&](Index i) { return heights.row(i).abs().maxCoeff(); })),
+      units_(units_of(highest_, stiffness)),
+      model_(response, compliance, stiffness,
+             stiffness.multiplier([softest = softest_](double k) { return k > 0.0 && std::isfinite(k) ? k : softest; }),
+             units_, heights, threads),
       p_(heights.rows(), heights.cols()),
-      v_(heights.rows(), heights.cols()),
-      t_(Array2D::Zero(heights.rows(), heights.cols())),
-      w_(heights.rows(), heights.cols()),
-      set_(extent(heights.size()), 0),
-      highest_(heights.abs().maxCoeff()) {}
+      v_(heights.rows(), heights.cols()) {}
 
-/// p − step t between 0 and the hardness.
-void ActiveSetSolver::cut_pressures(double step) {
-    const double hardness = target_.hardness;
+/// p − d between 0 and the hardness, d what the model found.
+void ActiveSetSolver::cut_pressures() {
     rows_.each([&](Index i) {
-        double* p = p_.data() + i * p_.cols();
-        const double* t = t_.data() + i * p_.cols();
-        for (Index j = 0; j < p_.cols(); ++j) p[j] = std::min(hardness, std::max(0.0, p[j] - step * t[j]));
+        auto p = row(p_, i);
+        p = (p - units_.pressure * model_.change(i).cast<double>()).max(0.0).min(target_.hardness);
     });
     if (target_.mean_pressure) carry_load();
 }
@@ -117,8 +115,7 @@ void ActiveSetSolver::certify() {
     certificate_ = {.penetration = std::max(0.0, -(least_ + level_))};
     if (target_.mean_pressure) certificate_.load_error = std::abs(mean / *target_.mean_pressure - 1.0);
     if (!(load_ > 0.0)) return;
-    const double softest = std::max(preconditioner_.least_stiffness(), std::numeric_limits<double>::min());
-    const double displacement = std::max(elastic_work_ / load_, rounding * (mean / softest + highest_));
+    const double displacement = std::max(elastic_work_ / load_, rounding * (mean / softest_ + highest_));
     double excess = work_ - load_ * least_;
     if (std::isfinite(target_.hardness)) excess = work_ + load_ * level_ - target_.hardness * overlap_without_flow();
     certificate_.duality_gap = excess / (load_ * displacement);
@@ -140,144 +137,34 @@ double ActiveSetSolver::overlap_without_flow() {
     return sums.sum(0);
 }
 
-/// Points pressed or, unless careful, overlapping; not those that flow and would have more.
-ActiveSetSolver::Residual ActiveSetSolver::choose_set(bool careful) {
+/// Points pressed or, unless careful, overlapping; not those that flow and would have more. Their gaps, less the mean
+/// where the load is held, are the residual.
+SetModel::Aim ActiveSetSolver::choose_set(bool careful) {
     const Index ny = p_.cols();
     const double hardness = target_.hardness;
     const auto sums = rows_.numbers<3>([&](Index i) {
         const double *p = p_.data() + i * ny, *v = v_.data() + i * ny;
-        std::uint8_t* set = set_.data() + i * ny;
+        float* face = model_.face(i).data();
         double points = 0.0, sum = 0.0, square = 0.0;
         for (Index j = 0; j < ny; ++j) {
             const double g = v[j] + level_;
             const bool pressed = p[j] > 0.0 || (!careful && g < 0.0);
             const bool flows = p[j] >= hardness && (careful || g <= 0.0);
             const double inside = pressed && !flows ? 1.0 : 0.0;
-            set[j] = pressed && !flows ? 1 : 0;
+            face[j] = static_cast<float>(inside);
             points += inside;
             sum += inside * g;
             square += inside * g * g;
         }
         return std::array{points, sum, square};
     });
-    Residual residual{.points = sums.sum(0), .level = level_, .square = sums.sum(2)};
-    if (target_.mean_pressure && residual.points > 0.0) {
-        const double mean = sums.sum(1) / residual.points;
-        residual.level -= mean;
-        residual.square = std::max(0.0, residual.square - residual.points * mean * mean);
-    }
-    return residual;
-}
-
-/// w = z, the preconditioned residual on the set, after what is left of the last step; sums of z and of w before.
-ActiveSetSolver::Preconditioned ActiveSetSolver::precondition(double step, double level) {
-    const Index ny = p_.cols();
-    RowSums<3> sums(p_.rows());
-    preconditioner_.apply(
-        stiffness_,
-        [&](Index i, double* line) {
-            double *p = p_.data() + i * ny, *v = v_.data() + i * ny;
-            const double *t = t_.data() + i * ny, *w = w_.data() + i * ny;
-            const std::uint8_t* set = set_.data() + i * ny;
-            if (step != 0.0)
-                for (Index j = 0; j < ny; ++j) {
-                    p[j] -= step * t[j];
-                    v[j] -= step * w[j];
-                }
-            for (Index j = 0; j < ny; ++j) line[j] = set[j] != 0 ? v[j] + level : 0.0;
-        },
-        [&](Index i, const double* line) {
-            double* w = w_.data() + i * ny;
-            const std::uint8_t* set = set_.data() + i * ny;
-            double sum = 0.0, coupling = 0.0, response = 0.0;
-            for (Index j = 0; j < ny; ++j) {
-                const double z = set[j] != 0 ? line[j] : 0.0;
-                sum += z;
-                coupling += z * w[j];
-                response += set[j] != 0 ? w[j] : 0.0;
-                w[j] = z;
-            }
-            sums.store(i, {sum, coupling, response});
-        });
-    ++pairs_;
-    return {.sum = sums.sum(0), .coupling = sums.sum(1), .response = sums.sum(2)};
-}
-
-/// t = w − mean + memory t on the set, w = G t, and the sums of it.
-ActiveSetSolver::Response ActiveSetSolver::respond_to_direction(double mean, double memory, double level) {
-    const Index ny = p_.cols();
-    RowSums<4> sums(p_.rows());
-    RowSums<2> direction(p_.rows());
-    response_.apply(
-        compliance_,
-        [&](Index i, double* line) {
-            const double *w = w_.data() + i * ny, *v = v_.data() + i * ny;
-            double* t = t_.data() + i * ny;
-            const std::uint8_t* set = set_.data() + i * ny;
-            double sum = 0.0, slope = 0.0;
-            for (Index j = 0; j < ny; ++j) {
-                const double value = set[j] != 0 ? w[j] - mean + memory * t[j] : 0.0;
-                t[j] = value;
-                line[j] = value;
-                sum += value;
-                slope += value * (v[j] + level);
-            }
-            direction.store(i, {sum, slope});
-        },
-        [&](Index i, const double* line) {
-            const double *v = v_.data() + i * ny, *t = t_.data() + i * ny;
-            double* w = w_.data() + i * ny;
-            const std::uint8_t* set = set_.data() + i * ny;
-            double work = 0.0, sum = 0.0, square = 0.0, product = 0.0;
-            for (Index j = 0; j < ny; ++j) {
-                const double value = line[j], inside = set[j] != 0 ? value : 0.0;
-                w[j] = value;
-                work += t[j] * value;
-                sum += inside;
-                square += inside * value;
-                product += inside * (v[j] + level);
-            }
-            sums.store(i, {work, sum, square, product});
-        });
-    ++pairs_;
-    return {.work = sums.sum(0),
-            .sum = sums.sum(1),
-            .square = sums.sum(2),
-            .product = sums.sum(3),
-            .direction = direction.sum(0),
-            .slope = direction.sum(1)};
-}
-
-/// Conjugate gradients on the set; the last step is not taken but returned. The first direction is made conjugate to
-/// the last one of the set before, of which most points are still there: a sixth fewer iterations than from anew.
-double ActiveSetSolver::reduce_residual(const Residual& start, Index most, bool remembers) {
-    if (!(start.square > 0.0)) {
-        t_.setZero();
-        curvature_ = 0.0;
-        return 0.0;
-    }
-    const bool centred = target_.mean_pressure.has_value();
-    if (!remembers || !(curvature_ > 0.0)) {
-        curvature_ = 0.0;
-        t_.setZero();
-        w_.setZero();
-    }
-    double step = 0.0, level = start.level, square = start.square;
-    for (Index iteration = 0; iteration < most; ++iteration) {
-        const Preconditioned z = precondition(step, level);
-        const double mean_z = centred ? z.sum / start.points : 0.0;
-        const double memory = curvature_ > 0.0 ? (mean_z * z.response - z.coupling) / curvature_ : 0.0;
-        const Response response = respond_to_direction(mean_z, memory, level);
-        const double mean = centred ? response.sum / start.points : 0.0;
-        curvature_ = response.work - mean * response.direction;
-        ++iterations_;
-        if (!(curvature_ > 0.0)) return 0.0;
-        step = response.slope / curvature_;
-        square += step * (step * (response.square - mean * response.sum) - 2.0 * response.product);
-        level += step * mean;
-        if (!(square > residual_reduction * residual_reduction * start.square)) break;
-    }
-    return step;
+    const double points = sums.sum(0), mean = target_.mean_pressure && points > 0.0 ? sums.sum(1) / points : 0.0;
+    rows_.each([&](Index i) {
+        model_.residual(i) = model_.face(i) * ((row(v_, i) + (level_ - mean)) / units_.length).cast<float>();
+    });
+    return {.points = points,
+            .square = std::max(0.0, sums.sum(2) - points * mean * mean) / (units_.length * units_.length),
+            .load_held = target_.mean_pressure.has_value()};
 }
 
 /// The step of steepest descent along the gaps of points pressed or overlapping: how far the careful mode presses
@@ -306,7 +193,7 @@ void ActiveSetSolver::activate(double step) {
         for (Index j = 0; j < p_.cols(); ++j) {
             const double g = v_(i, j) + level_;
             const bool overlaps = p_(i, j) <= 0.0 && g < 0.0, recovers = p_(i, j) >= target_.hardness && g > 0.0;
-            if (overlaps || recovers) t_(i, j) = step * g;
+            if (overlaps || recovers) model_.change(i)[j] = static_cast<float>(step * g / units_.pressure);
         }
     });
 }
@@ -314,9 +201,9 @@ void ActiveSetSolver::activate(double step) {
 SolveStatus ActiveSetSolver::solve(double tolerance, Index most_iterations,
                                    const std::function<void(const SolveProgress&)>& report) {
     Index most = most_per_set, without_progress = 0;
-    double last = std::numeric_limits<double>::infinity(), best = last, step = 0.0;
+    double last = std::numeric_limits<double>::infinity(), best = last;
     while (true) {
-        cut_pressures(step);
+        cut_pressures();
         respond();
         const bool apart = !(load_ > 0.0), overlaps = certificate_.penetration > 0.0;
         const double error = !apart     ? std::max(certificate_.duality_gap, certificate_.level_error)
@@ -331,16 +218,14 @@ SolveStatus ActiveSetSolver::solve(double tolerance, Index most_iterations,
         const bool remembers = error <= progress_ratio * last;
         last = error;
         const bool careful = most == 0;
-        const Residual residual = choose_set(careful);
+        auto aim = choose_set(careful);
         const double activation = careful ? activation_step() : 0.0;
+        aim.most_iterations = careful ? 1 : most;
+        aim.remembers = remembers && !careful;
+        iterations_ += model_.reduce(aim);
         if (careful) {
-            step = reduce_residual(residual, 1, false);
-            if (step != 0.0) t_ *= step;
-            curvature_ = 0.0;
+            model_.forget();
             activate(activation);
-            step = 1.0;
-        } else {
-            step = reduce_residual(residual, most, remembers);
         }
     }
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "row_passes.hpp"
+#include "set_model.hpp"
 #include "setae/half_space/elastic_operator.hpp"
 #include "setae/half_space/hard_wall.hpp"
 
@@ -21,12 +20,12 @@ struct Target {
 
 /// Solves the contact of one grid: see solve() for the method.
 ///
-/// Five maps: heights, pressures, G p − h, and direction and its displacement; a byte a pixel for the set. Every pass
-/// over them rides along with a transform but for two of each new set.
+/// Three maps: heights, pressures and G p − h, and five of the model's in float. Every pass over them rides along with
+/// a transform but for four of each new set.
 class ActiveSetSolver {
 public:
     /// `response`: G. `stiffness`: the operator of the preconditioner, of periodic edges; may be the same.
-    ActiveSetSolver(ElasticOperator& response, const fourier::Multiplier& compliance, ElasticOperator& stiffness,
+    ActiveSetSolver(ElasticOperator& response, const fourier::Multiplier& compliance, const ElasticOperator& stiffness,
                     const Array2D& heights, const Target& target, parallel::Threads threads);
 
     /// From pressures that stand in pressures(). `report` is called for every new set.
@@ -40,53 +39,31 @@ public:
     [[nodiscard]] double elastic_work() const { return elastic_work_; }
     [[nodiscard]] const Certificate& certificate() const { return certificate_; }
     [[nodiscard]] Index iterations() const { return iterations_; }
-    [[nodiscard]] Index transform_pairs() const { return pairs_; }
+    [[nodiscard]] Index transform_pairs() const { return pairs_ + model_.transform_pairs(); }
 
 private:
-    struct Residual {
-        double points = 0.0;  ///< of the set
-        double level = 0.0;   ///< c of r = v + c
-        double square = 0.0;  ///< Σ r²
-    };
-    struct Preconditioned {
-        double sum = 0.0;       ///< Σ z
-        double coupling = 0.0;  ///< Σ z w, w the response to the last direction
-        double response = 0.0;  ///< Σ w on the set
-    };
-    struct Response {
-        double work = 0.0;       ///< Σ t w
-        double sum = 0.0;        ///< Σ w on the set, as the next two
-        double square = 0.0;     ///< Σ w²
-        double product = 0.0;    ///< Σ r w
-        double direction = 0.0;  ///< Σ t
-        double slope = 0.0;      ///< Σ r t
-    };
-    void cut_pressures(double step);
+    void cut_pressures();
     void carry_load();
     void respond();
     void certify();
     double overlap_without_flow();
-    Residual choose_set(bool careful);
-    Preconditioned precondition(double step, double level);
-    Response respond_to_direction(double mean, double memory, double level);
-    double reduce_residual(const Residual& start, Index most, bool remembers);
+    SetModel::Aim choose_set(bool careful);
     double activation_step();
     void activate(double step);
 
     ElasticOperator& response_;
     const fourier::Multiplier& compliance_;
-    ElasticOperator& preconditioner_;
-    fourier::Multiplier stiffness_;
+    double softest_;  ///< stiffness of the longest wave [Pa/m]
     const Array2D& heights_;
     Target target_;
     RowPasses rows_;
-    Array2D p_, v_, t_, w_;
-    std::vector<std::uint8_t> set_;
     double highest_;  ///< max |h|
+    ModelUnits units_;
+    SetModel model_;
+    Array2D p_, v_;
     double level_ = 0.0;
     double load_ = 0.0, work_ = 0.0, elastic_work_ = 0.0, least_ = 0.0;  ///< Σ p, Σ p v, Σ p G p, min v
     Certificate certificate_;
-    double curvature_ = 0.0;  ///< of the last direction
     Index iterations_ = 0, pairs_ = 0;
 };
 

@@ -3,31 +3,18 @@
 #include <limits>
 #include <optional>
 
-#include "setae/core/summation.hpp"
+#include "row_passes.hpp"
+#include "set_model.hpp"
 #include "setae/half_space/hard_wall.hpp"
 
 namespace setae::half_space {
 namespace {
 
-/// Of the residual; what is asked for, Σ s, is then twice as exact in digits.
+/// Of the residual; what is asked for is then twice as exact in digits.
 constexpr double stiffness_tolerance = 1e-6;
+/// By how much gradients in float reduce it before it is found anew in double.
+constexpr double reduction = 1e-3;
 constexpr Index most_iterations = 500;
-
-double sum_of_products(const Array2D& a, const Array2D& b) {
-    Array1D rows(a.rows());
-    for (Index i = 0; i < a.rows(); ++i) rows[i] = pairwise_sum((a.row(i) * b.row(i)).transpose());
-    return pairwise_sum(rows);
-}
-
-/// y = a filter's answer to x, on the set alone.
-void apply_on_set(ElasticOperator& elastic, const fourier::Multiplier& multiplier, const Array2D& set, const Array2D& x,
-                  Array2D& y) {
-    elastic.apply(
-        multiplier, [&](Index i, double* line) { Eigen::Map<Array1D>(line, x.cols()) = x.row(i).transpose(); },
-        [&](Index i, const double* line) {
-            y.row(i) = Eigen::Map<const Array1D>(line, x.cols()).transpose() * set.row(i);
-        });
-}
 
 }  // namespace
 
@@ -47,22 +34,39 @@ double contact_stiffness(const HardWall& problem, const HardWallContact& contact
     const auto stiffness =
         preconditioner.multiplier([least](double k) { return k > 0.0 && std::isfinite(k) ? k : least; });
 
-    // conjugate gradients for G s = 1 on the set
-    Array2D r = set, z(set.rows(), set.cols()), t, s = Array2D::Zero(set.rows(), set.cols());
-    double last = 0.0;
-    for (Index iteration = 0; iteration < most_iterations; ++iteration) {
-        apply_on_set(preconditioner, stiffness, set, r, z);
-        const double product = sum_of_products(r, z);
-        if (iteration == 0) t = z;
-        else t = z + product / last * t;
-        last = product;
-        apply_on_set(response, response.compliance(), set, t, z);
-        const double step = product / sum_of_products(t, z);
-        s += step * t;
-        r -= step * z;
-        if (sum_of_products(r, r) <= stiffness_tolerance * stiffness_tolerance * points) break;
+    // G s = 1 on the set, by gradients in float and residuals in double
+    const ModelUnits units{.length = 1.0, .pressure = preconditioner.greatest_stiffness()};
+    SetModel model(response, response.compliance(), preconditioner, stiffness, units, set, threads);
+    const RowPasses rows(set, threads);
+    rows.each([&](Index i) { model.face(i) = row(set, i).cast<float>(); });
+    Array2D s = Array2D::Zero(set.rows(), set.cols()), left = set;
+    double square = points;
+    for (Index iterations = 0;
+         square > stiffness_tolerance * stiffness_tolerance * points && iterations < most_iterations;) {
+        rows.each([&](Index i) { model.residual(i) = row(left, i).cast<float>(); });
+        const Index taken = model.reduce({.points = points,
+                                          .square = square,
+                                          .load_held = false,
+                                          .reduction = reduction,
+                                          .most_iterations = most_iterations - iterations});
+        if (taken == 0) break;
+        iterations += taken;
+        RowSums<1> squares(set.rows());
+        response.apply(
+            response.compliance(),
+            [&](Index i, double* line) {
+                row(s, i) += units.pressure * model.change(i).cast<double>();
+                Row(line, s.cols()) = row(s, i);
+            },
+            [&](Index i, const double* line) {
+                row(left, i) = row(set, i) * (1.0 - ConstRow(line, s.cols()));
+                squares.store(i, {row(left, i).square().sum()});
+            });
+        square = squares.sum();
     }
-    return sum_of_products(s, set) / static_cast<double>(set.size());
+    // 2 Σ s − s·G s, whose error is that of the residual squared
+    return rows.sum([&](Index i) { return (row(s, i) * (1.0 + row(left, i))).sum(); }) /
+           static_cast<double>(set.size());
 }
 
 }  // namespace setae::half_space

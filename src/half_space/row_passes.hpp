@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include <boost/container/small_vector.hpp>
+
 #include "setae/core/arrays.hpp"
 #include "setae/core/summation.hpp"
 #include "setae/parallel/for_each.hpp"
@@ -29,23 +31,31 @@ ConstRowOf<Real> row(const MapOf<Real>& map, Index i) {
     return {map.data() + i * map.cols(), map.cols()};
 }
 
+/// 1 where a number is above 0, else 0, in vector instructions as comparisons are not; less than 1 below 1e-300.
+[[nodiscard]] auto above_zero(const auto& numbers) { return (numbers.max(0.0) * 1e300).min(1.0); }
+
 /// Numbers of several kinds, one of each a row, from a pass over a map or from what rides along with a transform: rows
 /// are added in an order of their own, whatever thread they came from.
 template <std::size_t kinds>
 class RowSums {
 public:
-    explicit RowSums(Index rows) : rows_(static_cast<Index>(kinds), rows) {}
+    explicit RowSums(Index rows) : rows_(rows), values_(kinds * static_cast<std::size_t>(rows)) {}
     void store(Index row, const std::array<double, kinds>& values) {
-        for (std::size_t kind = 0; kind < kinds; ++kind) rows_(static_cast<Index>(kind), row) = values[kind];
+        for (std::size_t kind = 0; kind < kinds; ++kind)
+            values_[kind * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row)] = values[kind];
     }
-    [[nodiscard]] double sum(std::size_t kind = 0) const {
-        return pairwise_sum(rows_.row(static_cast<Index>(kind)).transpose());
-    }
-    [[nodiscard]] double least(std::size_t kind = 0) const { return rows_.row(static_cast<Index>(kind)).minCoeff(); }
-    [[nodiscard]] double largest(std::size_t kind = 0) const { return rows_.row(static_cast<Index>(kind)).maxCoeff(); }
+    [[nodiscard]] double sum(std::size_t kind = 0) const { return pairwise_sum(of(kind)); }
+    [[nodiscard]] double least(std::size_t kind = 0) const { return of(kind).minCoeff(); }
+    [[nodiscard]] double largest(std::size_t kind = 0) const { return of(kind).maxCoeff(); }
 
 private:
-    Array2D rows_;
+    [[nodiscard]] ConstRow of(std::size_t kind) const {
+        return {values_.data() + kind * static_cast<std::size_t>(rows_), rows_};
+    }
+    /// Of most maps on the stack: passes are many and short.
+    static constexpr std::size_t on_stack = 1024;
+    Index rows_;
+    boost::container::small_vector<double, on_stack> values_;
 };
 
 /// Passes over a map row by row, on threads where it is large.
