@@ -10,6 +10,7 @@
 #include "adhesive/face_model.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/summation.hpp"
 
 namespace setae::half_space {
 namespace {
@@ -37,14 +38,14 @@ public:
           elastic_(grid, body, Edges::periodic, threads),
           heights_(checked(heights, grid, body, law)),
           stiffness_(stiffness_of_waves(elastic_)),
-          model_(heights_, elastic_, {law.greatest_tension(), law.range}, threads),
+          units_{.length = law.range, .pressure = law.greatest_tension()},
+          model_(heights_, elastic_, units_, threads),
           rows_(heights_, threads),
           points_(static_cast<double>(heights_.size())),
           radius_(2.0 * law.range) {
-        for (auto* place : {&here_, &trial_}) *place = {heights_, heights_, heights_, heights_, heights_};
-        for (auto* map : {&gradient_, &step_, &stiff_step_, &tangent_, &stiff_tangent_})
-            *map = Array2D::Zero(heights_.rows(), heights_.cols());
         face_ = MapOf<float>::Zero(heights_.rows(), heights_.cols());
+        for (auto* place : {&here_, &trial_}) *place = {heights_, heights_, heights_, face_, heights_.col(0), 0.0, {}};
+        for (auto* map : {&tangent_, &stiff_tangent_}) *map = Array2D::Zero(heights_.rows(), heights_.cols());
         rigid_ = heights_;
         apply_stiffness(heights_, rigid_);
         conformal_energy_ =
@@ -101,12 +102,16 @@ public:
 private:
     /// A state, and what follows from its gaps.
     struct Place {
-        Array2D gaps;     ///< g
-        Array2D stiff;    ///< K (g + h)
-        Array2D energy;   ///< V
-        Array2D tension;  ///< V'
-        Array2D slope;    ///< V''
-        double mean = 0.0;
+        Array2D gaps;        ///< g
+        Array2D stiff;       ///< K (g + h)
+        Array2D gradient;    ///< K (g + h) + V'
+        MapOf<float> slope;  ///< V'' in the model's units
+        Array1D energy;      ///< Σ V of each row
+        double mean = 0.0;   ///< of g
+        /// Of the gradient, where gaps are free: its sum, and of how many; its least anywhere.
+        struct {
+            double sum = 0.0, count = 0.0, least = 0.0;
+        } free;
     };
 
     [[nodiscard]] std::int64_t all_transforms() const { return transforms_ + model_.transforms(); }
@@ -120,21 +125,39 @@ private:
     void refresh() {
         apply_stiffness(here_.gaps, here_.stiff);
         here_.stiff += rigid_;
-        attract(here_);
+        take_sums(here_, rows_.numbers<4>([&](Index i) { return sum_up(here_, i); }));
     }
     void attract_row(Place& place, Index i) const {
-        attraction(place.gaps.cols(), row(place.gaps, i).data(), law_, row(place.energy, i).data(),
-                   row(place.tension, i).data(), row(place.slope, i).data());
+        place.energy[i] = attraction(place.gaps.cols(), row(place.gaps, i).data(), law_, row(place.gradient, i).data(),
+                                     row(place.slope, i).data(), units_.pressure / units_.length);
     }
-    void attract(Place& place) {
-        place.mean = rows_.sum([&](Index i) {
-            attract_row(place, i);
-            return row(place.gaps, i).sum();
-        }) / points_;
+    /// V'' d of a row [Pa], d in m.
+    [[nodiscard]] auto sloped(Index i, const auto& d) const {
+        return (units_.pressure / units_.length) * row(here_.slope, i).template cast<double>() * d;
     }
-    /// Shifts gaps so that, cut at 0, their mean is as given; `shift` is about by how much.
-    void move_to_mean(Place& place, double mean, double shift);
-    /// From `from` to `trial_`, whose gaps are set: K of the difference, attraction, change of the energy.
+    /// The gradient of a row from its gaps and stresses, and what take_sums() wants of it.
+    std::array<double, 4> sum_up(Place& place, Index i) const {
+        attract_row(place, i);
+        const auto g = row(place.gaps, i);
+        auto G = row(place.gradient, i);
+        G += row(place.stiff, i);
+        const auto free = above_zero(g);
+        return {g.sum(), (free * G).sum(), free.sum(), G.minCoeff()};
+    }
+    void take_sums(Place& place, const RowSums<4>& sums) const {
+        place.mean = sums.sum(0) / points_;
+        place.free = {.sum = sums.sum(1), .count = sums.sum(2), .least = sums.least(3)};
+    }
+    /// Gaps over a level: Σ max(g, 0), and how many.
+    static std::array<double, 2> above(const auto& gaps) { return {gaps.max(0.0).sum(), above_zero(gaps).sum()}; }
+    /// Shifts gaps so that, cut at 0, their mean is as given; `shift` is about by how much, `shifted` what is then
+    /// above 0.
+    void move_to_mean(Place& place, double mean, double shift, std::array<double, 2> shifted);
+    void move_to_mean(Place& place, double mean, double shift) {
+        const auto sums = rows_.numbers<2>([&](Index i) { return above(row(place.gaps, i) + shift); });
+        move_to_mean(place, mean, shift, {sums.sum(0), sums.sum(1)});
+    }
+    /// From here to `trial_`, whose gaps are set: K of the difference, attraction, change of the energy.
     double energy_to_trial(bool stiff_known);
 
     [[nodiscard]] bool mean_held() const { return std::holds_alternative<HeldGap>(control_); }
@@ -153,7 +176,7 @@ private:
         return 0.5 * (control_tension(from) + control_tension(to)) * (to - from);
     }
 
-    /// Gradient, its value mu_ on free points, and how far the state is from equilibrium [Pa].
+    /// Level of the gradient, face, and how far the state is from equilibrium [Pa].
     double residual();
     bool gradient_step();
     bool newton_step(double residual);
@@ -167,65 +190,66 @@ private:
     ElasticOperator elastic_;
     Array2D heights_, rigid_;
     fourier::Multiplier stiffness_;
+    ModelUnits units_;
     FaceModel model_;
     std::int64_t transforms_ = 0;  ///< of its own
     RowPasses rows_;
     double points_, radius_;
     double conformal_energy_ = 0.0, multiplier_ = 0.0, tension_ = 0.0;
+    double level_ = 0.0;  ///< that the gradient is at where free, in equilibrium
+    /// Of points that are free or would become so: how many, and of the gradient less its level the sum and that of
+    /// squares.
+    struct {
+        double count = 0.0, gradient = 0.0, square = 0.0;
+    } in_face_;
     AdhesiveControl control_;
     Place here_, trial_, kept_;
-    Array2D gradient_, step_, stiff_step_;
     MapOf<float> face_;
     Array2D tangent_, stiff_tangent_, kept_tangent_, kept_stiff_tangent_;
     bool has_tangent_ = false, kept_has_tangent_ = false;
 };
 
-void AdhesiveCell::Work::move_to_mean(Place& place, double mean, double shift) {
+void AdhesiveCell::Work::move_to_mean(Place& place, double mean, double shift, std::array<double, 2> shifted) {
     if (mean == 0.0) return void(place.gaps.setZero());
     // Newton on a convex function, piecewise linear: from the right it falls onto the root
     const double close = 1e-14 * std::max(mean, law_.range);
     for (int round = 0; round < 100; ++round) {
-        const auto sums = rows_.numbers<2>([&](Index i) {
-            const auto g = row(place.gaps, i);
-            return std::array{(g + shift).max(0.0).sum(), static_cast<double>((g > -shift).count())};
-        });
-        const double excess = sums.sum(0) / points_ - mean, count = sums.sum(1);
+        const double excess = shifted[0] / points_ - mean, count = shifted[1];
         if (std::abs(excess) <= close) break;
         shift = count > 0.0 ? shift - excess * points_ / count : shift - excess;
+        const auto sums = rows_.numbers<2>([&](Index i) { return above(row(place.gaps, i) + shift); });
+        shifted = {sums.sum(0), sums.sum(1)};
     }
     rows_.each([&](Index i) { row(place.gaps, i) = (row(place.gaps, i) + shift).max(0.0); });
 }
 
 double AdhesiveCell::Work::residual() {
+    const auto& free = here_.free;
     const double of_control = control_tension(here_.mean);
-    const auto numbers = rows_.numbers<3>([&](Index i) {
-        auto G = row(gradient_, i);
-        G = row(here_.stiff, i) + row(here_.tension, i) + of_control;
-        const auto g = row(here_.gaps, i);
-        double sum = 0.0, count = 0.0;
-        for (Index j = 0; j < g.size(); ++j) {
-            const double free = g[j] > 0.0 ? 1.0 : 0.0;
-            sum += free * G[j];
-            count += free;
-        }
-        return std::array{sum, count, G.minCoeff()};
-    });
-    const double free = numbers.sum(1);
-    multiplier_ = !mean_held() ? 0.0 : free > 0.0 ? numbers.sum(0) / free : numbers.least(2);
+    multiplier_ = !mean_held() ? 0.0 : free.count > 0.0 ? free.sum / free.count : free.least;
+    level_ = multiplier_ - of_control;
     const double stiffest = elastic_.greatest_stiffness();
-    return rows_.largest(
-        [&](Index i) { return (row(gradient_, i) - multiplier_).min(stiffest * row(here_.gaps, i)).abs().maxCoeff(); });
+    const auto numbers = rows_.numbers<4>([&](Index i) {
+        const auto g = row(here_.gaps, i);
+        const auto G = row(here_.gradient, i) - level_;
+        auto face = row(face_, i);
+        face = (above_zero(g) + above_zero(-G)).min(1.0).cast<float>();
+        const auto in_face = face.cast<double>();
+        return std::array{G.min(stiffest * g).abs().maxCoeff(), in_face.sum(), (in_face * G).sum(),
+                          (in_face * G).square().sum()};
+    });
+    in_face_ = {.count = numbers.sum(1), .gradient = numbers.sum(2), .square = numbers.sum(3)};
+    return numbers.largest(0);
 }
 
 double AdhesiveCell::Work::energy_to_trial(bool stiff_known) {
-    RowSums<2> sums(here_.gaps.rows());
+    RowSums<4> sums(here_.gaps.rows());
+    RowSums<1> energies(here_.gaps.rows());
     const auto compare = [&](Index i) {
-        attract_row(trial_, i);
-        const auto g = row(trial_.gaps, i);
-        sums.store(i, {(0.5 * (g - row(here_.gaps, i)) * (row(trial_.stiff, i) + row(here_.stiff, i)) +
-                        (row(trial_.energy, i) - row(here_.energy, i)))
-                           .sum(),
-                       g.sum()});
+        sums.store(i, sum_up(trial_, i));
+        const double elastic =
+            0.5 * ((row(trial_.gaps, i) - row(here_.gaps, i)) * (row(trial_.stiff, i) + row(here_.stiff, i))).sum();
+        energies.store(i, {elastic + (trial_.energy[i] - here_.energy[i])});
     };
     if (stiff_known) {
         rows_.each(compare);
@@ -239,14 +263,18 @@ double AdhesiveCell::Work::energy_to_trial(bool stiff_known) {
             });
         ++transforms_;
     }
-    trial_.mean = sums.sum(1) / points_;
-    return sums.sum(0) / points_ + control_energy(here_.mean, trial_.mean);
+    take_sums(trial_, sums);
+    return energies.sum() / points_ + control_energy(here_.mean, trial_.mean);
 }
 
 bool AdhesiveCell::Work::gradient_step() {
     const double length = 1.0 / (elastic_.greatest_stiffness() + control_stiffness());
-    rows_.each([&](Index i) { row(trial_.gaps, i) = row(here_.gaps, i) - length * row(gradient_, i); });
-    if (mean_held()) move_to_mean(trial_, here_.mean, length * multiplier_);
+    const auto sums = rows_.numbers<2>([&](Index i) {
+        auto g = row(trial_.gaps, i);
+        g = row(here_.gaps, i) - length * (row(here_.gradient, i) - level_);
+        return above(g);
+    });
+    if (mean_held()) move_to_mean(trial_, here_.mean, 0.0, {sums.sum(0), sums.sum(1)});
     else rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
     const bool lower = energy_to_trial(false) <= 1e-14 * law_.work_of_adhesion;
     if (lower) take_trial();
@@ -254,34 +282,30 @@ bool AdhesiveCell::Work::gradient_step() {
 }
 
 bool AdhesiveCell::Work::newton_step(double residual) {
-    const auto sums = rows_.numbers<2>([&](Index i) {
-        auto face = row(face_, i);
-        face = (row(here_.gaps, i) > 0.0 || row(gradient_, i) < multiplier_).cast<float>();
-        return std::array{static_cast<double>(face.sum()),
-                          (face.cast<double>() * (row(gradient_, i) - multiplier_)).square().sum()};
-    });
     const double forcing = std::min(0.1, std::sqrt(residual / law_.greatest_tension()));
-    const double tolerance = forcing * std::sqrt(sums.sum(1) / std::max(1.0, sums.sum(0)));
-    const auto outcome = model_.minimise({.gradient = gradient_,
-                                          .slopes = here_.slope,
-                                          .face = face_,
-                                          .mean_held = mean_held(),
-                                          .control_stiffness = control_stiffness(),
-                                          .radius = radius_,
-                                          .tolerance = tolerance},
-                                         step_, stiff_step_);
+    const auto outcome = model_.minimise(
+        {.gradient = here_.gradient,
+         .level = mean_held() && in_face_.count > 0.0 ? level_ + in_face_.gradient / in_face_.count : level_,
+         .slopes = here_.slope,
+         .face = face_,
+         .points = in_face_.count,
+         .mean_held = mean_held(),
+         .control_stiffness = control_stiffness(),
+         .radius = radius_,
+         .tolerance = forcing * std::sqrt(in_face_.square / std::max(1.0, in_face_.count))});
     double length = 1.0;
     for (int attempt = 0; attempt < 7; ++attempt, length *= 0.3) {
-        const double least = -rows_.largest([&](Index i) {
+        const auto sums = rows_.numbers<3>([&](Index i) {
             auto g = row(trial_.gaps, i);
-            g = row(here_.gaps, i) + length * row(step_, i);
-            return -g.minCoeff();
+            g = row(here_.gaps, i) + length * model_.step(i);
+            const auto over = above(g);
+            return std::array{over[0], over[1], g.minCoeff()};
         });
-        const bool cut = least < 0.0;
+        const bool cut = sums.least(2) < 0.0;
         if (!cut) {
-            rows_.each([&](Index i) { row(trial_.stiff, i) = row(here_.stiff, i) + length * row(stiff_step_, i); });
+            rows_.each([&](Index i) { row(trial_.stiff, i) = row(here_.stiff, i) + length * model_.stiff_step(i); });
         } else if (mean_held()) {
-            move_to_mean(trial_, here_.mean, 0.0);
+            move_to_mean(trial_, here_.mean, 0.0, {sums.sum(0), sums.sum(1)});
         } else {
             rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
         }
@@ -310,20 +334,20 @@ AdhesiveState AdhesiveCell::Work::state(double residual, int iterations, std::in
     result.elastic_energy = 0.5 * rows_.sum([&](Index i) {
         return ((row(here_.gaps, i) + row(heights_, i)) * row(here_.stiff, i)).sum();
     }) / points_;
-    result.adhesive_energy = rows_.sum([&](Index i) { return row(here_.energy, i).sum(); }) / points_;
+    result.adhesive_energy = pairwise_sum(here_.energy) / points_;
     result.area_fraction =
         rows_.sum([&](Index i) { return static_cast<double>((row(here_.gaps, i) == 0.0).count()); }) / points_;
     return result;
 }
 
 double AdhesiveCell::Work::approach_equilibrium(double left, double wanted, int& iterations) {
+    if (left > wanted && gradient_step()) {  // presses and frees many points at once
+        ++iterations;
+        left = residual();
+    }
     while (left > wanted && iterations < options_.most_iterations) {
         ++iterations;
-        bool moved = gradient_step();
-        if (moved) left = residual();
-        if (left <= wanted) break;
-        moved = newton_step(left) || moved;
-        if (!moved) break;
+        if (!newton_step(left) && !gradient_step()) break;
         left = residual();
     }
     return left;
@@ -357,7 +381,7 @@ AdhesiveState AdhesiveCell::Work::solve(const AdhesiveControl& control) {
 
 AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
     const double free = rows_.sum([&](Index i) {
-        row(face_, i) = (row(here_.gaps, i) > 0.0).cast<float>();
+        row(face_, i) = above_zero(row(here_.gaps, i)).cast<float>();
         return static_cast<double>(row(face_, i).sum());
     });
     const bool warm = has_tangent_;
@@ -372,30 +396,33 @@ AdhesiveCell::Tangent AdhesiveCell::Work::find_tangent() {
         else row(tangent_, i) = face * (points_ / free);
     });
     apply_stiffness(tangent_, stiff_tangent_);
-    // of a mean gap that changes by ρ
-    rows_.each([&](Index i) {
-        row(gradient_, i) = law_.range * (row(stiff_tangent_, i) + row(here_.slope, i) * row(tangent_, i));
-    });
-    // V'' is 0 of constant tension: what the longest wave answers is the least that counts
+    // of a mean gap that changes by ρ. V'' is 0 of constant tension: what the longest wave answers is the least that
+    // counts
     const double least = elastic_.least_stiffness();
-    const double power = rows_.sum(
-        [&](Index i) { return ((row(here_.slope, i).square() + least * least) * row(tangent_, i).square()).sum(); });
-    const auto outcome = model_.minimise({.gradient = gradient_,
+    const auto sums = rows_.numbers<2>([&](Index i) {
+        auto G = row(trial_.gradient, i);
+        const auto t = row(tangent_, i);
+        G = law_.range * (row(stiff_tangent_, i) + sloped(i, t));
+        return std::array{(row(face_, i).cast<double>() * G).sum(),
+                          (sloped(i, t).square() + least * least * t.square()).sum()};
+    });
+    const auto outcome = model_.minimise({.gradient = trial_.gradient,
+                                          .level = sums.sum(0) / free,
                                           .slopes = here_.slope,
                                           .face = face_,
+                                          .points = free,
                                           .radius = std::numeric_limits<double>::infinity(),
-                                          .tolerance = tangent_accuracy * law_.range * std::sqrt(power / free)},
-                                         step_, stiff_step_);
+                                          .tolerance = tangent_accuracy * law_.range * std::sqrt(sums.sum(1) / free)});
     if (outcome.curves_down) return {.largest = points_ / free};
     rows_.each([&](Index i) {
-        row(tangent_, i) += row(step_, i) / law_.range;
-        row(stiff_tangent_, i) += row(stiff_step_, i) / law_.range;
+        row(tangent_, i) += model_.step(i) / law_.range;
+        row(stiff_tangent_, i) += model_.stiff_step(i) / law_.range;
     });
     has_tangent_ = true;
     Tangent result{.stable = true};
     result.largest = rows_.largest([&](Index i) { return row(tangent_, i).abs().maxCoeff(); });
     result.tension_slope = rows_.sum([&](Index i) {
-        return (row(tangent_, i) * (row(stiff_tangent_, i) + row(here_.slope, i) * row(tangent_, i))).sum();
+        return (row(tangent_, i) * (row(stiff_tangent_, i) + sloped(i, row(tangent_, i)))).sum();
     }) / points_;
     return result;
 }
@@ -408,7 +435,7 @@ void AdhesiveCell::Work::follow_tangent(double change) {
         here_.gaps = (here_.gaps > 0.0).select(here_.gaps + change, 0.0);
     } else {
         // out of full contact the least pressed points open
-        here_.gaps -= (here_.stiff + here_.tension) / elastic_.greatest_stiffness();
+        here_.gaps -= here_.gradient / elastic_.greatest_stiffness();
     }
     move_to_mean(here_, mean, 0.0);
     here_.mean = mean;

@@ -14,14 +14,6 @@ fourier::Multiplier with_mean(fourier::Multiplier multiplier, double mean, Index
     return multiplier;
 }
 
-fourier::MultiplierOf<float> scaled(const fourier::Multiplier& multiplier, double factor) {
-    fourier::MultiplierOf<float> result{.modes_x = multiplier.modes_x, .modes_y = multiplier.modes_y, .values = {}};
-    result.values.resize(multiplier.values.size());
-    std::ranges::transform(multiplier.values, result.values.begin(),
-                           [factor](double value) { return static_cast<float>(factor * value); });
-    return result;
-}
-
 }  // namespace
 
 fourier::Multiplier stiffness_of_waves(const ElasticOperator& elastic) {
@@ -29,17 +21,17 @@ fourier::Multiplier stiffness_of_waves(const ElasticOperator& elastic) {
     return with_mean(finite, 0.0, 1);
 }
 
-FaceModel::FaceModel(const Array2D& shape, const ElasticOperator& elastic, const FaceUnits& units,
+FaceModel::FaceModel(const Array2D& shape, const ElasticOperator& elastic, const ModelUnits& units,
                      parallel::Threads threads)
-    : filter_(shape.rows(), shape.cols(), shape.rows(), shape.cols(), threads),
-      stiffness_(scaled(stiffness_of_waves(elastic), units.length / units.stress)),
-      preconditioner_(
-          scaled(with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.least_stiffness()); }),
-                           1.0 / elastic.least_stiffness(), shape.size()),
-                 units.stress / units.length)),
+    : filter_(elastic.float_filter(threads)),
+      stiffness_(float_multiplier(stiffness_of_waves(elastic), units.length / units.pressure)),
+      preconditioner_(float_multiplier(
+          with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.least_stiffness()); }),
+                    1.0 / elastic.least_stiffness(), shape.size()),
+          units.pressure / units.length)),
       units_(units),
       rows_(shape, threads) {
-    for (auto* map : {&slopes_, &step_, &stiff_step_, &residual_, &preconditioned_, &direction_, &stiff_direction_})
+    for (auto* map : {&step_, &stiff_step_, &residual_, &preconditioned_, &direction_, &stiff_direction_})
         *map = MapOf<Real>::Zero(shape.rows(), shape.cols());
 }
 
@@ -54,7 +46,7 @@ void FaceModel::precondition(const Scaled& problem, Real length, Real hold) {
             auto d = row(step_, i);
             d += length * p;
             row(stiff_step_, i) += length * Kp;
-            r -= length * row(problem.face, i) * (Kp + row(slopes_, i) * p - hold);
+            r -= length * row(problem.face, i) * (Kp + row(problem.slopes, i) * p - hold);
             largest = d.abs().maxCoeff();
         }
         before.store(i, {static_cast<double>(r.square().sum()), static_cast<double>(largest)});
@@ -87,7 +79,7 @@ void FaceModel::apply_hessian(const Scaled& problem, Real along_last) {
         const auto p = row(direction_, i);
         auto Kp = row(stiff_direction_, i);
         Kp = ConstRowOf<Real>(line, Kp.size());
-        const auto Hp = Kp + row(slopes_, i) * p;
+        const auto Hp = Kp + row(problem.slopes, i) * p;
         responses.store(i,
                         {static_cast<double>((p * Hp).sum()), static_cast<double>((row(problem.face, i) * Hp).sum())});
     };
@@ -123,17 +115,11 @@ void FaceModel::move(Real length) {
 }
 
 void FaceModel::load(const FaceProblem& problem) {
-    const auto sums = rows_.numbers<2>([&](Index i) {
-        for (auto* map : {&step_, &stiff_step_, &direction_}) row(*map, i).setZero();
-        const auto face = row(problem.face, i).cast<double>();
-        return std::array{face.sum(), (face * row(problem.gradient, i)).sum()};
-    });
-    count_ = sums.sum(0);
-    if (count_ == 0.0) return;
-    const double hold = problem.mean_held ? sums.sum(1) / count_ : 0.0;
+    count_ = problem.points;
     rows_.each([&](Index i) {
-        row(residual_, i) = row(problem.face, i) * ((hold - row(problem.gradient, i)) / units_.stress).cast<Real>();
-        row(slopes_, i) = (row(problem.slopes, i) * (units_.length / units_.stress)).cast<Real>();
+        for (auto* map : {&step_, &stiff_step_, &direction_}) row(*map, i).setZero();
+        row(residual_, i) =
+            row(problem.face, i) * ((problem.level - row(problem.gradient, i)) / units_.pressure).cast<Real>();
     });
 }
 
@@ -162,21 +148,16 @@ FaceOutcome FaceModel::descend(const Scaled& problem, int most_iterations) {
     return outcome;
 }
 
-FaceOutcome FaceModel::minimise(const FaceProblem& problem, Array2D& step, Array2D& stiff_step) {
-    FaceOutcome outcome;
+FaceOutcome FaceModel::minimise(const FaceProblem& problem) {
     load(problem);
-    if (count_ > 0.0)
-        outcome = descend({.face = problem.face,
-                           .mean_held = problem.mean_held,
-                           .control_stiffness = problem.control_stiffness * units_.length / units_.stress,
-                           .radius = static_cast<Real>(problem.radius / units_.length),
-                           .tolerance = problem.tolerance / units_.stress},
-                          problem.most_iterations);
-    rows_.each([&](Index i) {
-        row(step, i) = units_.length * row(step_, i).cast<double>();
-        row(stiff_step, i) = units_.stress * row(stiff_step_, i).cast<double>();
-    });
-    return outcome;
+    if (count_ == 0.0) return {};
+    return descend({.face = problem.face,
+                    .slopes = problem.slopes,
+                    .mean_held = problem.mean_held,
+                    .control_stiffness = problem.control_stiffness * units_.length / units_.pressure,
+                    .radius = static_cast<Real>(problem.radius / units_.length),
+                    .tolerance = problem.tolerance / units_.pressure},
+                   problem.most_iterations);
 }
 
 }  // namespace setae::half_space

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "float_model.hpp"
 #include "row_passes.hpp"
 #include "setae/fourier/map_filter.hpp"
 #include "setae/half_space/elastic_operator.hpp"
@@ -13,9 +14,11 @@ namespace setae::half_space {
 ///
 ///   q(d) = G·d + ½ d·H d,  H d = K d + V'' d + c ⟨d⟩,  d = 0 outside the face, ⟨d⟩ = 0 where the mean is held
 struct FaceProblem {
-    const Array2D& gradient;   ///< G [Pa]
-    const Array2D& slopes;     ///< V'' [Pa/m]
-    const MapOf<float>& face;  ///< 1 where free, else 0
+    const Array2D& gradient;     ///< G [Pa] …
+    double level = 0.0;          ///< … from here; of the face's mean where the mean gap is held
+    const MapOf<float>& slopes;  ///< V'' in the model's units
+    const MapOf<float>& face;    ///< 1 where free, else 0
+    double points = 0.0;         ///< of the face
     bool mean_held = true;
     double control_stiffness = 0.0;  ///< c [Pa/m] of what holds the mean
     double radius = 0.0;             ///< |d| <= radius [m]
@@ -29,20 +32,17 @@ struct FaceOutcome {
     bool at_radius = false;
 };
 
-/// What stresses and lengths are counted in, so that all numbers are about 1.
-struct FaceUnits {
-    double stress = 1.0, length = 1.0;
-};
-
 /// Minimises the model by conjugate gradients (Steihaug), preconditioned in the face by 1/(k + k(q_min)). Everything
 /// rides along with the transforms: two pairs an iteration, no pass of its own. In float, which halves the traffic:
 /// what comes out is a direction, whose energy the caller finds in double.
 class FaceModel {
 public:
-    FaceModel(const Array2D& shape, const ElasticOperator& elastic, const FaceUnits& units, parallel::Threads threads);
+    FaceModel(const Array2D& shape, const ElasticOperator& elastic, const ModelUnits& units, parallel::Threads threads);
 
-    /// d and K d.
-    FaceOutcome minimise(const FaceProblem& problem, Array2D& step, Array2D& stiff_step);
+    FaceOutcome minimise(const FaceProblem& problem);
+    /// d and K d of the last minimum, a row [m], [Pa].
+    [[nodiscard]] auto step(Index i) const { return units_.length * row(step_, i).cast<double>(); }
+    [[nodiscard]] auto stiff_step(Index i) const { return units_.pressure * row(stiff_step_, i).cast<double>(); }
 
     /// Pairs of transforms so far.
     [[nodiscard]] std::int64_t transforms() const { return transforms_; }
@@ -52,7 +52,7 @@ private:
 
     /// In the model's units.
     struct Scaled {
-        const MapOf<Real>& face;
+        const MapOf<Real>&face, &slopes;
         bool mean_held;
         double control_stiffness;
         Real radius;
@@ -68,9 +68,9 @@ private:
 
     fourier::MapFilterOf<Real> filter_;
     fourier::MultiplierOf<Real> stiffness_, preconditioner_;
-    FaceUnits units_;
+    ModelUnits units_;
     RowPasses rows_;
-    MapOf<Real> slopes_, step_, stiff_step_, residual_, preconditioned_, direction_, stiff_direction_;
+    MapOf<Real> step_, stiff_step_, residual_, preconditioned_, direction_, stiff_direction_;
     std::int64_t transforms_ = 0;
     // of the last preconditioning and of the last Hessian
     double mean_preconditioned_ = 0.0, product_ = 0.0, residual_power_ = 0.0, largest_ = 0.0;

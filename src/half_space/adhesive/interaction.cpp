@@ -19,48 +19,45 @@ constexpr std::array<std::pair<std::string_view, AttractionLaw>, 4> names{
      {"dugdale", AttractionLaw::dugdale},
      {"lennard_jones", AttractionLaw::lennard_jones}}};
 
-/// Writes factor · values where somebody wants them.
-template <class Expression>
-void put(double* to, Index points, const Expression& values) {
-    if (to) Row(to, points) = values;
-}
+/// Of every law one number a gap tells the rest: V = −w e(b), V' = σ t(b), V'' = −σ/ρ s(b).
+struct Exponential {
+    static auto base(const auto& g, double range) { return (g * (-1.0 / range)).exp(); }
+    static auto energy(const auto& b) { return b + 0.0; }
+    static auto tension(const auto& b) { return b + 0.0; }
+    static auto slope(const auto& b) { return b + 0.0; }
+};
 
-void exponential(ConstRow g, const Interaction& law, double* energies, double* tensions, double* slopes) {
-    const Index n = g.size();
-    double* decays = energies ? energies : tensions ? tensions : slopes;
-    Row decay(decays, n);
-    decay = (g * (-1.0 / law.range)).exp();
-    // each from the decay, the one that holds it last
-    if (decays != slopes) put(slopes, n, (-law.greatest_tension() / law.range) * decay);
-    if (decays != tensions) put(tensions, n, law.greatest_tension() * decay);
-    if (decays == energies) decay *= -law.work_of_adhesion;
-    else if (decays == tensions) decay *= law.greatest_tension();
-    else decay *= -law.greatest_tension() / law.range;
-}
+struct Cubic {
+    static auto base(const auto& g, double range) { return (1.0 - g * (1.0 / (3.0 * range))).max(0.0); }
+    static auto energy(const auto& b) { return b.cube(); }
+    static auto tension(const auto& b) { return b.square(); }
+    static auto slope(const auto& b) { return (2.0 / 3.0) * b; }
+};
 
-void cubic(ConstRow g, const Interaction& law, double* energies, double* tensions, double* slopes) {
-    const Index n = g.size();
-    const double end = 3.0 * law.range, tension = law.greatest_tension();
-    const auto left = [&] { return (1.0 - g * (1.0 / end)).max(0.0); };
-    put(energies, n, -law.work_of_adhesion * left().cube());
-    put(tensions, n, tension * left().square());
-    put(slopes, n, (-2.0 * tension / end) * left());
-}
+struct Dugdale {
+    static auto base(const auto& g, double range) { return (1.0 - g * (1.0 / range)).max(0.0); }
+    static auto energy(const auto& b) { return b + 0.0; }
+    static auto tension(const auto& b) { return (b > 0.0).template cast<double>(); }
+    static auto slope(const auto& b) { return 0.0 * b; }
+};
 
-void dugdale(ConstRow g, const Interaction& law, double* energies, double* tensions, double* slopes) {
-    const Index n = g.size();
-    put(energies, n, -law.work_of_adhesion * (1.0 - g * (1.0 / law.range)).max(0.0));
-    put(tensions, n, (g < law.range).select(Array1D::Constant(n, law.greatest_tension()), 0.0));
-    put(slopes, n, Array1D::Zero(n));
-}
+struct LennardJones {
+    static auto base(const auto& g, double range) { return (1.0 + g * (0.5 / range)).inverse(); }
+    static auto energy(const auto& b) { return b.square(); }
+    static auto tension(const auto& b) { return b.cube(); }
+    static auto slope(const auto& b) { return 1.5 * b.square().square(); }
+};
 
-void lennard_jones(ConstRow g, const Interaction& law, double* energies, double* tensions, double* slopes) {
-    const Index n = g.size();
-    const double length = 2.0 * law.range;
-    const auto inverse = [&] { return (1.0 + g * (1.0 / length)).inverse(); };
-    put(energies, n, -law.work_of_adhesion * inverse().square());
-    put(tensions, n, law.greatest_tension() * inverse().cube());
-    put(slopes, n, (-3.0 * law.greatest_tension() / length) * inverse().square().square());
+/// compute(law) of the law that a name stands for.
+template <class Compute>
+auto with_law(AttractionLaw law, const Compute& compute) {
+    switch (law) {
+        case AttractionLaw::exponential: break;
+        case AttractionLaw::cubic: return compute(Cubic{});
+        case AttractionLaw::dugdale: return compute(Dugdale{});
+        case AttractionLaw::lennard_jones: return compute(LennardJones{});
+    }
+    return compute(Exponential{});
 }
 
 double longest_side(const Grid& grid) {
@@ -82,22 +79,28 @@ std::string name_of(AttractionLaw law) {
     throw InternalError("a law of attraction without a name");
 }
 
-void attraction(Index points, const double* gaps, const Interaction& interaction, double* energies, double* tensions,
-                double* slopes) {
-    if (!energies && !tensions && !slopes) return;
-    const ConstRow g(gaps, points);
-    switch (interaction.law) {
-        case AttractionLaw::exponential: return exponential(g, interaction, energies, tensions, slopes);
-        case AttractionLaw::cubic: return cubic(g, interaction, energies, tensions, slopes);
-        case AttractionLaw::dugdale: return dugdale(g, interaction, energies, tensions, slopes);
-        case AttractionLaw::lennard_jones: return lennard_jones(g, interaction, energies, tensions, slopes);
-    }
+Attraction attraction(double gap, const Interaction& interaction) {
+    const double tension = interaction.greatest_tension();
+    return with_law(interaction.law, [&]<class Law>(Law) {
+        using One = Eigen::Array<double, 1, 1>;
+        const One base = Law::base(One(gap), interaction.range);
+        return Attraction{.energy = -interaction.work_of_adhesion * Law::energy(base)(0),
+                          .tension = tension * Law::tension(base)(0),
+                          .slope = -tension / interaction.range * Law::slope(base)(0)};
+    });
 }
 
-Attraction attraction(double gap, const Interaction& interaction) {
-    Attraction result;
-    attraction(1, &gap, interaction, &result.energy, &result.tension, &result.slope);
-    return result;
+double attraction(Index points, const double* gaps, const Interaction& interaction, double* tensions, float* slopes,
+                  double slope_unit) {
+    const double tension = interaction.greatest_tension(), steepest = -tension / (interaction.range * slope_unit);
+    return with_law(interaction.law, [&]<class Law>(Law) {
+        Row base(tensions, points);
+        base = Law::base(ConstRow(gaps, points), interaction.range);
+        const double energy = -interaction.work_of_adhesion * Law::energy(base).sum();
+        RowOf<float>(slopes, points) = (steepest * Law::slope(base)).template cast<float>();
+        base = tension * Law::tension(base);
+        return energy;
+    });
 }
 
 Resolution resolution_of(const Interaction& interaction, const Body& body, const Grid& grid) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
+#include <vector>
 
 #include "setae/core/constants.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/half_space/adhesive_loop.hpp"
 
 namespace setae::half_space {
@@ -25,6 +28,18 @@ struct SphereLoop {
     double steps = 0.0;
 };
 
+/// The largest tension between steps: of the parabola through the largest of them and its neighbours.
+inline double greatest_tension(const std::vector<LoopStep>& steps) {
+    const auto largest = std::ranges::max_element(steps, {}, [](const LoopStep& s) { return s.state.tension; });
+    const auto at = std::clamp<std::ptrdiff_t>(largest - steps.begin(), 1, std::ssize(steps) - 2);
+    const auto& [before, here, after] = std::tie(steps[extent(at - 1)], steps[extent(at)], steps[extent(at + 1)]);
+    const double left = here.position - before.position, right = after.position - here.position;
+    const double rise = (here.state.tension - before.state.tension) / left,
+                 fall = (after.state.tension - here.state.tension) / right;
+    const double bend = (rise - fall) / (left + right), slope = (rise * right + fall * left) / (left + right);
+    return here.state.tension + 0.25 * slope * slope / bend;
+}
+
 /// Grips far away are moved. Images and their mean move a point of the cell by −3.9002649 F/(πE*L), the lattice sum of
 /// 1/r with its background; the spring of a stage of 1/A of the inverse takes that back.
 inline SphereLoop approach_and_part(const SphereCell& sphere) {
@@ -38,14 +53,12 @@ inline SphereLoop approach_and_part(const SphereCell& sphere) {
     const auto loop = adhesive_loop(cell, {.turn = -heights.mean() - sphere.depth,
                                            .stage_stiffness = pi * modulus / (lattice_sum * sphere.side),
                                            .jump_share = 1e-5});
-    SphereLoop result{.complete = loop.complete,
-                      .loss = loop.loss() * area,
-                      .approach_dissipation = loop.approach_dissipation * area,
-                      .separation_dissipation = loop.separation_dissipation * area,
-                      .steps = static_cast<double>(loop.steps.size())};
-    for (const auto& step : loop.steps)
-        result.greatest_pull = std::max(result.greatest_pull, step.state.tension * area);
-    return result;
+    return {.complete = loop.complete,
+            .greatest_pull = greatest_tension(loop.steps) * area,
+            .loss = loop.loss() * area,
+            .approach_dissipation = loop.approach_dissipation * area,
+            .separation_dissipation = loop.separation_dissipation * area,
+            .steps = static_cast<double>(loop.steps.size())};
 }
 
 }  // namespace setae::half_space

@@ -39,15 +39,15 @@ struct Attraction {
 };
 [[nodiscard]] Attraction attraction(double gap, const Interaction& interaction);
 
-/// The same of a row of gaps; each of the three may be nullptr.
-void attraction(Index points, const double* gaps, const Interaction& interaction, double* energies, double* tensions,
-                double* slopes);
+/// The same of a row of gaps: returns Σ V, writes V' [Pa], and V'' in units of slope_unit [Pa/m].
+double attraction(Index points, const double* gaps, const Interaction& interaction, double* tensions, float* slopes,
+                  double slope_unit);
 
 /// How a grid resolves an attraction: μ² = w dx/(E*ρ²), dx the longer side of a pixel along which a map has more than
 /// one point.
 ///
-/// A moving edge is caught between pixels where μ² is large: the work to open exceeds that to close by 1e-3 w at μ² =
-/// 0.36, 0.04 at 0.64, 0.16 at 1 (exponential law, straight front).
+/// A moving edge is caught between pixels where μ² is large: the work to open exceeds that to close by 0.01 w at μ² =
+/// 0.36, 0.05 at 0.64, 0.15 at 1 (exponential law, straight front in a cell of 256 pixels).
 struct Resolution {
     double squared_ratio = 0.0;     ///< μ²
     double pixel_of_warning = 0.0;  ///< [m] for μ² = 1/2
