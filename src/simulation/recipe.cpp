@@ -48,6 +48,11 @@ SurfaceRecipe read_surface(const std::string& name, TomlReader reader, const Pro
     return recipe;
 }
 
+void take_scatter(TomlReader& reader, const char* key, double& deviation) {
+    take(reader, key, dimension::surface_energy, deviation);
+    if (!(deviation >= 0.0)) reader.fail(key, "expected a standard deviation from 0, such as \"0.5 mJ/m2\"");
+}
+
 LoopRecipe read_loops(TomlReader& reader) {
     LoopRecipe loops;
     LoadingProtocol& protocol = loops.protocol;
@@ -79,6 +84,12 @@ LoopRecipe read_loops(TomlReader& reader) {
     if (loops.law == RetractionLaw::opening && !(loops.opening_work > 0.0))
         reader.fail("retraction", "opening needs opening_work, such as \"80 mJ/m2\"");
     loops.loss_factor = number_or(reader, "loss_factor", loops.loss_factor);
+    reader.table("work_scatter", [&](TomlReader inner) {
+        take_scatter(inner, "pair", loops.work_scatter.pair);
+        take_scatter(inner, "surface", loops.work_scatter.surface);
+        take_scatter(inner, "elastomer", loops.work_scatter.elastomer);
+        inner.finish();
+    });
     loops.nonconforming = reader
                               .choice<NonconformingPairs>("nonconforming", {{"refuse", NonconformingPairs::refuse},
                                                                             {"skip", NonconformingPairs::skip}})

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include "data_files.hpp"
+#include "name_hash.hpp"
 #include "setae/adhesion/work_of_adhesion.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/hysteresis/retraction_model.hpp"
+#include "setae/numerics/random_numbers.hpp"
 #include "setae/simulation/data_set.hpp"
 
 namespace setae::simulation {
@@ -50,23 +52,37 @@ hysteresis::Law law_of(RetractionLaw law) {
     throw InternalError("E_loss = f W_int A_true is no law of W_ret alone");
 }
 
-RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer) {
+/// What W_app of a pair departs from its balance by, of the seed and the names alone.
+double departure(const Recipe& recipe, const std::string& surface, const std::string& elastomer) {
+    constexpr std::uint64_t scatter_streams = 3ull << 33;  // beside those of measurements, loops, ranges and inputs
+    const auto stream = numerics::substream({.seed = recipe.seed}, scatter_streams);
+    const auto normal = [&](const std::string& scope) {
+        return numerics::normal_number(numerics::substream(stream, name_hash(scope)), 0);
+    };
+    const auto& scatter = recipe.loops->work_scatter;
+    return scatter.pair * normal("pair " + surface + '\n' + elastomer) +
+           scatter.surface * normal("surface " + surface) + scatter.elastomer * normal("elastomer " + elastomer);
+}
+
+RoughPair rough_pair(const Recipe& recipe, const std::string& name, const SurfaceTruth& surface,
+                     const ElastomerRecipe& elastomer) {
     const LoopRecipe& loops = *recipe.loops;
     RoughPair pair{
         .specimen = {.radius = elastomer.sphere_radius.value, .contact_modulus = contact_modulus(recipe, elastomer)},
         .refusal = {}};
     hysteresis::HystereticSphere& specimen = pair.specimen;
     const double stored_energy = specimen.contact_modulus * surface.parameters.elastic_energy_per_modulus;
-    const auto work = adhesion::modified_balance(recipe.work_of_adhesion, elastomer.surface_energy.value,
-                                                 {.area_ratio = surface.area_ratio, .stored_energy = stored_energy});
-    if (!work.conforms) {
+    const auto balance = adhesion::modified_balance(recipe.work_of_adhesion, elastomer.surface_energy.value,
+                                                    {.area_ratio = surface.area_ratio, .stored_energy = stored_energy});
+    const double work = balance.raw + departure(recipe, name, elastomer.name);
+    if (!(work > 0.0)) {
         pair.refusal = fmt::format(
             "(7) gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
             "surface or a larger work of adhesion",
-            1e3 * work.raw);
+            1e3 * work);
         return pair;
     }
-    specimen.work_approach = specimen.work_retraction = work.raw;
+    specimen.work_approach = specimen.work_retraction = work;
     if (loops.law == RetractionLaw::loss) {
         lose(pair, loops, loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio);
         specimen.work_retraction *= elastomer.tip_factor;
@@ -76,10 +92,10 @@ RoughPair rough_pair(const Recipe& recipe, const SurfaceTruth& surface, const El
                                           .stored_energy = stored_energy,
                                           .work_of_adhesion = recipe.work_of_adhesion,
                                           .surface_energy = elastomer.surface_energy.value,
-                                          .work_approach = work.raw,
+                                          .work_approach = work,
                                           .tip_factor = elastomer.tip_factor};
         const auto line = hysteresis::retraction_line(model, state, {});
-        specimen.work_retraction = std::max(work.raw, line.slope * loops.opening_work + line.constant);
+        specimen.work_retraction = std::max(work, line.slope * loops.opening_work + line.constant);
     }
     return pair;
 }
@@ -125,7 +141,7 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
         const SurfaceRecipe& rough = recipe.surfaces[i];
         const SurfaceTruth& surface = truths[i];
         for (const auto& elastomer : recipe.elastomers) {
-            const RoughPair pair = rough_pair(recipe, surface, elastomer);
+            const RoughPair pair = rough_pair(recipe, rough.surface.name, surface, elastomer);
             const SpecimenPair names{rough.surface.name, elastomer.name};
             const bool measured = !recipe.loops->is_unmeasured(names);
             if (pair.refusal.empty())

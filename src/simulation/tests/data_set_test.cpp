@@ -112,6 +112,43 @@ TEST(PlantedLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
     EXPECT_EQ(loops[3].stage, "after");
 }
 
+// Surfaces alike and elastomers alike, so that the whole difference is what was drawn.
+TEST(PlantedLoops, ScatterByPairSurfaceAndElastomerAsAsked) {
+    Recipe recipe = recipe_of(small_recipe, "scattered");
+    recipe.loops->reference_work.reset();
+    const auto surface = recipe.surfaces[0];
+    const auto elastomer = recipe.elastomers[0];
+    constexpr int count = 12;
+    recipe.surfaces.assign(count, surface);
+    recipe.elastomers.assign(count, elastomer);
+    for (int i = 0; i < count; ++i) {
+        recipe.surfaces[static_cast<std::size_t>(i)].surface.name = "S" + std::to_string(i);
+        recipe.elastomers[static_cast<std::size_t>(i)].name = "E" + std::to_string(i);
+    }
+    const std::vector<SurfaceTruth> truths(count, surface_truth(surface.surface));
+    const double planned = planted_loops(recipe, truths)[0].specimen.work_approach;
+    const auto departures = [&](const WorkScatter& scatter) {
+        recipe.loops->work_scatter = scatter;
+        const auto loops = planted_loops(recipe, truths);
+        Array2D result(count, count);
+        for (std::size_t k = 0; k < loops.size(); ++k) result.data()[k] = loops[k].specimen.work_approach - planned;
+        return result;
+    };
+    constexpr double deviation = 1e-3;
+    const Array2D pairs = departures({.pair = deviation}), surfaces = departures({.surface = deviation}),
+                  elastomers = departures({.elastomer = deviation});
+    // 144 and 12 normal numbers: 95 % of roots of mean squares lie within
+    EXPECT_NEAR(std::sqrt(pairs.square().mean()) / deviation, 1.0, 0.15);
+    EXPECT_NEAR(std::sqrt(surfaces.square().mean()) / deviation, 1.0, 0.4);
+    EXPECT_NEAR(std::sqrt(elastomers.square().mean()) / deviation, 1.0, 0.4);
+    EXPECT_LT((surfaces.colwise() - surfaces.col(0)).abs().maxCoeff(), 1e-15);
+    EXPECT_LT((elastomers.rowwise() - elastomers.row(0)).abs().maxCoeff(), 1e-15);
+    const Array2D all = departures({deviation, deviation, deviation});
+    EXPECT_LT((all - pairs - surfaces - elastomers).abs().maxCoeff(), 1e-14);
+    recipe.seed += 1;
+    EXPECT_GT((departures({.pair = deviation}) - pairs).abs().minCoeff(), 0.0);
+}
+
 TEST(PlantedLoops, WhichWouldNotConformAreRefusedByName) {
     Recipe recipe = recipe_of(small_recipe, "stiff");
     recipe.elastomers[0].youngs_modulus.value = 1e9;

@@ -169,6 +169,21 @@ TEST(ProtocolsOfARecipe, TakeOneValueForAllOrOneEach) {
     EXPECT_EQ(recipe_of(text).surfaces[0].stylus->tip_radius, 0.0);
 }
 
+TEST(ReadRecipe, TakesTheScatterOfWorks) {
+    const auto scatter =
+        recipe_of(head + surface("A") + "[loops]\nwork_scatter = { pair = \"0.5 mJ/m2\", elastomer = \"1 mJ/m2\" }\n")
+            .loops->work_scatter;
+    EXPECT_DOUBLE_EQ(scatter.pair, 5e-4);
+    EXPECT_EQ(scatter.surface, 0.0);
+    EXPECT_DOUBLE_EQ(scatter.elastomer, 1e-3);
+    try {
+        (void)recipe_of(head + surface("A") + "[loops]\nwork_scatter = { pair = \"-1 mJ/m2\" }\n");
+        ADD_FAILURE() << "a scatter below 0 was taken";
+    } catch (const FormatError& error) {
+        EXPECT_NE(std::string(error.what()).find("expected a standard deviation from 0"), std::string::npos);
+    }
+}
+
 TEST(PlantedLoops, LeaveOutWhatDoesNotConformOnRequest) {
     const std::string stiff =
         "[elastomers.stiff]\nyoungs_modulus = \"1 GPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n";

@@ -107,6 +107,12 @@ enum class NonconformingPairs {
     skip,    ///< left out
 };
 
+/// What W_app departs from its balance by: standard deviations of normal numbers, one for each pair, one for all pairs of
+/// a surface, one for all pairs of an elastomer [J/m²].
+struct WorkScatter {
+    double pair = 0.0, surface = 0.0, elastomer = 0.0;
+};
+
 /// How loops are made: one a surface and elastomer unless the pair is listed below, and references on a smooth standard
 /// before and after.
 struct LoopRecipe {
@@ -115,6 +121,7 @@ struct LoopRecipe {
     RetractionLaw law = RetractionLaw::loss;
     double loss_factor = 1.0;   ///< f
     double opening_work = 0.0;  ///< W_x of the law `opening` [J/m²]
+    WorkScatter work_scatter;
     NonconformingPairs nonconforming = NonconformingPairs::refuse;
     std::vector<SpecimenPair> unmeasured;  ///< whose loop is planted, but not recorded: the study only predicts it
     std::vector<SpecimenPair> further;     ///< with one more loop, once for each time that a pair is named
