@@ -25,25 +25,25 @@ namespace {
 
 /// What docs/measured/conformity.md makes of patches at ρ/h_rms = 0.05.
 struct SimulatedPatches {
-    double energy_share, area_fraction, gain, gain_error, closing_pressure;
+    double energy_share, area_fraction, area_error, gain, gain_error, closing_pressure;
 };
-constexpr std::array simulated{SimulatedPatches{0, 1, 1, 0, 0},
-                               SimulatedPatches{0.05, 1, 0.95, 0, 0},
-                               SimulatedPatches{0.1, 1, 0.9, 0, 0},
-                               SimulatedPatches{0.15, 1, 0.85, 0, 0},
-                               SimulatedPatches{0.2, 0.997, 0.8, 0.0001, 0},
-                               SimulatedPatches{0.25, 0.99, 0.75, 0.0013, 0},
-                               SimulatedPatches{0.3, 0.982, 0.7, 0.001, 0.18},
-                               SimulatedPatches{0.4, 0.941, 0.6033, 0.0058, 0.77},
-                               SimulatedPatches{0.5, 0.893, 0.5116, 0.0075, 1.09},
-                               SimulatedPatches{0.6, 0.818, 0.4323, 0.0153, 1.46},
-                               SimulatedPatches{0.7, 0.761, 0.3568, 0.0133, 1.71},
-                               SimulatedPatches{0.85, 0.663, 0.2751, 0.0231, 2.07},
-                               SimulatedPatches{1, 0.56, 0.1985, 0.0171, 2.35},
-                               SimulatedPatches{1.2, 0.458, 0.1339, 0.0181, 2.63},
-                               SimulatedPatches{1.5, 0.3, 0.0726, 0.0242, 2.92},
-                               SimulatedPatches{2, 0.12, 0.0201, 0.0175, 3.29},
-                               SimulatedPatches{3, 0.031, 0.0049, 0.0052, 3.75}};
+constexpr std::array simulated{SimulatedPatches{0, 1, 0, 1, 0, 0},
+                               SimulatedPatches{0.05, 1, 0, 0.95, 0, 0},
+                               SimulatedPatches{0.1, 1, 0, 0.9, 0, 0},
+                               SimulatedPatches{0.15, 1, 0, 0.85, 0, 0},
+                               SimulatedPatches{0.2, 0.997, 0.001, 0.8, 0.0001, 0},
+                               SimulatedPatches{0.25, 0.99, 0.002, 0.75, 0.0013, 0},
+                               SimulatedPatches{0.3, 0.982, 0.0055, 0.7, 0.001, 0.18},
+                               SimulatedPatches{0.4, 0.941, 0.0045, 0.6033, 0.0058, 0.77},
+                               SimulatedPatches{0.5, 0.893, 0.019, 0.5116, 0.0075, 1.09},
+                               SimulatedPatches{0.6, 0.818, 0.019, 0.4323, 0.0153, 1.46},
+                               SimulatedPatches{0.7, 0.761, 0.0115, 0.3568, 0.0133, 1.71},
+                               SimulatedPatches{0.85, 0.663, 0.012, 0.2751, 0.0231, 2.07},
+                               SimulatedPatches{1, 0.56, 0.0255, 0.1985, 0.0171, 2.35},
+                               SimulatedPatches{1.2, 0.458, 0.023, 0.1339, 0.0181, 2.63},
+                               SimulatedPatches{1.5, 0.3, 0.0105, 0.0726, 0.0242, 2.92},
+                               SimulatedPatches{2, 0.12, 0.0305, 0.0201, 0.0175, 3.29},
+                               SimulatedPatches{3, 0.031, 0.0035, 0.0049, 0.0052, 3.75}};
 constexpr double last_share = simulated.back().energy_share;
 constexpr double power_beyond = -3.0;  ///< of gain and area beyond the last
 /// Over U_el/(A h_rms): closes 99 % of a Gaussian surface that nothing attracts, erf(√2 p/(h'E*)) of it, in a band
@@ -70,6 +70,7 @@ UnloadedContact beyond_the_table(double energy_share) {
     const auto& last = simulated.back();
     const double fall = std::pow(energy_share / last_share, power_beyond), near = last_share / energy_share;
     return {.area_fraction = last.area_fraction * fall,
+            .area_error = last.area_error * fall,
             .gain = last.gain * fall,
             .gain_error = last.gain_error * fall,
             .closing_pressure = closing_without_adhesion + near * (last.closing_pressure - closing_without_adhesion)};
@@ -113,12 +114,14 @@ double left_out_deviation(const std::vector<PartialContactPoint>& pairs) {
 }  // namespace
 
 UnloadedContact unloaded_contact(double energy_share) {
-    static const Curve area(&SimulatedPatches::area_fraction), gain(&SimulatedPatches::gain),
-        error(&SimulatedPatches::gain_error), pressure(&SimulatedPatches::closing_pressure);
+    static const Curve area(&SimulatedPatches::area_fraction), span(&SimulatedPatches::area_error),
+        gain(&SimulatedPatches::gain), error(&SimulatedPatches::gain_error),
+        pressure(&SimulatedPatches::closing_pressure);
     const double e = std::max(0.0, energy_share);
     if (e >= last_share) return beyond_the_table(e);
     // between nodes a cubic may pass below the chord: full contact is there for any body to choose
     return {.area_fraction = area(e),
+            .area_error = span(e),
             .gain = std::max(gain(e), 1.0 - e),
             .gain_error = error(e),
             .closing_pressure = e > closing_energy_share ? pressure(e) : 0.0};

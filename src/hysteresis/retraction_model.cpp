@@ -32,14 +32,15 @@ LawText text_of(Law law) {
 }
 
 void require_valid(const PairState& state) {
-    if (!(state.area_ratio >= 1.0 && state.stored_energy >= 0.0 && state.work_of_adhesion > 0.0 &&
-          state.work_approach >= 0.0 && state.tip_factor > 0.0 && state.conforming_gain() > 0.0))
+    if (!(state.area_ratio >= 1.0 && state.contact_fraction > 0.0 && state.contact_fraction <= 1.0 &&
+          state.stored_energy >= 0.0 && state.work_of_adhesion > 0.0 && state.work_approach >= 0.0 &&
+          state.tip_factor > 0.0 && state.conforming_gain() > 0.0))
         throw InvalidArgument(fmt::format(
-            "a pair with A_true/A {:.4g}, U_el/A {:.4g} J/m2, W_int {:.4g} J/m2, γ1 {:.4g} J/m2, W_app {:.4g} J/m2 and "
-            "W_ret/W_app {:.4g} of its reference; expected a ratio of areas of 1 or more, works and a factor above 0, and more "
+            "a pair with A_true/A {:.4g}, {:.4g} of it in contact, U_el/A {:.4g} J/m2, W_int {:.4g} J/m2, γ1 {:.4g} J/m2, W_app {:.4g} J/m2 and "
+            "W_ret/W_app {:.4g} of its reference; expected a ratio of areas of 1 or more, contact, works and a factor above 0, and more "
             "gained by conforming than stretching costs",
-            state.area_ratio, state.stored_energy, state.work_of_adhesion, state.surface_energy, state.work_approach,
-            state.tip_factor));
+            state.area_ratio, state.contact_fraction, state.stored_energy, state.work_of_adhesion, state.surface_energy,
+            state.work_approach, state.tip_factor));
 }
 
 }  // namespace
@@ -88,12 +89,12 @@ RetractionLine retraction_line(const RetractionModel& model, const PairState& st
             return adds(2.0 * state.pinning_factor * pinning_coefficient(state.energy_share()).value *
                         state.stored_energy);
         case Law::pinning_by_bands:
-            return adds(state.pinning_factor *
-                        pinning_by_bands(state.stored_energy, band_shares, state.conforming_gain()));
+            return adds(state.pinning_factor * pinning_by_bands(state.stored_energy, band_shares,
+                                                                state.contact_fraction * state.conforming_gain()));
         case Law::fitted_pinning: return fits(2.0 * state.stored_energy, state.work_approach);
-        case Law::conformal_loss: return adds(state.work_of_adhesion * state.area_ratio - state.jumps_per_area);
-        case Law::fitted_conformal_loss: return fits(state.area_ratio, state.work_approach - state.jumps_per_area);
-        case Law::opening_work: return fits(state.area_ratio, 0.0);
+        case Law::conformal_loss: return adds(state.work_of_adhesion * state.true_contact() - state.jumps_per_area);
+        case Law::fitted_conformal_loss: return fits(state.true_contact(), state.work_approach - state.jumps_per_area);
+        case Law::opening_work: return fits(state.true_contact(), 0.0);
     }
     throw InternalError("a law of retraction without a formula");
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/adhesion/partial_contact.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -27,12 +28,16 @@ enum Input : std::size_t {
     approach,
     tip_factor,
     pinning_factor,
+    patches,
     parameter,
     scatter,
     radius,
     contact_area,
     input_count
 };
+
+/// Of the area, so that laws have a contact to speak of where simulated patches have next to none.
+constexpr double least_contact = 1e-6;
 
 /// Numbers of a pair as functions of its inputs.
 class PairFunctions {
@@ -49,6 +54,7 @@ public:
         inputs_[contact_area] = or_zero(pair.contact_area);
         const Estimate factor{.value = 1.0, .standard_error = pinning_uncertainty(pair.energy_share())};
         inputs_[pinning_factor] = {factor, simulated_pinning_input};
+        inputs_[patches] = {Estimate{.value = 0.0, .standard_error = 1.0}, adhesion::simulated_patches_input};
     }
 
     void set(const FittedModel& fitted) {
@@ -70,8 +76,14 @@ public:
                         .tip_factor = in[tip_factor],
                         .pinning_factor = in[pinning_factor],
                         .jumps_per_area = 0.0};
-        state.work_approach =
-            std::max(0.0, pair_.approach ? in[approach] : state.conforming_gain() - state.stored_energy);
+        const double gain = state.conforming_gain();
+        const auto contact = adhesion::unloaded_contact(state.stored_energy / gain);
+        const double gained = contact.gain + in[patches] * contact.gain_error;
+        state.contact_fraction =
+            std::clamp(contact.area_fraction + in[patches] * contact.area_error, least_contact, 1.0);
+        // a contact gains its share of W less what it stores
+        state.stored_energy = std::max(0.0, state.contact_fraction - gained) * gain;
+        state.work_approach = std::max(0.0, pair_.approach ? in[approach] : gained * gain);
         state.jumps_per_area = jumps_per_area(state, in);
         return state;
     }
@@ -111,13 +123,13 @@ public:
     }
 
 private:
-    /// Of (10): the edge loses W_int r less these. In two rounds, as W_ret depends on them.
+    /// Of (10): the edge loses W_int A_true/A of the contact less these. In two rounds, as W_ret depends on them.
     [[nodiscard]] double jumps_per_area(const PairState& state, const std::vector<double>& in) const {
         const bool known = pair_.radius && (pair_.contact_area || pair_.pressing);
         if (!known || !(state.work_approach > 0.0)) return 0.0;
         const Contact contact{in[radius], in[contact_modulus], state.work_approach};
         const double a = contact::jkr::contact_radius_at_force(pressing(contact, in).maximum_force, contact);
-        const double area = pi * a * a, lost = state.work_of_adhesion * state.area_ratio;
+        const double area = pi * a * a, lost = state.work_of_adhesion * state.true_contact();
         const double jump_in = contact::jkr::ideal_loop_loss(contact).jump_in;
         double jumps = 0.0;
         for (int round = 0; round < 2; ++round) {

@@ -60,7 +60,8 @@ Json pair_json(const study::PairHysteresis& p) {
               {"model", p.model.name()},
               {"chosen_by", name_of(p.choice)},
               {"energy_share", number(p.energy_share)},
-              {"conforms", p.conforms}};
+              {"conforms", p.conforms},
+              {"contact_fraction", number(p.contact_fraction)}};
     const auto put = [&](const char* name, const char* symbol, const TracedValue& value, const char* unit) {
         add(json, quantity(name, symbol, value.estimate(), unit));
     };

@@ -37,7 +37,13 @@ std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
                         fmt::format("{} that come into full contact of themselves",
                                     counted(static_cast<std::size_t>(h.conforming_pairs), "pair", "pairs")),
                         h.conforming});
-    if (h.all.best()) list.push_back({"all_pairs", fmt::format("all {} pairs", h.measured_pairs), h.all});
+    if (h.all.best())
+        list.push_back(
+            {"all_pairs",
+             fmt::format(
+                 "all {} pairs{}", h.measured_pairs,
+                 h.conforming_pairs < h.measured_pairs ? ", each in the contact that simulated patches come to" : ""),
+             h.all});
     return list;
 }
 
@@ -111,12 +117,13 @@ std::string in_unit(const TracedValue& value, double unit) { return uncertain_nu
 /// Pairs by one law.
 TidyTable shown_pairs(const std::string& law, const std::vector<const study::PairHysteresis*>& pairs) {
     TidyTable table{fmt::format("from roughness alone, by {} [mJ/m², mN, nJ]", law),
-                    {"pair", "U_el/AW", "W_app (7)", "W_ret", "measured", "pull-off", "E_loss"},
+                    {"pair", "contact", "W_app", "W_ret", "measured", "pull-off", "E_loss"},
                     {}};
     const std::string none = "–";
     for (const auto* p : pairs)
-        table.rows.push_back({fmt::format("{} × {}", p->surface, p->elastomer), fmt::format("{:.2g}", p->energy_share),
-                              in_unit(p->work_approach, milli), in_unit(p->work_retraction, milli),
+        table.rows.push_back({fmt::format("{} × {}", p->surface, p->elastomer),
+                              fmt::format("{:.2f}", p->contact_fraction), in_unit(p->work_approach, milli),
+                              in_unit(p->work_retraction, milli),
                               p->measured_retraction ? uncertain_number(*p->measured_retraction, milli) : none,
                               p->pull_off_force ? in_unit(*p->pull_off_force, milli) : none,
                               p->loop ? in_unit(p->loop->energy_loss, nano) : none});
@@ -253,8 +260,9 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
                      "model",
                      "chosen by",
                      "U_el/AW",
-                     "W_app (7) [J/m2]",
-                     "standard_error W_app (7) [J/m2]",
+                     "area in contact/A",
+                     "W_app [J/m2]",
+                     "standard_error W_app [J/m2]",
                      "W_ret [J/m2]",
                      "standard_error W_ret [J/m2]",
                      "W_ret measured [J/m2]",
@@ -271,8 +279,8 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
                      "roughness [J]"},
                     {}};
     for (const auto& p : h.pairs) {
-        std::vector<TidyTable::Cell> row{p.surface, p.elastomer, p.model.name(), std::string(name_of(p.choice)),
-                                         p.energy_share};
+        std::vector<TidyTable::Cell> row{
+            p.surface, p.elastomer, p.model.name(), std::string(name_of(p.choice)), p.energy_share, p.contact_fraction};
         add_value(row, p.work_approach.estimate());
         add_value(row, p.work_retraction.estimate());
         add_value(row, p.measured_retraction.value_or(unknown));

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "setae/contact/jkr.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::output::hysteresis_output_test {
@@ -38,6 +39,22 @@ TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
     EXPECT_NEAR(pair_of(h, "PUNCD", "E1.0").tip_factor->value, 52.5 / 36.8, 1e-12);
 }
 
+// W_ret of sixteen pairs against r α, α of docs/measured/conformity.md at their U_el/AW, by least squares in Python:
+// 85.7 mJ/m², 14.6 mJ/m² rms off; against r alone 70.3 and 36.6.
+TEST(HysteresisOfAStudy, OneWorkATrueAreaInContactSaysAllPairs) {
+    const auto h = study::hysteresis_of(published());
+    const auto& best = *h.all.best();
+    EXPECT_EQ(best.fitted.model.name(), "opening_work");
+    EXPECT_NEAR(best.fitted.parameter.value, 85.7e-3, best.fitted.parameter.standard_error());
+    EXPECT_NEAR(best.rms_residual, 14.6e-3, 0.5e-3);
+    EXPECT_LT(best.surface_left_out, 18e-3);
+    EXPECT_EQ(h.all.not_told_apart().size(), 1U);
+    EXPECT_NEAR(pair_of(h, "UNCD", "E10").contact_fraction, 0.42, 0.01);
+    // what tells the best law of the nine from the next is there: the seven others
+    EXPECT_FALSE(h.deciding);
+    for (const auto& pair : h.pairs) EXPECT_TRUE(pair.loop) << pair.surface << pair.elastomer << pair.loop.reason;
+}
+
 TEST(HysteresisOfAStudy, JoulesOfALoopAddUp) {
     const auto h = study::hysteresis_of(published());
     for (const auto& pair : h.pairs) {
@@ -52,6 +69,24 @@ TEST(HysteresisOfAStudy, JoulesOfALoopAddUp) {
         EXPECT_NEAR(d.unexplained.value + d.shares.jump_in.value + d.shares.jump_out.value + d.shares.crack_tip.value +
                         d.shares.roughness.value,
                     d.measured.value, 1e-12 * d.measured.value);
+    }
+}
+
+// A contact as wide as JKR's under 1 mN, of the measured W_app, says that it was pressed with that.
+TEST(HysteresisOfAStudy, WithoutAPreloadPressesAsMeasuredContactsWere) {
+    auto result = published();
+    const auto stated = study::hysteresis_of(result);
+    for (auto& elastomer : result.elastomers) elastomer.input.preload.reset();
+    EXPECT_EQ(study::hysteresis_of(result).pairs.front().loop.reason, "elastomer E0.7 has no preload");
+    for (auto& pair : result.pairs) {
+        const double modulus = result.elastomer(pair.elastomer).soft_side().contact_modulus.value,
+                     radius = contact::jkr::contact_radius_at_force(1e-3, {1.25e-3, modulus, pair.approach->value});
+        pair.contact_area = std::numbers::pi * radius * radius;
+    }
+    const auto found = study::hysteresis_of(result);
+    for (std::size_t i = 0; i < found.pairs.size(); ++i) {
+        ASSERT_TRUE(found.pairs[i].loop) << found.pairs[i].loop.reason;
+        EXPECT_NEAR(found.pairs[i].loop->contact_radius.value / stated.pairs[i].loop->contact_radius.value, 1.0, 1e-6);
     }
 }
 

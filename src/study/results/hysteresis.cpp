@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "setae/adhesion/contact_scales.hpp"
+#include "setae/adhesion/partial_contact.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -62,6 +63,17 @@ double log_density(double residual, double standard_error) {
     return -0.5 * z * z - std::log(standard_error) - 0.5 * std::log(2.0 * pi);
 }
 
+/// The preload that the study states, else the force under which the measured contact area is reached.
+std::optional<hysteresis::Pressing> pressing_of(const ElastomerResult& elastomer, const PairResult& pair,
+                                                const RetractionPair& base) {
+    if (elastomer.input.preload) return hysteresis::Pressing{.maximum_force = *elastomer.input.preload};
+    if (!base.radius || !pair.contact_area || !pair.approach || !(pair.approach->value > 0.0)) return std::nullopt;
+    const double force =
+        contact::jkr::force(std::sqrt(*pair.contact_area / pi),
+                            {base.radius->value, base.soft.contact_modulus.value, pair.approach->value});
+    return hysteresis::Pressing{.maximum_force = std::max(0.0, force)};
+}
+
 /// A pair of the study with what lives as long as laws look at it.
 struct PreparedPair {
     const PairResult& measured;
@@ -80,14 +92,6 @@ struct PreparedPair {
         return from_roughness->energy_share() <= hysteresis::conforming_energy_share;
     }
 };
-
-/// (7), 0 at least, with that part of its errors which shows above 0.
-TracedValue work_approach(const PreparedPair& pair) {
-    const auto& raw = pair.measured.modified->traced;
-    const double share =
-        adhesion::share_through_floor(*pair.measured.line, pair.from_roughness->work_of_adhesion.value);
-    return {std::max(0.0, raw.value), combined({{share, raw.components}})};
-}
 
 class HysteresisOf {
 public:
@@ -125,6 +129,7 @@ private:
     [[nodiscard]] PairHysteresis of(const PreparedPair& pair) const;
     [[nodiscard]] std::vector<ModelWork> works_of(const PreparedPair& pair, const Ranking& ranking) const;
     [[nodiscard]] Outcome<LossDecomposition> decomposed(const PreparedPair& pair, const FittedModel& model) const;
+    [[nodiscard]] bool told_apart_by_all(const ModelScore& best, const ModelScore& other) const;
     void decide();
 
     const StudyResult& result_;
@@ -161,7 +166,7 @@ void HysteresisOf::prepare() {
                             .tip_factor = tip_factor_of(result_, pair.elastomer),
                             .band_shares = band_shares_of(spectrum.curve)};
         if (elastomer.input.sphere_radius) base.radius = elastomer.traced_radius();
-        if (elastomer.input.preload) base.pressing = hysteresis::Pressing{.maximum_force = *elastomer.input.preload};
+        base.pressing = pressing_of(elastomer, pair, base);
         prepared.from_roughness.emplace(base);
         base.approach = pair.traced_approach();
         if (pair.contact_area) base.contact_area = TracedValue(*pair.contact_area, pair.contact_area_inputs);
@@ -270,7 +275,8 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) const {
         else found.choice = ModelChoice::assumed;
     }
     found.model = fitted.model;
-    found.work_approach = work_approach(pair);
+    found.work_approach = adhesion::partial_prediction(roughness.rough, roughness.soft, roughness.work_of_adhesion);
+    found.contact_fraction = adhesion::unloaded_contact(found.energy_share).area_fraction;
     found.work_retraction = hysteresis::predicted_retraction(fitted, roughness);
     if (roughness.radius)
         found.pull_off_force = setae::propagated([](const std::vector<double>& in) { return 1.5 * pi * in[0] * in[1]; },
@@ -281,7 +287,7 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) const {
     else if (auto loop = hysteresis::predicted_retraction_loop(fitted, roughness)) found.loop = std::move(*loop);
     else
         found.loop = Outcome<hysteresis::PredictedRetraction>::missing(
-            "(7) gives no work of adhesion on approach: the bodies do not conform");
+            "no work of adhesion on approach: stretching costs all that the contact gains");
     found.decomposition = decomposed(pair, fitted);
     return found;
 }
@@ -294,6 +300,14 @@ TracedValue difference_of(FittedModel one, FittedModel other, const RetractionPa
     return {first.value - second.value, combined({{1.0, first.components}, {-1.0, second.components}})};
 }
 
+/// Whether the ranking of all pairs has the same best law and tells the other from it.
+bool HysteresisOf::told_apart_by_all(const ModelScore& best, const ModelScore& other) const {
+    const auto* of_all = found_.all.best();
+    if (!of_all || of_all->fitted.model != best.fitted.model) return false;
+    return std::ranges::none_of(found_.all.not_told_apart(),
+                                [&](const ModelScore* score) { return score->fitted.model == other.fitted.model; });
+}
+
 /// Of the best law and the likeliest that is not told apart from it, the pair on which they differ most, in standard
 /// errors of what is predicted there.
 void HysteresisOf::decide() {
@@ -301,7 +315,7 @@ void HysteresisOf::decide() {
     const auto& ranking = by_conforming ? found_.conforming : found_.all;
     const ModelScore *best = ranking.best(), *other_law = nullptr;
     for (const auto* score : ranking.not_told_apart())
-        if (score != best && !other_law) other_law = score;
+        if (score != best && !other_law && !told_apart_by_all(*best, *score)) other_law = score;
     if (!best || !other_law) return;
     const auto &first = *best, &second = *other_law;
     for (const auto& pair : pairs_) {

@@ -11,6 +11,7 @@ namespace setae::adhesion {
 /// What a rough contact is that nothing presses or pulls, coming from far.
 struct UnloadedContact {
     double area_fraction = 1.0;  ///< in contact, over the nominal area
+    double area_error = 0.0;     ///< of `area_fraction`
     double gain = 1.0;           ///< energy gained by it over W, what conforming gains; (7) says 1 − e
     double gain_error = 0.0;     ///< of `gain`
     /// Mean pressure that closes 99 % of the area, over U_el/(A h_rms); 0 where it closes by itself.
@@ -24,8 +25,9 @@ inline constexpr double closing_energy_share = 0.25;
 ///
 ///   gain = 1 − e and area 1 up to e = 0.15; e = 0.5: 0.51 and 0.89; 1: 0.20 and 0.56; monotone cubics between
 ///
-/// Self-affine patches, H = 0.8, in bands of 4 to 16, gain linear in ρ/h_rms and taken at 0.05; gain_error: from there to the
-/// shortest range simulated, and of the mean. Beyond e = 3 gain and area fall as e⁻³.
+/// Self-affine patches, H = 0.8, in bands of 4 to 16, gain linear in ρ/h_rms and taken at 0.05; gain_error: from there
+/// to the shortest range simulated, and of the mean; area_error: half the span of ranges below 0.35 h_rms. Beyond e = 3
+/// gain and area fall as e⁻³.
 /// Source: docs/measured/conformity.md, `setae lab conform`.
 [[nodiscard]] UnloadedContact unloaded_contact(double energy_share);
 
@@ -48,7 +50,7 @@ struct PartialContactPoint {
 /// input of its own.
 [[nodiscard]] TracedValue partial_prediction(const RoughSide& rough, const SoftSide& soft, const TracedValue& work);
 
-/// The name of the input that gain_error is.
-inline constexpr const char* simulated_patches_input = "gain of simulated patches";
+/// The name of the input that gain_error and area_error are.
+inline constexpr const char* simulated_patches_input = "simulated patches";
 
 }  // namespace setae::adhesion

@@ -45,10 +45,11 @@ struct RetractionModel {
 /// All of them, without and with the crack tip.
 [[nodiscard]] std::vector<RetractionModel> retraction_models();
 
-/// What a model is told of a pair; nothing of its errors.
+/// What a model is told of a pair; nothing of its errors. Where the bodies touch in part, of the part that they touch.
 struct PairState {
-    double area_ratio = 1.0;        ///< r, >= 1
-    double stored_energy = 0.0;     ///< U_el/A [J/m²], >= 0
+    double area_ratio = 1.0;        ///< r, >= 1, of the surface
+    double contact_fraction = 1.0;  ///< α of the area in contact, 0 to 1: A_true/A of the contact is α r
+    double stored_energy = 0.0;     ///< U_el/A [J/m²], >= 0, of the contact over the whole area
     double work_of_adhesion = 0.0;  ///< W_int [J/m²], > 0
     double surface_energy = 0.0;    ///< γ1 [J/m²]
     double work_approach = 0.0;     ///< W_app [J/m²], >= 0
@@ -56,10 +57,12 @@ struct PairState {
     double pinning_factor = 1.0;    ///< on k of simulated fronts
     double jumps_per_area = 0.0;    ///< what both jumps of the sphere lose over π a_max² [J/m²]
 
+    /// α r: A_true/A of the contact.
+    [[nodiscard]] double true_contact() const { return contact_fraction * area_ratio; }
     /// W_int r − γ1 (r − 1): what conforming gains before it stores anything [J/m²].
     [[nodiscard]] double conforming_gain() const;
-    /// U_el over what conforming gains.
-    [[nodiscard]] double energy_share() const { return stored_energy / conforming_gain(); }
+    /// U_el over what its contact gains.
+    [[nodiscard]] double energy_share() const { return stored_energy / (contact_fraction * conforming_gain()); }
 };
 
 /// W_ret = slope θ + constant, θ the model's parameter [J/m²]; slope 0 without one.

@@ -11,11 +11,14 @@
 namespace setae::hysteresis {
 
 /// A surface and an elastomer as laws of retraction see them, with everything they rest on.
+///
+/// Contact is what simulated patches of the pair's U_el/(A W) come to without load, adhesion::unloaded_contact(): full,
+/// with the surface's r and U_el, up to 0.15; a share α of it beyond, which stores what it does not gain.
 struct RetractionPair {
     adhesion::RoughSide rough;
     adhesion::SoftSide soft;
     TracedValue work_of_adhesion;               ///< W_int [J/m²]
-    std::optional<TracedValue> approach{};      ///< W_app as measured [J/m²]; without it by (7), 0 at least
+    std::optional<TracedValue> approach{};      ///< W_app as measured [J/m²]; without it of the contact that there is
     std::optional<TracedValue> tip_factor{};    ///< φ of a smooth reference; models with a crack tip need it
     std::optional<TracedValue> radius{};        ///< R [m] of the sphere
     std::optional<TracedValue> contact_area{};  ///< π a_max² as measured [m²]; without it of `pressing`

@@ -10,7 +10,7 @@
 
 namespace setae::study {
 
-/// W_ret of a pair by one model, from roughness alone: W_app by (7).
+/// W_ret of a pair by one model, from roughness alone.
 struct ModelWork {
     hysteresis::RetractionModel model;
     Estimate work_retraction;  ///< [J/m²]; NaN where the model lacks something
@@ -43,7 +43,8 @@ struct PairHysteresis {
     std::optional<Estimate> measured_retraction;  ///< by (S2), else by (S1) [J/m²]
     hysteresis::RetractionModel model;            ///< whose numbers follow
     ModelChoice choice = ModelChoice::assumed;
-    TracedValue work_approach;                  ///< by (7), 0 at least [J/m²]
+    double contact_fraction = 1.0;              ///< of the area in contact without load
+    TracedValue work_approach;                  ///< by (7), of the contact that there is [J/m²]
     TracedValue work_retraction;                ///< by the model, from roughness alone [J/m²]
     std::optional<TracedValue> pull_off_force;  ///< 3/2 π R W_ret [N]; where the sphere is given
     Outcome<hysteresis::PredictedRetraction> loop;
@@ -77,7 +78,7 @@ struct Hysteresis {
 
 /// Every pair whose surface has a spectrum and whose elastomer a modulus; W_int is the study's.
 ///
-/// Models are ranked with W_app as measured, so that errors of (7) do not count against them; what is predicted rests
+/// Models are ranked with W_app as measured, so that errors of it do not count against them; what is predicted rests
 /// on roughness alone, so that pairs without a loop have it, too. Machine stiffness: fixed grips.
 /// @throws UndefinedDataError where the study has no W_int.
 /// trials: whether measurements like the study's could tell the laws apart, hysteresis::law_trials().
