@@ -29,15 +29,13 @@ ActiveSetSolver::ActiveSetSolver(ElasticOperator& response, const fourier::Multi
                                  parallel::Threads threads)
     : response_(response),
       compliance_(compliance),
-      softest_(std::max(stiffness.least_stiffness(), std::numeric_limits<double>::min())),
+      softest_(softest_stiffness(stiffness)),
       heights_(heights),
       target_(target),
       rows_(heights, threads),
       highest_(rows_.largest([&](Index i) { return heights.row(i).abs().maxCoeff(); })),
       units_(units_of(highest_, stiffness)),
-      model_(response, compliance, stiffness,
-             stiffness.multiplier([softest = softest_](double k) { return k > 0.0 && std::isfinite(k) ? k : softest; }),
-             units_, heights, threads),
+      model_(response, compliance, stiffness, units_, heights, threads),
       p_(heights.rows(), heights.cols()),
       v_(heights.rows(), heights.cols()) {}
 

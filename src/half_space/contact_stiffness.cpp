@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -30,13 +29,10 @@ double contact_stiffness(const HardWall& problem, const HardWallContact& contact
     if (points == 0.0) return 0.0;
     if (points == static_cast<double>(set.size()) && response.mean_displacement() != MeanDisplacement::finite)
         return std::numeric_limits<double>::infinity();
-    const double least = preconditioner.least_stiffness();
-    const auto stiffness =
-        preconditioner.multiplier([least](double k) { return k > 0.0 && std::isfinite(k) ? k : least; });
 
     // G s = 1 on the set, by gradients in float and residuals in double
     const ModelUnits units{.length = 1.0, .pressure = preconditioner.greatest_stiffness()};
-    SetModel model(response, response.compliance(), preconditioner, stiffness, units, set, threads);
+    SetModel model(response, response.compliance(), preconditioner, units, set, threads);
     const RowPasses rows(set, threads);
     rows.each([&](Index i) { model.face(i) = row(set, i).cast<float>(); });
     Array2D s = Array2D::Zero(set.rows(), set.cols()), left = set;

@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "set_model.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace setae::half_space {
 
+double softest_stiffness(const ElasticOperator& elastic) {
+    return std::max(elastic.least_stiffness(), std::numeric_limits<double>::min());
+}
+
 SetModel::SetModel(const ElasticOperator& response, const fourier::Multiplier& compliance,
-                   const ElasticOperator& preconditioner, const fourier::Multiplier& stiffness, const ModelUnits& units,
-                   const Array2D& shape, parallel::Threads threads)
+                   const ElasticOperator& preconditioner, const ModelUnits& units, const Array2D& shape,
+                   parallel::Threads threads)
     : filter_(response.float_filter(threads)),
       compliance_(float_multiplier(compliance, units.pressure / units.length)),
-      stiffness_(float_multiplier(stiffness, units.length / units.pressure)),
+      stiffness_(float_multiplier(preconditioner.multiplier([softest = softest_stiffness(preconditioner)](double k) {
+          return k > 0.0 && std::isfinite(k) ? k : softest;
+      }),
+                                  units.length / units.pressure)),
       rows_(shape, threads) {
     if (&preconditioner != &response) periodic_filter_ = preconditioner.float_filter(threads);
     for (auto* map : {&face_, &residual_, &change_, &direction_, &response_})

@@ -10,6 +10,9 @@
 
 namespace setae::half_space {
 
+/// Of the longest wave [Pa/m], above 0 for a map of one point, too.
+[[nodiscard]] double softest_stiffness(const ElasticOperator& elastic);
+
 /// Pressures of a set of points, and what is left of their gaps: conjugate gradients that close them.
 ///
 ///   lower ½ d·G d − r·d in the set,  r the residual, d what the pressures lose,  Σ d = 0 where the load is held
@@ -19,10 +22,10 @@ namespace setae::half_space {
 /// the pressures anew in double.
 class SetModel {
 public:
-    /// compliance: G, a multiplier of `response`. stiffness: k, one of `preconditioner`, of periodic edges.
+    /// compliance: G, a multiplier of `response`. `preconditioner`: of periodic edges; may be the same.
     SetModel(const ElasticOperator& response, const fourier::Multiplier& compliance,
-             const ElasticOperator& preconditioner, const fourier::Multiplier& stiffness, const ModelUnits& units,
-             const Array2D& shape, parallel::Threads threads);
+             const ElasticOperator& preconditioner, const ModelUnits& units, const Array2D& shape,
+             parallel::Threads threads);
 
     /// 1 in the set, else 0, and the residual, 0 outside the set, in units of length; the caller writes both before
     /// reduce().

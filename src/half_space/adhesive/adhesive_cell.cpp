@@ -157,6 +157,11 @@ private:
         const auto sums = rows_.numbers<2>([&](Index i) { return above(row(place.gaps, i) + shift); });
         move_to_mean(place, mean, shift, {sums.sum(0), sums.sum(1)});
     }
+    /// Cuts the gaps of `trial_` at 0, with the mean where it is held; `over`: what is above 0.
+    void cut_trial(std::array<double, 2> over) {
+        if (mean_held()) move_to_mean(trial_, here_.mean, 0.0, over);
+        else rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
+    }
     /// From here to `trial_`, whose gaps are set: K of the difference, attraction, change of the energy.
     double energy_to_trial(bool stiff_known);
 
@@ -274,8 +279,7 @@ bool AdhesiveCell::Work::gradient_step() {
         g = row(here_.gaps, i) - length * (row(here_.gradient, i) - level_);
         return above(g);
     });
-    if (mean_held()) move_to_mean(trial_, here_.mean, 0.0, {sums.sum(0), sums.sum(1)});
-    else rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
+    cut_trial({sums.sum(0), sums.sum(1)});
     const bool lower = energy_to_trial(false) <= 1e-14 * law_.work_of_adhesion;
     if (lower) take_trial();
     return lower;
@@ -304,10 +308,8 @@ bool AdhesiveCell::Work::newton_step(double residual) {
         const bool cut = sums.least(2) < 0.0;
         if (!cut) {
             rows_.each([&](Index i) { row(trial_.stiff, i) = row(here_.stiff, i) + length * model_.stiff_step(i); });
-        } else if (mean_held()) {
-            move_to_mean(trial_, here_.mean, 0.0, {sums.sum(0), sums.sum(1)});
         } else {
-            rows_.each([&](Index i) { row(trial_.gaps, i) = row(trial_.gaps, i).max(0.0); });
+            cut_trial({sums.sum(0), sums.sum(1)});
         }
         if (energy_to_trial(!cut) <= 1e-14 * law_.work_of_adhesion) {
             take_trial();

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "setae/adhesion/contact_scales.hpp"
-#include "setae/adhesion/partial_contact.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -275,8 +274,8 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) const {
         else found.choice = ModelChoice::assumed;
     }
     found.model = fitted.model;
-    found.work_approach = adhesion::partial_prediction(roughness.rough, roughness.soft, roughness.work_of_adhesion);
-    found.contact_fraction = adhesion::unloaded_contact(found.energy_share).area_fraction;
+    found.contact_fraction = pair.measured.contact.area_fraction;
+    found.work_approach = *pair.measured.partial_contact;
     found.work_retraction = hysteresis::predicted_retraction(fitted, roughness);
     if (roughness.radius)
         found.pull_off_force = setae::propagated([](const std::vector<double>& in) { return 1.5 * pi * in[0] * in[1]; },
