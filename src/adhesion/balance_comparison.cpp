@@ -69,7 +69,12 @@ ChangeAndWork best_change(const std::vector<PairPoint>& pairs) {
     }
     if (!(most > least * (1.0 + 1e-9)))
         throw InvalidArgument("all pairs have the same true area, a change with it cannot be seen");
-    const auto cost = [&](double change) { return least_squares(at_change(pairs, change)).cost; };
+    auto terms = terms_of(pairs);
+    const auto fitted_at = [&](double change) {
+        for (std::size_t i = 0; i < pairs.size(); ++i) terms[i].offset = pairs[i].offset - change * by_change(pairs[i]);
+        return floored_minimum(terms, 0.0, unbounded);
+    };
+    const auto cost = [&](double change) { return fitted_at(change).cost; };
     constexpr int grid = 400;
     const double reach = 20.0 * largest / (most - least), step = 2.0 * reach / grid;
     double best = -reach, lowest = cost(best);
@@ -80,7 +85,7 @@ ChangeAndWork best_change(const std::vector<PairPoint>& pairs) {
         }
     constexpr int bits = 40;
     const auto minimum = boost::math::tools::brent_find_minima(cost, best - step, best + step, bits);
-    const auto fitted = least_squares(at_change(pairs, minimum.first));
+    const auto fitted = fitted_at(minimum.first);
     return {minimum.first, fitted.x, fitted.cost};
 }
 

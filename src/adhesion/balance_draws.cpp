@@ -70,7 +70,11 @@ BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const Generalise
             drawn += deviates.moved(work.components);
         }
         works.push_back(drawn);
-        for (std::size_t k = 0; k < lines.size(); ++k) predictions[k].push_back(at_draw(lines[k]).prediction(drawn));
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            auto line = at_draw(lines[k]);
+            if (!line.departure.empty()) line.offset -= effects.of(line, 1.0);
+            predictions[k].push_back(line.prediction(drawn));
+        }
     }
     BalanceDraws result{.count = count, .seed = seed};
     if (weights) result.work_of_adhesion = drawn_value(work.value, work, works);

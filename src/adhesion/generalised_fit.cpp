@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
+
+#include <fmt/format.h>
 
 #include "generalised_weights.hpp"
 #include "model_scatter_fit.hpp"
@@ -15,10 +18,10 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-double freedom_of(const std::vector<PairPoint>& pairs, std::string PairPoint::*label) {
+std::set<std::string> groups_of(const std::vector<PairPoint>& pairs, std::string PairPoint::*label) {
     std::set<std::string> groups;
     for (const auto& pair : pairs) groups.insert(pair.*label);
-    return static_cast<double>(groups.size()) - 1.0;
+    return groups;
 }
 
 /// The minimum of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0 that lies next to `start`: with V held, another valley, of
@@ -56,13 +59,13 @@ double minimum_of(const std::vector<PairPoint>& pairs, const Eigen::LLT<MatrixXd
 class Fit {
 public:
     explicit Fit(const std::vector<PairPoint>& pairs)
-        : pairs_(pairs), model_(pairs, {}), work_(least_squares(pairs).x) {}
+        : pairs_(pairs), inputs_(pairs), model_(pairs, {}), work_(least_squares(pairs).x) {}
 
     void find(bool with_scatter) {
         constexpr int rounds = 100;
         constexpr double settled = 1e-10;
         for (int round = 0; round < rounds; ++round) {
-            at_ = residuals_at(pairs_, work_);
+            at_ = inputs_.residuals_at(work_);
             if (with_scatter) scatter_ = model_.most_likely(at_, scatter_);
             const double before = work_,
                          found = minimum_of(pairs_, factor_of(model_.covariance(at_, scatter_)), work_);
@@ -70,15 +73,16 @@ public:
             work_ = round < rounds / 2 ? found : 0.5 * (before + found);
             if (std::abs(work_ - before) <= settled * std::max(std::abs(work_), std::abs(before))) break;
         }
-        at_ = residuals_at(pairs_, work_);
+        at_ = inputs_.residuals_at(work_);
     }
 
     void hold(const ModelScatter& scatter) { scatter_ = scatter; }
+    [[nodiscard]] bool tells(double ModelScatter::*level) const { return model_.tells(level); }
 
     /// The scatter at a W that is not fitted, no pair answers to it.
     void find_scatter_at(double work) {
         work_ = work;
-        at_ = residuals_at(pairs_, work);
+        at_ = inputs_.residuals_at(work);
         at_.design.resize(at_.value.size(), 0);
         scatter_ = model_.most_likely(at_, scatter_);
     }
@@ -87,7 +91,7 @@ public:
     [[nodiscard]] VectorXd weights_at(double work, const ModelScatter& scatter) {
         work_ = work;
         scatter_ = scatter;
-        at_ = residuals_at(pairs_, work);
+        at_ = inputs_.residuals_at(work);
         return weights();
     }
 
@@ -95,14 +99,18 @@ public:
         GeneralisedFit fit;
         fit.n = static_cast<int>(pairs_.size());
         fit.scatter = scatter_;
-        fit.freedom = {static_cast<double>(pairs_.size()) - 1.0, freedom_of(pairs_, &PairPoint::surface),
-                       freedom_of(pairs_, &PairPoint::elastomer)};
+        fit.surfaces = groups_of(pairs_, &PairPoint::surface);
+        fit.elastomers = groups_of(pairs_, &PairPoint::elastomer);
+        const auto spare = [](const auto& of) { return static_cast<double>(of.size()) - 1.0; };
+        fit.freedom = {spare(pairs_), spare(fit.surfaces), spare(fit.elastomers)};
         fit.restricted_log_likelihood = model_.restricted_log_likelihood(at_, scatter_);
         fit.log_likelihood = model_.log_likelihood(at_, scatter_);
         std::vector<double> measured;
         for (const auto& pair : pairs_) measured.push_back(pair.measured.value);
         fit.r_squared = 1.0 - at_.value.squaredNorm() / squares_about_mean(measured);
-        fit.work_of_adhesion = {work_, model_.components(at_, scatter_, weights())};
+        auto at = at_;
+        for (const auto& pair : pairs_) at.inputs.push_back(residual_inputs(pair, work_));
+        fit.work_of_adhesion = {work_, model_.components(at, scatter_, weights())};
         return fit;
     }
 
@@ -114,6 +122,7 @@ private:
     }
 
     const std::vector<PairPoint>& pairs_;
+    PairInputs inputs_;
     ScatterFit model_;
     double work_ = 0.0;
     ModelScatter scatter_;
@@ -147,6 +156,17 @@ GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs) {
     return fit.result();
 }
 
+GeneralisedFit fit_some_generalised(const std::vector<PairPoint>& pairs, const GeneralisedFit& whole) {
+    require_pairs(pairs);
+    Fit fit(pairs);
+    fit.hold(whole.scatter);
+    fit.find(true);
+    auto result = fit.result();
+    if (!fit.tells(&ModelScatter::surface)) result.freedom.surface = whole.freedom.surface;
+    if (!fit.tells(&ModelScatter::elastomer)) result.freedom.elastomer = whole.freedom.elastomer;
+    return result;
+}
+
 GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelScatter& scatter) {
     require_pairs(pairs);
     Fit fit(pairs);
@@ -162,6 +182,27 @@ GeneralisedFit fit_scatter(const std::vector<PairPoint>& pairs, double work_of_a
     auto result = fit.result();
     result.work_of_adhesion.components.clear();
     result.freedom.pair += 1.0;
+    return result;
+}
+
+Components departure_from(const GeneralisedFit& fit, const PairPoint& pair, double share) {
+    Components result;
+    const auto add = [&](const char* between, double size, double freedom, const std::set<std::string>& known,
+                         const std::string& group) {
+        if (!(size > 0.0)) return;
+        auto name = pair.scatter_between(between);
+        Component effect{Array1D::Constant(1, -size), freedom};
+        if (const auto at = known.find(group); at == known.end()) {
+            name += ": " + group;
+        } else {
+            effect.directions = Array1D::Zero(static_cast<Index>(known.size()));
+            effect.directions[std::distance(known.begin(), at)] = -size;
+        }
+        result.emplace(std::move(name), std::move(effect));
+    };
+    add("pairs", fit.scatter.pair, fit.freedom.pair, {}, fmt::format("{} × {}", pair.surface, pair.elastomer));
+    add("surfaces", share * fit.scatter.surface, fit.freedom.surface, fit.surfaces, pair.surface);
+    add("elastomers", share * fit.scatter.elastomer, fit.freedom.elastomer, fit.elastomers, pair.elastomer);
     return result;
 }
 

@@ -6,26 +6,24 @@
 #include <set>
 
 #include "model_scatter_fit.hpp"
+#include "pair_least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/log_gamma.hpp"
 
 namespace setae::adhesion {
 namespace {
 
+/// What the fitted W and the scatter add to the error of a pair's prediction.
+Components work_and_scatter(const GeneralisedFit& others, const PairPoint& pair) {
+    const double share = share_through_floor(pair, others.work_of_adhesion.value);
+    return combined(
+        {{share * pair.slope, others.work_of_adhesion.components}, {1.0, departure_from(others, pair, share)}});
+}
+
 /// Of one pair that was not in the fit.
 LeftOutPrediction predicted_by(const GeneralisedFit& others, const PairPoint& pair, bool surface_left_out) {
     const double work = others.work_of_adhesion.value, share = share_through_floor(pair, work);
-    const auto& scatter = others.scatter;
-    const auto& freedom = others.freedom;
-    // of the group that stayed in the fit the others know the effect in part: it counts whole
-    const auto anew = [&pair](double size, double known_with, const char* groups) {
-        const Estimate effect{.value = 0.0, .standard_error = size, .degrees_of_freedom = known_with};
-        return TracedValue(effect, pair.scatter_between(groups) + ", anew").components;
-    };
-    const auto of_model = combined({{1.0, anew(scatter.pair, freedom.pair, "pairs")},
-                                    {share, anew(scatter.surface, freedom.surface, "surfaces")},
-                                    {share, anew(scatter.elastomer, freedom.elastomer, "elastomers")}});
-    const auto of_work = combined({{share * pair.slope, others.work_of_adhesion.components}, {1.0, of_model}});
+    const auto of_work = work_and_scatter(others, pair);
     const TracedValue predicted{pair.prediction(work),
                                 combined({{share, pair.prediction_inputs(work)}, {1.0, of_work}})};
     const Components own{{pair.own_noise(), own_noise(pair, 1.0)}};
@@ -53,26 +51,13 @@ std::set<std::string> groups_of(const std::vector<PairPoint>& pairs, std::string
     return groups;
 }
 
-/// Of the residuals of pairs of one surface that was not in the fit: inputs, the fitted W, own noise, the scatter anew.
+/// Of the residuals of pairs of one surface that was not in the fit: inputs, the fitted W, own noise, the scatter.
 Eigen::MatrixXd covariance_by(const GeneralisedFit& others, const std::vector<PairPoint>& own) {
     const double work = others.work_of_adhesion.value;
-    const auto n = static_cast<Index>(own.size());
     std::vector<Components> inputs;
     for (const auto& pair : own)
-        inputs.push_back(
-            combined({{1.0, residual_inputs(pair, work)},
-                      {-share_through_floor(pair, work) * pair.slope, others.work_of_adhesion.components}}));
-    const auto& scatter = others.scatter;
-    Eigen::MatrixXd result(n, n);
-    for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j) {
-            const auto &a = own[static_cast<std::size_t>(i)], &b = own[static_cast<std::size_t>(j)];
-            result(i, j) = covariance(inputs[static_cast<std::size_t>(i)], inputs[static_cast<std::size_t>(j)]) +
-                           scatter.surface * scatter.surface;
-            if (a.elastomer == b.elastomer) result(i, j) += scatter.elastomer * scatter.elastomer;
-            if (i == j) result(i, j) += a.own_variance() + scatter.pair * scatter.pair;
-        }
-    return result;
+        inputs.push_back(combined({{1.0, residual_inputs(pair, work)}, {-1.0, work_and_scatter(others, pair)}}));
+    return residual_covariance(own, inputs);
 }
 
 /// ln density of Student's t in several dimensions about 0.
@@ -117,7 +102,9 @@ LeftOut leave_out(const std::vector<PairPoint>& pairs, const PairFit& fit) {
 }
 
 std::vector<LeftOutPrediction> predict_left_out(const std::vector<PairPoint>& pairs) {
-    return leave_out(pairs, [](const std::vector<PairPoint>& others) { return fit_generalised(others); }).predictions;
+    const auto whole = fit_generalised(pairs);
+    return leave_out(pairs, [&](const std::vector<PairPoint>& others) { return fit_some_generalised(others, whole); })
+        .predictions;
 }
 
 }  // namespace setae::adhesion

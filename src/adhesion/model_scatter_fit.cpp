@@ -8,7 +8,6 @@
 
 #include <boost/math/tools/minima.hpp>
 
-#include "pair_least_squares.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -39,21 +38,6 @@ bool separable(const std::vector<PairPoint>& pairs, Label label) {
 
 }  // namespace
 
-PairResiduals residuals_at(const std::vector<PairPoint>& pairs, double work) {
-    const auto n = static_cast<Index>(pairs.size());
-    PairResiduals result{VectorXd(n), MatrixXd(n, 1), VectorXd(n), {}, {}};
-    for (Index i = 0; i < n; ++i) {
-        const auto& pair = pairs[static_cast<std::size_t>(i)];
-        result.value[i] = pair.measured.value - pair.prediction(work);
-        result.design(i, 0) = !pair.floored || pair.raw_prediction(work) > 0.0 ? pair.slope : 0.0;
-        result.share[i] = share_through_floor(pair, work);
-        result.inputs.push_back(residual_inputs(pair, work));
-    }
-    if (result.design.isZero(0.0)) result.design.resize(n, 0);
-    result.covariance = residual_covariance(pairs, result.inputs);
-    return result;
-}
-
 Eigen::LLT<MatrixXd> factor_of(const MatrixXd& covariance) {
     Eigen::LLT<MatrixXd> factor(covariance);
     if (factor.info() != Eigen::Success)
@@ -77,26 +61,57 @@ ScatterFit::ScatterFit(const std::vector<PairPoint>& pairs, ScatterLevels wanted
 }
 
 MatrixXd ScatterFit::covariance(const PairResiduals& at, const ModelScatter& scatter) const {
-    const MatrixXd effects =
-        scatter.surface * scatter.surface * same_surface_ + scatter.elastomer * scatter.elastomer * same_elastomer_;
-    MatrixXd whole = at.covariance + at.share.asDiagonal() * effects * at.share.asDiagonal();
-    const double least = 1e-9 * largest_;
-    whole.diagonal().array() += std::max(scatter.pair * scatter.pair, least * least);
+    MatrixXd whole(at.covariance.rows(), at.covariance.cols());
+    write_covariance(at, scatter, whole);
     return whole;
 }
 
+void ScatterFit::write_covariance(const PairResiduals& at, const ModelScatter& scatter, MatrixXd& whole) const {
+    const double of_surfaces = scatter.surface * scatter.surface, of_elastomers = scatter.elastomer * scatter.elastomer;
+    for (Index j = 0; j < whole.cols(); ++j)
+        whole.col(j).array() =
+            at.covariance.col(j).array() +
+            at.share[j] * at.share.array() *
+                (of_surfaces * same_surface_.col(j).array() + of_elastomers * same_elastomer_.col(j).array());
+    const double least = 1e-9 * largest_;
+    whole.diagonal().array() += std::max(scatter.pair * scatter.pair, least * least);
+}
+
+/// With V = LLᵀ everything follows from L⁻¹[X r].
+class ScatterFit::Restricted {
+public:
+    Restricted(const ScatterFit& fit, const PairResiduals& at)
+        : fit_(fit), at_(at), covariance_(at.covariance.rows(), at.covariance.cols()) {}
+
+    [[nodiscard]] double log_likelihood(const ModelScatter& scatter) {
+        constexpr double impossible = -std::numeric_limits<double>::infinity();
+        fit_.write_covariance(at_, scatter, covariance_);
+        factor_.compute(covariance_);
+        if (factor_.info() != Eigen::Success) return impossible;
+        residual_ = at_.value;
+        factor_.matrixL().solveInPlace(residual_);
+        const double log_likelihood =
+            -factor_.matrixLLT().diagonal().array().log().sum() - 0.5 * residual_.squaredNorm();
+        if (at_.design.cols() == 0) return log_likelihood;
+        design_ = at_.design;
+        factor_.matrixL().solveInPlace(design_);
+        information_.compute(design_.transpose() * design_);
+        if (information_.info() != Eigen::Success) return impossible;
+        scores_ = design_.transpose() * residual_;
+        information_.matrixL().solveInPlace(scores_);
+        return log_likelihood + 0.5 * scores_.squaredNorm() - information_.matrixLLT().diagonal().array().log().sum();
+    }
+
+private:
+    const ScatterFit& fit_;
+    const PairResiduals& at_;
+    MatrixXd covariance_, design_;
+    VectorXd residual_, scores_;
+    Eigen::LLT<MatrixXd> factor_, information_;
+};
+
 double ScatterFit::restricted_log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const {
-    const Eigen::LLT<MatrixXd> factor(covariance(at, scatter));
-    if (factor.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
-    double log_likelihood =
-        -factor.matrixLLT().diagonal().array().log().sum() - 0.5 * at.value.dot(factor.solve(at.value));
-    if (at.design.cols() == 0) return log_likelihood;
-    const MatrixXd weighted = factor.solve(at.design);
-    const Eigen::LLT<MatrixXd> information(at.design.transpose() * weighted);
-    if (information.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
-    const VectorXd scores = weighted.transpose() * at.value;
-    return log_likelihood + 0.5 * scores.dot(information.solve(scores)) -
-           information.matrixLLT().diagonal().array().log().sum();
+    return Restricted(*this, at).log_likelihood(scatter);
 }
 
 double ScatterFit::log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const {
@@ -105,18 +120,21 @@ double ScatterFit::log_likelihood(const PairResiduals& at, const ModelScatter& s
            0.5 * static_cast<double>(pairs_.size()) * std::log(2.0 * pi);
 }
 
+bool ScatterFit::tells(double ModelScatter::*level) const { return std::ranges::find(levels_, level) != levels_.end(); }
+
 /// Each of the levels in turn, until none moves.
 ModelScatter ScatterFit::most_likely(const PairResiduals& at, ModelScatter scatter) const {
     constexpr int sweeps = 30, bits = 26;
     const double reach = 3.0 * std::sqrt(at.value.squaredNorm() / static_cast<double>(pairs_.size() - 1));
-    if (!(reach > 0.0)) return {};
+    if (!(reach > 0.0)) return scatter;
+    Restricted restricted(*this, at);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         double moved = 0.0;
         for (const auto level : levels_) {
             const auto loss = [&](double value) {
                 auto tried = scatter;
                 tried.*level = value;
-                return -restricted_log_likelihood(at, tried);
+                return -restricted.log_likelihood(tried);
             };
             auto best = boost::math::tools::brent_find_minima(loss, 0.0, reach, bits);
             if (loss(0.0) <= best.second) best.first = 0.0;

@@ -6,21 +6,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "pair_inputs.hpp"
 #include "setae/adhesion/generalised_fit.hpp"
 
 namespace setae::adhesion {
-
-/// y − f(θ) of pairs at one point of a fit, and what is known of its errors beside the scatter.
-struct PairResiduals {
-    Eigen::VectorXd value;   ///< y − f
-    Eigen::MatrixXd design;  ///< ∂f/∂θ, one column a parameter that some pair answers to
-    Eigen::VectorXd share;   ///< of an error of the balance that its floor lets through
-    std::vector<Components> inputs;
-    Eigen::MatrixXd covariance;  ///< of own noise and inputs
-};
-
-/// Of pairs as lines in W: one column, or none where no pair answers to W.
-[[nodiscard]] PairResiduals residuals_at(const std::vector<PairPoint>& pairs, double work);
 
 /// @throws UndefinedDataError for a matrix that is not positive definite.
 [[nodiscard]] Eigen::LLT<Eigen::MatrixXd> factor_of(const Eigen::MatrixXd& covariance);
@@ -45,13 +34,17 @@ public:
     [[nodiscard]] double restricted_log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const;
     /// −½ (rᵀV⁻¹r + ln|V| + n ln 2π).
     [[nodiscard]] double log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const;
-    /// The most likely scatter, from one that is near.
+    [[nodiscard]] bool tells(double ModelScatter::*level) const;
+    /// The most likely scatter, from one that is near; of a level that the pairs do not tell, that one's.
     [[nodiscard]] ModelScatter most_likely(const PairResiduals& at, ModelScatter scatter) const;
-    /// Components of a parameter that moves with y − f by h: inputs, noise of every pair and the scatter.
+    /// Components of a parameter that moves with y − f by h: inputs, which `at` has, noise of every pair and the scatter.
     [[nodiscard]] Components components(const PairResiduals& at, const ModelScatter& scatter,
                                         const Eigen::VectorXd& h) const;
 
 private:
+    class Restricted;
+
+    void write_covariance(const PairResiduals& at, const ModelScatter& scatter, Eigen::MatrixXd& whole) const;
     void add_scatter(Components& result, const PairResiduals& at, const ModelScatter& scatter,
                      const Eigen::VectorXd& h) const;
 

@@ -147,15 +147,20 @@ std::optional<Estimate> profile_likelihood(const Pairs& pairs, double start) {
 
 }  // namespace
 
-FlooredMinimum minimise_with(const std::vector<PairPoint>& pairs, const PairVariance& variance) {
+std::vector<FlooredTerm> terms_of(const std::vector<PairPoint>& pairs) {
     std::vector<FlooredTerm> terms;
-    for (const auto& pair : pairs)
-        terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0 / variance(pair), pair.floored});
+    for (const auto& pair : pairs) terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0, pair.floored});
+    return terms;
+}
+
+FlooredMinimum minimise_with(const std::vector<PairPoint>& pairs, const PairVariance& variance) {
+    auto terms = terms_of(pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i) terms[i].weight = 1.0 / variance(pairs[i]);
     return floored_minimum(terms, 0.0, infinity);
 }
 
 FlooredMinimum least_squares(const std::vector<PairPoint>& pairs) {
-    return minimise_with(pairs, [](const PairPoint&) { return 1.0; });
+    return floored_minimum(terms_of(pairs), 0.0, infinity);
 }
 
 Eigen::MatrixXd residual_covariance(const std::vector<PairPoint>& pairs, const std::vector<Components>& inputs) {

@@ -15,7 +15,8 @@ using PairVariance = std::function<double(const PairPoint&)>;
 
 /// Least squares in W >= 0.
 [[nodiscard]] FlooredMinimum minimise_with(const std::vector<PairPoint>& pairs, const PairVariance& variance);
-/// Every pair alike.
+/// Terms of pairs that count alike, and their least squares.
+[[nodiscard]] std::vector<FlooredTerm> terms_of(const std::vector<PairPoint>& pairs);
 [[nodiscard]] FlooredMinimum least_squares(const std::vector<PairPoint>& pairs);
 
 /// @throws InvalidArgument for fewer than two pairs, a slope <= 0 and values that are not finite.

@@ -73,10 +73,10 @@ void check_size(AlertList& list, const LoopContext& context, const LensAndCounte
                  fmt::format("a/R reaches {:.2f}; a sphere is deeper than its paraboloid there by {:.1f} % of a²/R",
                              strain, 100.0 * strain * strain / 3.0),
                  "limit the load, or treat E* and W as those of an effective paraboloid");
-    if (context.tabor_parameter < limits.tabor_parameter)
+    if (context.tabor_parameter.value < limits.tabor_parameter)
         list.add(
             "TABOR_RANGE",
-            fmt::format("tabor parameter {:.2g}: jkr holds above {}", context.tabor_parameter, limits.tabor_parameter),
+            fmt::format("tabor parameter {:.2g}: jkr holds above {}", context.tabor_parameter.value, limits.tabor_parameter),
             "use the transition of maugis, or dmt below 0.1");
 }
 

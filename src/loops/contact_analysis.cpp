@@ -167,6 +167,18 @@ double radius_at_largest_force(const Loop& loop, const Segments& segments, const
     return n > 0 && std::isfinite(difference) ? fitted + difference / static_cast<double>(n) : fitted;
 }
 
+/// μ ∝ (W/E*)^(2/3)/z0: W and E* are of one fit, z0 of none. Undefined error where the fit has none.
+Estimate tabor_parameter_of(const JkrFit& fit, const contact::jkr::Contact& lens, const Estimate& range) {
+    Estimate result{.value = contact::jkr::tabor_parameter(lens, range.value), .method = "delta"};
+    const auto &modulus = fit.contact_modulus, &work = fit.work_of_adhesion;
+    if (!(work.value > 0.0) || !modulus.uncertain() || !work.uncertain() || !std::isfinite(fit.correlation)) return result;
+    const double of_modulus = modulus.standard_error / modulus.value, of_work = work.standard_error / work.value;
+    const double of_ratio = of_modulus * of_modulus + of_work * of_work - 2.0 * fit.correlation * of_modulus * of_work;
+    result.standard_error =
+        result.value * std::sqrt(4.0 / 9.0 * of_ratio + range.variance() / (range.value * range.value));
+    return result;
+}
+
 LoopContext find_context(const Loop& loop, const Segments& segments, const ContactSegments& contact,
                          const BranchAnalysis& loading, const LensAndCounterBody& bodies,
                          const AnalysisOptions& options) {
@@ -178,10 +190,10 @@ LoopContext find_context(const Loop& loop, const Segments& segments, const Conta
     context.largest_contact_radius = radius_at_largest_force(loop, segments, contact, lens);
     context.largest_contact_area = pi * context.largest_contact_radius * context.largest_contact_radius;
     context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
-    context.tabor_parameter = contact::jkr::tabor_parameter(lens, options.interaction_range);
+    context.tabor_parameter = tabor_parameter_of(fit, lens, options.interaction_range);
     if (lens.work_of_adhesion > 0.0)
         context.applicable_model = contact::tabor::which_model(loop.force[contact.loading.last] - segments.before.force,
-                                                               lens, options.interaction_range)
+                                                               lens, options.interaction_range.value)
                                        .sentence;
     return context;
 }

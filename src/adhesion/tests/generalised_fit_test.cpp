@@ -200,5 +200,97 @@ TEST(GeneralisedFit, HasTheDerivativesOfFiniteDifferences) {
     }
 }
 
+// Slope 1, effects of n surfaces alone: W is their mean, so that W − (W_true + s_k) has the variance τ_s² (1 − 1/n) on a
+// surface of the fit and τ_s² (1 + 1/n) on another.
+TEST(Departure, KnowsTheEffectsThatTheFitRestsOn) {
+    auto list = pairs(4, 3, 1e-9);
+    for (auto& p : list) {
+        p.slope = 1.0;
+        p.offset = 0.0;
+    }
+    constexpr double effect = 0.002;
+    const auto fit = fit_generalised(list, ModelScatter{.surface = effect});
+    const auto error_on = [&](const std::string& surface) {
+        PairPoint point{.surface = surface, .elastomer = "new", .slope = 1.0};
+        point.departure = departure_from(fit, point, 1.0);
+        return raw_prediction(point, fit.work_of_adhesion).variance() / (effect * effect);
+    };
+    EXPECT_NEAR(error_on("s2"), 1.0 - 1.0 / 4.0, 1e-6);
+    EXPECT_NEAR(error_on("new"), 1.0 + 1.0 / 4.0, 1e-6);
+}
+
+TEST(Departure, OfPairsAndOfWhatTheFitDoesNotKnowIsAnew) {
+    const auto fit = fit_generalised(pairs(4, 3, 0.001), ModelScatter{.pair = 0.001, .surface = 0.002, .elastomer = 0.003});
+    const PairPoint known{.surface = "s1", .elastomer = "e2", .slope = 1.0},
+        other{.surface = "new", .elastomer = "new", .slope = 1.0};
+    const auto variance_of = [](const Components& c) {
+        return covariance(c, c);
+    };
+    const auto of_known = departure_from(fit, known, 1.0), of_other = departure_from(fit, other, 1.0);
+    EXPECT_NEAR(variance_of(of_known), 14e-6, 1e-15);
+    EXPECT_NEAR(variance_of(of_other), 14e-6, 1e-15);
+    EXPECT_LT(covariance(of_known, fit.work_of_adhesion.components), 0.0);
+    EXPECT_EQ(covariance(of_other, fit.work_of_adhesion.components), 0.0);
+    // half of what surfaces and elastomers do passes the floor
+    EXPECT_NEAR(variance_of(departure_from(fit, other, 0.5)), 1e-6 + (4e-6 + 9e-6) / 4.0, 1e-15);
+}
+
+/// Truths of pairs that scatter about their balance, three of them not measured: how often their intervals hold them.
+double held_of_new_pairs(const ModelScatter& scatter, bool with_departure) {
+    constexpr int draws = 400;
+    std::mt19937 random(23);
+    std::normal_distribution<double> normal;
+    int held = 0, all = 0;
+    for (int d = 0; d < draws; ++d) {
+        std::vector<double> of_surface(4), of_elastomer(4);
+        for (auto& s : of_surface) s = scatter.surface * normal(random);
+        for (auto& e : of_elastomer) e = scatter.elastomer * normal(random);
+        auto list = pairs(4, 4, 0.0005);
+        std::vector<PairPoint> measured, others;
+        std::vector<double> truths;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            auto& p = list[i];
+            const double truth =
+                p.prediction(W) + of_surface[i / 4] + of_elastomer[i % 4] + scatter.pair * normal(random);
+            p.measured.value = truth + 0.0005 * normal(random);
+            const bool is_new = i == 1 || i == 6 || i == 11;
+            (is_new ? others : measured).push_back(p);
+            if (is_new) truths.push_back(truth);
+        }
+        const auto fit = fit_generalised(measured);
+        for (std::size_t k = 0; k < others.size(); ++k) {
+            if (with_departure) others[k].departure = departure_from(fit, others[k], 1.0);
+            const auto interval = interval_of(raw_prediction(others[k], fit.work_of_adhesion).estimate());
+            ++all;
+            held += interval->lower <= truths[k] && truths[k] <= interval->upper ? 1 : 0;
+        }
+    }
+    return static_cast<double>(held) / all;
+}
+
+// Two surfaces cannot tell what surfaces scatter by; three can, and leaving one out does not make that unknown
+TEST(Departure, OfALeftOutSurfaceIsWhatAllSurfacesScatterBy) {
+    auto list = pairs(3, 4, 0.0003);
+    const double effects[] = {0.004, -0.005, 0.003};
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].measured.value += effects[i / 4] + (i % 2 ? 2e-4 : -2e-4);
+    const auto whole = fit_generalised(list);
+    ASSERT_GT(whole.scatter.surface, 0.003);
+    const std::vector<PairPoint> others(list.begin() + 4, list.end());
+    EXPECT_EQ(fit_generalised(others).scatter.surface, 0.0);
+    const auto some = fit_some_generalised(others, whole);
+    EXPECT_EQ(some.scatter.surface, whole.scatter.surface);
+    EXPECT_EQ(some.freedom.surface, 2.0);
+    for (const auto& left_out : predict_left_out(list)) {
+        if (!left_out.surface_left_out) continue;
+        EXPECT_GT(left_out.standard_error, whole.scatter.surface) << left_out.surface;
+    }
+}
+
+TEST(Departure, IntervalsHoldPairsThatScatter) {
+    for (const auto& scatter : {ModelScatter{.pair = 0.002}, ModelScatter{0.001, 0.001, 0.001}})
+        EXPECT_NEAR(held_of_new_pairs(scatter, true), 0.95, 0.03);
+    EXPECT_LT(held_of_new_pairs({.pair = 0.002}, false), 0.7) << "scatter that is left out must show";
+}
+
 }  // namespace
 }  // namespace setae::adhesion::generalised_fit_test

@@ -201,12 +201,31 @@ TEST(Analysis, AlertsOfGeometryAndRange) {
     LensAndCounterBody bodies = rubber_on_diamond();
     bodies.layer_thickness = 500e-6;
     AnalysisOptions options;
-    options.interaction_range = 1e-3;
+    options.interaction_range.value = 1e-3;
     options.limits.contact_radius_per_sphere_radius = 0.05;
     const LoopAnalysis analysis = analyse(rough.make(), bodies, options, "spot 3");
     for (const char* code : {"THIN_LAYER", "TABOR_RANGE", "LARGE_STRAIN"})
         EXPECT_TRUE(has_alert(analysis, code)) << code;
     EXPECT_EQ(analysis.alerts.front().subject, "spot 3");
+}
+
+// mu ∝ (W/E*)^(2/3)/z0
+TEST(Analysis, TellsHowUncertainTheTaborParameterIs) {
+    AnalysisOptions options;
+    const auto mu_of = [&](double share) {
+        options.interaction_range.standard_error = share * options.interaction_range.value;
+        const auto analysis = analyse(rough.make(), rubber_on_diamond(), options);
+        return std::pair(analysis.context.tabor_parameter, analysis.loading.primary());
+    };
+    const auto [of_fit, fit] = mu_of(0.0);
+    const auto with_range = mu_of(0.1).first;
+    const double modulus = fit.contact_modulus.standard_error / fit.contact_modulus.value,
+                 work = fit.work_of_adhesion.standard_error / fit.work_of_adhesion.value,
+                 ratio = std::sqrt(modulus * modulus + work * work - 2.0 * fit.correlation * modulus * work);
+    ASSERT_GT(ratio, 0.0);
+    EXPECT_NEAR(of_fit.standard_error / of_fit.value, 2.0 / 3.0 * ratio, 1e-12);
+    EXPECT_EQ(with_range.value, of_fit.value);
+    EXPECT_NEAR(with_range.standard_error / with_range.value, std::hypot(2.0 / 3.0 * ratio, 0.1), 1e-12);
 }
 
 TEST(Analysis, AlertsOfContactPointsApart) {

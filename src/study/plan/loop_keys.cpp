@@ -72,6 +72,7 @@ Keys<ExperimentInput> keys_of_loops() {
              "rate of the displacement's drift, where a reference tells it")
         .add("interaction_range", analysis(&Analysis::interaction_range), positive(dimension::length),
              "z0 of the Tabor parameter")
+        .by_default("3e-10")
         .add(
             "baseline_share", [](auto& e) -> auto& { return e.options.segments.baseline_share; },
             {dimension::none, domain::share}, "share of the record taken as free flight")

@@ -66,6 +66,7 @@ private:
     void compare(std::vector<ComparedBalance>& balances, const std::vector<SpectralParameters>& surfaces,
                  double shortest, double factor) const;
     [[nodiscard]] std::vector<SpectralParameters> cut_at(double shortest) const;
+    void add_departure(PairResult& pair) const;
     void predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer) const;
 
     const StudyResult& result_;
@@ -346,6 +347,15 @@ void add_alerts(PairResult& pair) {
              "the solid would rather bridge these wavelengths than conform"});
 }
 
+/// What was measured of other pairs scatters about (7), and so will this one.
+void Concluding::add_departure(PairResult& pair) const {
+    pair.line->departure = adhesion::departure_from(to_.modified->generalised, *pair.line, 1.0);
+    pair.modified->traced = adhesion::raw_prediction(*pair.line, to_.traced_work_of_adhesion);
+    pair.modified->estimate = pair.modified->traced.estimate();
+    pair.partial_contact->components =
+        combined({{1.0, pair.partial_contact->components}, {1.0, pair.line->departure}});
+}
+
 void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer) const {
     const auto& work = to_.traced_work_of_adhesion;
     const auto seen = in_contact(pair, to_.spectrum_of(surface).parameters);
@@ -356,11 +366,12 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
     pair.stored_energy = prediction.stored_energy;
     pair.modified = prediction.modified;
     pair.line = adhesion::modified_point(rough, soft);
+    pair.partial_contact = adhesion::partial_prediction(rough, soft, work);
+    if (!pair.approach && !result_.study.work_of_adhesion) add_departure(pair);
     const auto gained = adhesion::point_without_stored_energy(rough, soft);
     const double gain = gained.raw_prediction(work.value);
     pair.contact = adhesion::unloaded_contact(gain > 0.0 ? pair.stored_energy.value / gain
                                                          : std::numeric_limits<double>::infinity());
-    pair.partial_contact = adhesion::partial_prediction(rough, soft, work);
     pair.persson_tosatti = prediction.persson_tosatti;
     pair.without_area_change = prediction.without_area_change;
     pair.budget = prediction.budget;

@@ -26,7 +26,9 @@ TEST(LoopCoverage, OfTheRoutesThatAllowForBothErrorsIsNinetyFivePerCent) {
         EXPECT_EQ(row.count, runs) << row.quantity << ' ' << row.method;
         EXPECT_GE(row.coverage, is_honest(row) ? 0.80 : 0.0) << row.quantity << ' ' << row.method;
         // a standard deviation of 40 draws scatters by 11 %
-        if (is_honest(row)) EXPECT_GT(row.scatter, 0.6 * row.stated) << row.quantity << ' ' << row.method;
+        if (is_honest(row)) {
+            EXPECT_GT(row.scatter, 0.6 * row.stated) << row.quantity << ' ' << row.method;
+        }
     }
 }
 

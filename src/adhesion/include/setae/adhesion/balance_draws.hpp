@@ -33,7 +33,8 @@ struct BalanceDraws {
 /// of rectangular inputs uniform.
 ///
 /// pairs, fit: what was measured and the fit to it; or no pairs and W as given, with its inputs.
-/// lines: balances to be predicted.
+/// lines: balances to be predicted; one with a `departure` departs by effects of the scatter, too, those of its surface and
+/// elastomer being the ones that pairs have.
 /// Same numbers for a seed on any machine.
 /// Source: JCGM 101:2008.
 [[nodiscard]] BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct GeneralisedFit {
     double restricted_log_likelihood = 0.0;  ///< of the scatter, without its constant
     double log_likelihood = 0.0;             ///< of the measured values at this W and scatter, normal: ln density [(J/m²)^−n]
     int n = 0;
+    std::set<std::string> surfaces, elastomers;  ///< of the pairs; directions of their effects are in this order
     std::optional<Interval> drawn_interval{};  ///< of W by draws, where linear propagation does not hold
 
     /// W with its standard error, and its interval by draws where there is one.
@@ -51,10 +53,23 @@ struct GeneralisedFit {
 /// Methods A 346 (1994) 306.
 [[nodiscard]] GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs);
 
+/// The same for some of the pairs of `whole`, which tells the scatter between surfaces (elastomers) where these cannot.
+[[nodiscard]] GeneralisedFit fit_some_generalised(const std::vector<PairPoint>& pairs, const GeneralisedFit& whole);
+
 /// The same with the scatter held.
 [[nodiscard]] GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelScatter& scatter);
 
 /// The scatter with W held: for a law with nothing to fit.
 [[nodiscard]] GeneralisedFit fit_scatter(const std::vector<PairPoint>& pairs, double work_of_adhesion);
+
+/// What a pair that was not in the fit departs from its balance by: the scatter that the fit found. Effects of a surface
+/// (elastomer) that pairs of the fit have, too, are the ones W rests on; of another surface, and of the pair itself, they
+/// are drawn anew.
+///
+///   variance of slope · W − offset − truth, one level of scatter, n surfaces alike, slope 1: τ_s² (1 − 1/n) on a surface
+///   of the fit, τ_s² (1 + 1/n) on another
+///
+/// share: of effects of surfaces and elastomers that is seen, share_through_floor().
+[[nodiscard]] Components departure_from(const GeneralisedFit& fit, const PairPoint& pair, double share);
 
 }  // namespace setae::adhesion

@@ -31,6 +31,8 @@ struct PairPoint {
     double slope = 0.0;              ///< > 0
     double offset = 0.0;
     Components slope_inputs, offset_inputs;
+    /// What a pair that was not measured departs from slope · W − offset by: departure_from().
+    Components departure;
     bool floored = true;  ///< predictions stop at 0
 
     /// Variance of what no other value shares.
@@ -46,7 +48,7 @@ struct PairPoint {
     [[nodiscard]] std::string scatter_between(const char* groups) const;
 };
 
-/// slope · W − offset with every input it rests on.
+/// slope · W − offset with every input it rests on, `departure` among them.
 [[nodiscard]] TracedValue raw_prediction(const PairPoint& pair, const TracedValue& work);
 
 /// The pair's own noise as an input, times a derivative.

@@ -52,7 +52,7 @@ struct AnalysisOptions {
     double true_area_ratio = 1.0;                   ///< r of the hard surface, for losses per true area
     Index retraction_points = 6;                    ///< of (S2)
     bool retraction_modulus_free = false;           ///< E* of (S2) fitted, not taken from loading
-    double interaction_range = 0.3e-9;              ///< z0 of the Tabor parameter [m]
+    Estimate interaction_range{.value = 0.3e-9};    ///< z0 of the Tabor parameter [m]
     AlertLimits limits;
 };
 
@@ -95,7 +95,7 @@ struct LoopContext {
     bool radius_measured = false;           ///< else from the fit alone
     double largest_contact_area = 0.0;      ///< π a_max² [m²]
     double ideal_smooth_sphere_loss = 0.0;  ///< of the jumps under fixed grips, with E* and W of loading [J]
-    double tabor_parameter = 0.0;           ///< with W and E* of loading
+    Estimate tabor_parameter;               ///< with W and E* of loading; errors of that fit and of the range
     std::string
         applicable_model;  ///< a sentence: which model of adhesion applies at the largest force; empty where W <= 0
 };

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "setae/adhesion/pair_point.hpp"
+
+namespace setae::adhesion {
+
+/// y − f(W) of pairs at one W, and what is known of its errors beside the scatter.
+struct PairResiduals {
+    Eigen::VectorXd value;       ///< y − f
+    Eigen::MatrixXd design;      ///< ∂f/∂θ, one column a parameter that some pair answers to
+    Eigen::VectorXd share;       ///< of an error of the balance that its floor lets through
+    Eigen::MatrixXd covariance;  ///< of own noise and inputs
+    std::vector<Components> inputs;
+};
+
+/// What the errors of pairs have in common, looked up by the names of inputs once for all W.
+///
+/// Of measured − prediction(W) inputs make ρ m + e − σ (W s − o): m, e those of the measured value, s, o of the line, ρ and
+/// σ as residual_inputs() takes them. Products of all of these over all pairs say the covariance at any W.
+class PairInputs {
+public:
+    /// @throws InvalidArgument where two values have one input with different numbers of directions.
+    explicit PairInputs(const std::vector<PairPoint>& pairs);
+
+    /// Without `inputs`. The design has one column, or none where no pair answers to W.
+    [[nodiscard]] PairResiduals residuals_at(double work) const;
+
+private:
+    enum Part : Index { measured, noise, slope, offset, parts };
+
+    [[nodiscard]] auto products(Index a, Index b) const {
+        return products_.block(a * size_, b * size_, size_, size_);
+    }
+    [[nodiscard]] double share_at(Index pair, double work) const;
+
+    const std::vector<PairPoint>& pairs_;
+    Index size_;
+    Eigen::MatrixXd products_;  ///< part × pair, both ways
+};
+
+/// Of pairs as lines in W, with `inputs`.
+[[nodiscard]] PairResiduals residuals_at(const std::vector<PairPoint>& pairs, double work);
+
+}  // namespace setae::adhesion
