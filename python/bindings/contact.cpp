@@ -9,6 +9,7 @@
 #include "setae/answers/adhesive_contact.hpp"
 #include "setae/answers/adhesive_sweep.hpp"
 #include "setae/answers/contact_comparison.hpp"
+#include "setae/answers/contact_front.hpp"
 #include "setae/answers/hard_wall.hpp"
 #include "setae/answers/made_surface.hpp"
 #include "setae/answers/persson_contact.hpp"
@@ -176,6 +177,28 @@ Sweep swept(const Item& item, const answers::SweepRequest& request, const answer
     return {std::move(answer.steps), std::move(answer.quantities), std::move(json)};
 }
 
+Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::MadeSurfaceRequest made,
+               int realisations, const std::atomic<bool>& cancelled) {
+    request.require_complete();
+    if (realisations < 1) throw InvalidArgument("realisations must be at least 1");
+    if (realisations > 1 && !made.given())
+        throw InvalidArgument("several realisations are of a surface made from a spectrum or a study; expected one of a map");
+    std::vector<topography::Measurement> surfaces;
+    std::vector<processing::StepRecord> records;
+    for (int i = 0; i < realisations; ++i, ++made.seed) {
+        auto prepared = touching(item, made);
+        if (i == 0) records = prepared.records;
+        surfaces.push_back(std::move(prepared.measurement));
+    }
+    const auto go_on = [&](double) {
+        if (cancelled) throw Interrupted();
+        return true;
+    };
+    auto answer = answers::contact_front(item.path, surfaces, request, {}, go_on);
+    auto json = output::as_text(answers::to_json(answer, records));
+    return {std::move(answer.steps), std::move(answer.quantities), std::move(json)};
+}
+
 void bind_made_surface(nb::module_& module) {
     using Request = answers::MadeSurfaceRequest;
     nb::class_<Request>(module, "MadeSurfaceRequest")
@@ -239,6 +262,32 @@ void bind_sweep(nb::module_& module) {
         nb::arg("item"), nb::arg("request"), nb::arg("made"), "as `setae contact sweep --json` prints it");
 }
 
+void bind_front(nb::module_& module) {
+    using Request = answers::FrontRequest;
+    nb::class_<Request>(module, "FrontRequest")
+        .def(nb::init<>())
+        .def_rw("radius", &Request::radius)
+        .def_rw("contact_modulus", &Request::contact_modulus)
+        .def_rw("work_of_adhesion", &Request::work_of_adhesion)
+        .def_rw("to_force", &Request::to_force)
+        .def_rw("to_displacement", &Request::to_displacement)
+        .def_rw("stage_stiffness", &Request::stage_stiffness)
+        .def_rw("dead_load", &Request::dead_load)
+        .def_rw("shortest_wavelength", &Request::shortest_wavelength)
+        .def_rw("model", &Request::model)
+        .def_rw("method", &Request::method)
+        .def_rw("steps", &Request::steps);
+    module.def(
+        "contact_front",
+        [](const Item& item, const Request& asked, const answers::MadeSurfaceRequest& made, int realisations) {
+            return unlocked([&](const std::atomic<bool>& cancelled) {
+                return front_of(item, asked, made, realisations, cancelled);
+            });
+        },
+        nb::arg("item"), nb::arg("request"), nb::arg("made"), nb::arg("realisations"),
+        "as `setae contact front --json` prints it");
+}
+
 }  // namespace
 
 void bind_contact(nb::module_& module) {
@@ -247,6 +296,7 @@ void bind_contact(nb::module_& module) {
     bind_made_surface(module);
     bind_solve(module);
     bind_sweep(module);
+    bind_front(module);
 }
 
 }  // namespace setae::python

@@ -12,7 +12,7 @@ Numbers are SI and carry unit, ±, band and source; what has a unit goes in as a
 from __future__ import annotations
 
 from ._adhesion import WorkOfAdhesion, work_of_adhesion
-from ._contact import Contact, ContactComparison, ContactSweep, PerssonContact, contact, contact_compare, contact_sweep, persson
+from ._contact import Contact, ContactComparison, ContactFront, ContactSweep, PerssonContact, contact, contact_compare, contact_front, contact_sweep, persson
 from ._containers import Container, ContainerReport, Formats, check_container, formats, write_container
 from ._diagnosis import Diagnosis, Finding, check
 from ._errors import Error, FileError, FormatError, InternalError, InvalidArgument, UndefinedDataError
@@ -54,6 +54,7 @@ __all__ = [
     "ContactComparison",
     "ContactLine",
     "ContactRadii",
+    "ContactFront",
     "ContactSweep",
     "Container",
     "ContainerReport",
@@ -102,6 +103,7 @@ __all__ = [
     "contact_compare",
     "contact_line",
     "contact_radii",
+    "contact_front",
     "contact_sweep",
     "contour",
     "force_curves",

@@ -105,8 +105,8 @@ def contact(
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ContactSweep(Columns):
-    """A loop from far into contact and back, a row a step, as ``setae contact sweep --json`` says it; ``quantities``: works and losses."""
+class _ContactLoop(Columns):
+    """Steps of a contact that comes and goes."""
 
     quantities: tuple[Quantity, ...] = field(default=())
 
@@ -117,11 +117,15 @@ class ContactSweep(Columns):
 
     @property
     def complete(self) -> bool:
-        """It came back to where it began, and every step converged."""
+        """It came to its end, and every step converged."""
         return bool(self.data["status"] == "complete")
 
     def __repr__(self) -> str:
-        return f"ContactSweep({self.n} steps, {', '.join(f'{q.symbol} = {q}' for q in self.quantities)})"
+        return f"{type(self).__name__}({self.n} steps, {', '.join(f'{q.symbol} = {q}' for q in self.quantities)})"
+
+
+class ContactSweep(_ContactLoop):
+    """A loop from far into contact and back, a row a step, as ``setae contact sweep --json`` says it; ``quantities``: works and losses."""
 
 
 def contact_sweep(
@@ -172,6 +176,63 @@ def contact_sweep(
     )
     swept: Any = _setae.contact_sweep(one(measurement, size, unit), request, made_surface(pixels, cell, surface, seed))
     return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))))
+
+
+class ContactFront(_ContactLoop):
+    """A soft sphere on a rough surface and back, a row a step, as ``setae contact front --json`` says it; ``quantities``: works, jumps, losses."""
+
+
+def contact_front(
+    measurement: Measured,
+    *,
+    radius: Text,
+    contact_modulus: Text,
+    W_int: Text,
+    to_force: Text | None = None,
+    to_displacement: Text | None = None,
+    stage_stiffness: Text | None = None,
+    dead_load: bool = False,
+    shortest_wavelength: Text | None = None,
+    realisations: int = 1,
+    steps: int = 500,
+    model: str = "constant_toughness",
+    method: str = "trust_region",
+    pixels: int | str | None = None,
+    cell: Text | None = None,
+    surface: str | None = None,
+    seed: int = 1,
+    size: Text | None = None,
+    unit: str | None = None,
+) -> ContactFront:
+    """A soft sphere pressed on a rough surface and pulled off, the edge of the contact as a crack front.
+
+    W_int: what conforming gains, an area.  to_force or to_displacement: where the loop turns.  stage_stiffness: of a stage that is moved; dead_load: the force is; else the
+    sphere's displacement is held.  shortest_wavelength: that counts, four pixels without it.  pixels, cell, surface, seed: a surface made from a spectrum or a study, as of
+    :func:`contact`; of ``realisations`` such surfaces, seeds one after the other, ``quantities`` are means with ±.
+
+    >>> import numpy, setae
+    >>> x = numpy.arange(64) / 64
+    >>> wave = setae.scan(2e-9 * numpy.sin(8 * numpy.pi * x)[:, None] * numpy.ones(64), size="64 um x 64 um", unit="m", periodic=True)
+    >>> front = setae.contact_front(wave, radius="1 mm", contact_modulus="1 MPa", W_int="50 mJ/m2", to_displacement="0.2 um", steps=40)
+    >>> front.complete, front.units["force"]
+    (True, 'N')
+    """
+    request = filled(
+        _setae.FrontRequest(),
+        radius=radius,
+        contact_modulus=contact_modulus,
+        work_of_adhesion=W_int,
+        to_force=to_force,
+        to_displacement=to_displacement,
+        stage_stiffness=stage_stiffness,
+        dead_load=dead_load,
+        shortest_wavelength=shortest_wavelength,
+        model=model,
+        method=method,
+        steps=steps,
+    )
+    found: Any = _setae.contact_front(one(measurement, size, unit), request, made_surface(pixels, cell, surface, seed), realisations)
+    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))))
 
 
 class PerssonContact(Columns):

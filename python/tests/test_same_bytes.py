@@ -38,6 +38,7 @@ FUNCTIONS = {
     "adhesion": "`setae.work_of_adhesion`",
     "contact solve": "`setae.contact`",
     "contact sweep": "`setae.contact_sweep`; its figure, and going on from `--restart`, by the program alone",
+    "contact front": "`setae.contact_front`; its figure by the program alone",
     "contact persson": "`setae.persson`",
     "contact compare": "`setae.contact_compare`; its figure by the program alone",
     "jkr radius": "`setae.contact_radii`; pictures with the edge drawn (`--overlay`) by the program alone",
@@ -254,6 +255,20 @@ def test_contact_sweep(printed):
     assert on_a_stage.json() == printed("contact", "sweep", "coarse.nc", *typed, "--stage-stiffness", "0.1 N/m", "--to-pressure", "1 kPa")
     with pytest.raises(TypeError, match="W_int"):
         setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", range="400 nm")
+
+
+def test_contact_front(printed):
+    setae.synthesize(**{**SELF_AFFINE, "pixels": "64x64"}).scan.save("coarse.nc")
+    asked = {"radius": "10 um", "contact_modulus": "100 kPa", "W_int": "50 mJ/m2", "to_displacement": "100 nm", "steps": 20}
+    typed = ("--radius", "10 um", "--contact-modulus", "100 kPa", "--w", "50 mJ/m2", "--to-displacement", "100 nm", "--steps", 20)
+    front = setae.contact_front("coarse.nc", **asked, shortest_wavelength="4 um")
+    assert front.json() == printed("contact", "front", "coarse.nc", *typed, "--shortest-wavelength", "4 um")
+    assert front.n == len(front["force"]) and {q.quantity for q in front.quantities} >= {"energy_loss", "jumps"}
+    made = ("--pixels", 64, "--cell", "20 um", "--realisations", 2)
+    several = setae.contact_front("rougher/truth.csv", **asked, pixels=64, cell="20 um", realisations=2)
+    assert several.json() == printed("contact", "front", "rougher/truth.csv", *typed, *made)
+    with pytest.raises(setae.InvalidArgument, match="--to-force"):
+        setae.contact_front("coarse.nc", radius="1 mm", contact_modulus="1 MPa", W_int="50 mJ/m2")
 
 
 def test_persson(printed):

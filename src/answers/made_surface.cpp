@@ -190,4 +190,18 @@ processing::PipelineResult contact_surface(const std::string& path, const FileRe
     return processed;
 }
 
+std::vector<processing::PipelineResult> contact_surfaces(const std::string& path, const FileRequest& file,
+                                                         const processing::Pipeline& pipeline,
+                                                         const MadeSurfaceRequest& request, int count,
+                                                         parallel::Threads threads) {
+    if (count > 1 && !is_of_spectrum(path, file))
+        throw InvalidArgument(path + ": several realisations are of a surface made from a spectrum or a study; "
+                                     "expected one of a map");
+    std::vector<processing::PipelineResult> surfaces;
+    auto made = request;
+    for (int i = 0; i < count; ++i, ++made.seed)
+        surfaces.push_back(contact_surface(path, file, pipeline, made, threads));
+    return surfaces;
+}
+
 }  // namespace setae::answers

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "circle_equation.hpp"
+#include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -56,7 +57,7 @@ public:
             throw InvalidArgument("dead loads and stages need the model constant_toughness; expected a displacement");
         if (edge.size() == 0 && !meet(machine)) return parted(machine);
         equation_.drive(machine);
-        const double scale = mean_work_ * std::max(edge.mean(), pinning_.points().spacing);
+        const double scale = mean_work_ * std::max(edge.mean(), least_radius());
         const SearchLimits limits{.tolerance = options_.tolerance * scale,
                                   .most_iterations = options_.most_iterations,
                                   .largest_move = options_.largest_move * pinning_.points().spacing};
@@ -83,6 +84,12 @@ public:
     Array1D edge;
 
 private:
+    /// Of a smooth contact before it parts: where bodies meet the edge begins far below, at one spacing.
+    [[nodiscard]] double least_radius() const {
+        return contact::jkr::pull_off_at_fixed_grips({sphere_.radius, sphere_.contact_modulus, mean_work_})
+            .contact_radius;
+    }
+
     /// A circle as wide as Hertz's, or one spacing; false where nothing touches yet.
     bool meet(const Machine& machine) {
         const double touching = machine.holds_displacement ? machine.displacement : machine.pull;

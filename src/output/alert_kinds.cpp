@@ -126,6 +126,9 @@ std::vector<AlertKind> of_surfaces() {
         {"CONTACT_NOT_CONVERGED", about, "pressures of a contact were not found as closely as asked for"},
         {"ADHESION_GRID", about, "pixels catch the edge of an adhesive contact: w dx/(E* ρ²) is above 0.5",
          "works are right to 1 % at 0.5; at 1 opening takes a sixth too much"},
+        {"FRONT_THEORY", about,
+         "what the theory of a contact's edge as a crack front rests on does not hold: little energy stored beside what is gained, a front "
+         "longer than its Larkin length, eight points a wave, no place twice"},
         {"TIP_CUTOFF", about, "waves shorter than the tip shows are cut from the spectrum"},
         {"LOW_Q_GAP", about, "the spectrum still rises at its longest wavelength"},
         {"COVERAGE_GAP", about, "no measurement sees a band of wavelengths between those of others"},

@@ -48,6 +48,11 @@ processing::PipelineResult ContactSurface::processed(parallel::Threads threads) 
     return answers::contact_surface(path, file, processing.pipeline(), made, threads);
 }
 
+std::vector<processing::PipelineResult> ContactSurface::realisations(int count, parallel::Threads threads) const {
+    if (path.empty()) throw InvalidArgument("no file; expected a map, a table of a spectrum or a study");
+    return answers::contact_surfaces(path, file, processing.pipeline(), made, count, threads);
+}
+
 std::string made_surface_text(const processing::PipelineResult& surface, std::size_t width) {
     if (surface.records.empty() || surface.records.front().step != answers::making_step) return "";
     return output::quantity_table("surface made from the spectrum", surface.records.front().numbers, width) + "\n";

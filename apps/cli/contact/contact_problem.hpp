@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "convert/pipeline_option.hpp"
 #include "files/file_options.hpp"
@@ -29,6 +30,8 @@ struct ContactSurface {
     /// What the file holds, or is made from it, after its processing. @throws InvalidArgument for no file, and as
     /// reading and answers::made_surface() do.
     [[nodiscard]] processing::PipelineResult processed(parallel::Threads threads) const;
+    /// Several that are made with one seed after the other. @throws InvalidArgument for several of a map.
+    [[nodiscard]] std::vector<processing::PipelineResult> realisations(int count, parallel::Threads threads) const;
 };
 
 /// What a surface that was made is; nothing for one that was read.

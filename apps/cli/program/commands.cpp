@@ -22,6 +22,7 @@ namespace params_command { Action declare(Options&); }
 namespace adhesion_command { Action declare(Options&); }
 namespace contact_solve_command { Action declare(Options&); }
 namespace contact_sweep_command { Action declare(Options&); }
+namespace contact_front_command { Action declare(Options&); }
 namespace contact_persson_command { Action declare(Options&); }
 namespace contact_compare_command { Action declare(Options&); }
 namespace jkr_import_command { Action declare(Options&); }
@@ -89,6 +90,8 @@ constexpr Command table[] = {
      contact_solve_command::declare},
     {"contact", "sweep", "a rough surface that attracts, approached and parted: work, loss, every step's ledger",
      contact_sweep_command::declare},
+    {"contact", "front", "a soft sphere on a rough surface, its edge as a crack front: W on approach and retraction, jumps, loss",
+     contact_front_command::declare},
     {"contact", "persson", "area, gap, stiffness and energy of a rough contact from its spectrum, by Persson's theory",
      contact_persson_command::declare},
     {"contact", "compare", "Persson's theory beside solved contacts of surfaces with the same spectrum",

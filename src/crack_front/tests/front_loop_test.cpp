@@ -94,4 +94,14 @@ TEST(FrontLoop, EndsWhereItIsTold) {
     EXPECT_THROW((void)front_loop(front, {.furthest = -1.0}), InvalidArgument);
 }
 
+// Bodies meet at one spacing, thousands of times below where the edge comes to rest: residuals are measured there
+TEST(FrontLoop, MeetsWithoutLookingForRoundings) {
+    const auto fine = work_of([](double, double angle) { return W * (1.0 + 0.2 * std::cos(900.0 * angle)); }, 4096,
+                              {9001, 0.0, 2e-4}, W);
+    CircularFront front(sphere, fine, {.most_iterations = 20000});
+    const auto state = front.solve(HeldDisplacement{0.0});
+    EXPECT_TRUE(state.converged) << state.residual;
+    EXPECT_NEAR(state.mean_radius, contact::jkr::jump_in_at_fixed_grips(jkr_contact).contact_radius, 1e-2);
+}
+
 }  // namespace front_loop_test

@@ -21,6 +21,7 @@ const std::vector<Bearing>& bearings() {
         {{"NOT_CONVERGED", "TIP_NOT_CONVERGED", "CONTACT_NOT_CONVERGED"},
          "An iteration for {} ended before its changes were small: its result may move."},
         {{"ADHESION_GRID"}, "Pixels of {} catch the edge of an adhesive contact: opening it takes too much work."},
+        {{"FRONT_THEORY"}, "The edge of {} is outside the theory of fronts: its works are of first order at best."},
         {{"UNREADABLE_MEMBER", "UNREADABLE_ARRAY"}, "What of {} cannot be read is in no number."},
         {{"CHECKSUM"}, "A checksum of {} is wrong: what was read may be damaged."},
         {{"UNIT_ASSUMED", "UNIT_GUESSED", "UNIT_MISMATCH", "UNITS_IMPLAUSIBLE"},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "setae/answers/surface_request.hpp"
 #include "setae/parallel/for_each.hpp"
@@ -63,5 +64,12 @@ inline constexpr const char* making_step = "synthesize";
                                                          const processing::Pipeline& pipeline,
                                                          const MadeSurfaceRequest& request,
                                                          parallel::Threads threads = {});
+
+/// Several that are made from a spectrum, seeds one after the other.
+/// @throws InvalidArgument for several of a map.
+[[nodiscard]] std::vector<processing::PipelineResult> contact_surfaces(const std::string& path, const FileRequest& file,
+                                                                       const processing::Pipeline& pipeline,
+                                                                       const MadeSurfaceRequest& request, int count,
+                                                                       parallel::Threads threads = {});
 
 }  // namespace setae::answers

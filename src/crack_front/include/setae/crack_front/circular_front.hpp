@@ -49,7 +49,8 @@ using FrontControl = std::variant<HeldDisplacement, DeadLoad, Stage>;
 struct FrontOptions {
     FrontModel model = FrontModel::constant_toughness;
     EquilibriumMethod method = EquilibriumMethod::trust_region;
-    double tolerance = 1e-9;       ///< of the largest |residual| over W and the mean radius
+    /// of the largest |residual| over W and the mean radius, or that before a smooth contact parts if it is larger
+    double tolerance = 1e-9;
     int most_iterations = 100000;  ///< of one equilibrium
     double largest_move = 0.5;     ///< of a point in one step of the trust region, in spacings of the field
 };

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "contact/contact_problem.hpp"
+#include "plot/figure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "program/terminal.hpp"
+#include "setae/answers/contact_front.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/layout.hpp"
+#include "setae/core/units.hpp"
+#include "setae/file_figures/front_figure.hpp"
+#include "setae/output/quantity_table.hpp"
+#include "setae/platform/terminal.hpp"
+
+namespace setae::cli::contact_front_command {
+namespace {
+
+constexpr const char* explanation =
+    "a soft sphere pressed on a rough surface and pulled off: the edge of the contact opens where G exceeds w, closes where G is less\n"
+    "roughness behind the edge, in full contact, strains the body: K_R, <K_R^2> = 2 E* U_el/A, read as w = W - sqrt(2W/E*) K_R\n"
+    "  --w            what conforming gains, an area; 2k U_el/A = W_ret - W_appr holds whatever the mean\n"
+    "  W_appr, W_ret  by JKR fits of a(F) on each branch, as an experimenter has them\n"
+    "waves shorter than --shortest-wavelength are left out; the process zone's length, E* w/(pi tension^2), is the least that pins\n"
+    "--to-force and --to-displacement say where the loop turns: of a smooth sphere, whose displacement is then held step by step\n"
+    "docs/theory/crack-front.md\n";
+
+struct Arguments : answers::FrontRequest {
+    Common common;
+    ContactSurface surface;
+    int realisations = 1;
+    std::string output;
+    FigureOption figure;
+};
+
+/// A line on a terminal: how far on the way.
+class ProgressLine {
+public:
+    bool show(double share) {
+        const int percent = static_cast<int>(100.0 * share);
+        if (percent == shown_ || !platform::is_terminal(platform::Stream::errors)) return true;
+        shown_ = percent;
+        fmt::print(stderr, "\rfront: {} % of the way    ", percent);
+        return true;
+    }
+    ~ProgressLine() {
+        if (shown_ >= 0) fmt::print(stderr, "\n");
+    }
+
+private:
+    int shown_ = -1;
+};
+
+ExitCode run(const Arguments& arguments) {
+    require_table_or_figure(arguments.output);
+    arguments.require_complete();
+    const auto threads = arguments.common.workers();
+    const auto surfaces = arguments.surface.realisations(arguments.realisations, threads);
+    std::vector<topography::Measurement> maps;
+    for (const auto& surface : surfaces) maps.push_back(surface.measurement);
+    ProgressLine line;
+    const bool one = maps.size() == 1;  // several run on threads of their own
+    const auto answer = answers::contact_front(arguments.surface.path, maps, arguments, threads,
+                                               one ? [&line](double share) { return line.show(share); }
+                                                   : answers::FrontProgress());
+    write_table_or_figure(
+        arguments.output, answer.steps, [&] { return file_figures::front_figure(answer.steps, answer.contact, answer.file, arguments.figure.look()); },
+        arguments.common.json);
+    if (arguments.common.json) {
+        print_json(answers::to_json(answer, surfaces.front().records));
+        return ExitCode::done;
+    }
+    const auto width = output_size().width;
+    print(wrapped(answers::front_sentence(answer), width, 2) + "\n\n" + made_surface_text(surfaces.front(), width) +
+          output::quantity_table("", answer.quantities, width));
+    show(answer.alerts);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    arguments->surface.add_to(options);
+    options.add("--radius", arguments->radius, "of the sphere, such as \"1.25 mm\"").quantity(positive(dimension::length));
+    options.add("--contact-modulus", arguments->contact_modulus, "E* of both bodies, such as \"1 MPa\"")
+        .quantity(positive(dimension::pressure));
+    options.add("--w,--work-of-adhesion", arguments->work_of_adhesion, "what conforming gains, such as \"50 mJ/m2\"")
+        .quantity(positive(dimension::surface_energy));
+    options.add("--to-force", arguments->to_force, "where the loop turns, such as \"0.1 mN\"").quantity(positive(dimension::force));
+    options.add("--to-displacement", arguments->to_displacement, "or there, such as \"1 um\"")
+        .quantity(positive(dimension::length));
+    options
+        .add("--stage-stiffness", arguments->stage_stiffness,
+             "of a stage that is moved, such as \"100 N/m\"; default: the sphere's displacement is held")
+        .quantity(positive(dimension::stiffness));
+    options.flag("--dead-load", arguments->dead_load, "the force is moved; its loop ends where it lets go");
+    options.add("--shortest-wavelength", arguments->shortest_wavelength, "that counts; default: four pixels")
+        .quantity(positive(dimension::length));
+    options.add("--realisations", arguments->realisations, "surfaces that are made, from --seed on; results are means with ±")
+        .positive();
+    options.add("--steps", arguments->steps, "on the way there; halved where the edge jumps").positive();
+    options.add("--model", arguments->model, "how the energy follows the edge")
+        .one_of({"constant_toughness", "variational", "energy_release_rate", "stress_intensity", "mean_circle"})
+        .default_shown();
+    options.add("--method", arguments->method, "how equilibria are found").one_of({"trust_region", "rosso_krauth"}).default_shown();
+    options.add("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
+    arguments->figure.add_to(options);
+    options.example(
+        "setae contact front map.npy --size \"60 um x 60 um\" --unit m --radius \"100 um\" --contact-modulus \"1 MPa\" --w \"50 mJ/m2\" --to-displacement \"0.3 um\" --shortest-wavelength \"1 um\" -o loop.csv",
+        "a measured map under a sphere; a row for each step");
+    options.example(
+        "setae contact front study.toml --surface A --pixels 512 --cell \"40 um\" --radius \"100 um\" --contact-modulus \"1 MPa\" --w \"50 mJ/m2\" --to-force \"1 uN\" --realisations 4",
+        "four surfaces made from the spectrum of a study's");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::contact_front_command
