@@ -12,6 +12,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/hysteresis/pinning_law.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::hysteresis {
 namespace {
@@ -33,6 +34,7 @@ enum Input : std::size_t {
     scatter,
     radius,
     contact_area,
+    machine_stiffness,
     input_count
 };
 
@@ -52,6 +54,7 @@ public:
         inputs_[tip_factor] = pair.tip_factor.value_or(TracedValue(1.0));
         inputs_[radius] = or_zero(pair.radius);
         inputs_[contact_area] = or_zero(pair.contact_area);
+        inputs_[machine_stiffness] = or_zero(pair.machine_stiffness);
         const Estimate factor{.value = 1.0, .standard_error = pinning_uncertainty(pair.energy_share())};
         inputs_[pinning_factor] = {factor, simulated_pinning_input};
         inputs_[patches] = {Estimate{.value = 0.0, .standard_error = 1.0}, adhesion::simulated_patches_input};
@@ -84,18 +87,26 @@ public:
         // a contact gains its share of W less what it stores
         state.stored_energy = std::max(0.0, state.contact_fraction - gained) * gain;
         state.work_approach = std::max(0.0, pair_.approach ? in[approach] : gained * gain);
-        state.jumps_per_area = jumps_per_area(state, in);
         return state;
+    }
+
+    /// The same as a law needs it.
+    [[nodiscard]] PairState state(const RetractionModel& model, const SpectralParameters& p,
+                                  const std::vector<double>& in) const {
+        auto at = state(p, in);
+        const bool counts_jumps = model.law == Law::conformal_loss || model.law == Law::fitted_conformal_loss;
+        if (counts_jumps) at.jumps_per_area = jumps_per_area(at, in);
+        return at;
     }
 
     [[nodiscard]] RetractionLine line(const RetractionModel& model, const SpectralParameters& p,
                                       const std::vector<double>& in) const {
-        return retraction_line(model, state(p, in), pair_.band_shares);
+        return retraction_line(model, state(model, p, in), pair_.band_shares);
     }
 
     [[nodiscard]] double work_retraction(const RetractionModel& model, const SpectralParameters& p,
                                          const std::vector<double>& in) const {
-        const auto at = state(p, in);
+        const auto at = state(model, p, in);
         const auto line = retraction_line(model, at, pair_.band_shares);
         return std::max(at.work_approach, line.slope * in[parameter] + line.constant + in[scatter]);
     }
@@ -110,33 +121,51 @@ public:
 
     /// Of the inputs' values.
     [[nodiscard]] HystereticSphere sphere(const RetractionModel& model) const {
-        std::vector<double> values;
-        for (const auto& input : inputs_) values.push_back(input.value);
-        return sphere(model, pair_.rough.parameters, values);
+        return sphere(model, pair_.rough.parameters, values());
     }
+    [[nodiscard]] Pressing pressing(const Contact& contact) const { return pressing(contact, values()); }
 
     [[nodiscard]] Pressing pressing(const Contact& contact, const std::vector<double>& in) const {
         auto pressing = pair_.pressing.value_or(Pressing{});
+        if (pair_.machine_stiffness) pressing.machine_stiffness = in[machine_stiffness];
         if (pair_.contact_area)
             pressing.maximum_force = std::max(0.0, contact::jkr::force(std::sqrt(in[contact_area] / pi), contact));
         return pressing;
     }
 
 private:
-    /// Of (10): the edge loses W_int A_true/A of the contact less these. In two rounds, as W_ret depends on them.
+    [[nodiscard]] std::vector<double> values() const {
+        std::vector<double> values;
+        for (const auto& input : inputs_) values.push_back(input.value);
+        return values;
+    }
+
+    /// Of (10): the edge loses W_int A_true/A of the contact less these, which depend on W_ret themselves.
     [[nodiscard]] double jumps_per_area(const PairState& state, const std::vector<double>& in) const {
         const bool known = pair_.radius && (pair_.contact_area || pair_.pressing);
         if (!known || !(state.work_approach > 0.0)) return 0.0;
-        const Contact contact{in[radius], in[contact_modulus], state.work_approach};
-        const double a = contact::jkr::contact_radius_at_force(pressing(contact, in).maximum_force, contact);
-        const double area = pi * a * a, lost = state.work_of_adhesion * state.true_contact();
-        const double jump_in = contact::jkr::ideal_loop_loss(contact).jump_in;
-        double jumps = 0.0;
-        for (int round = 0; round < 2; ++round) {
-            const double work = state.work_approach + std::max(0.0, lost - jumps);
-            jumps = (jump_in + contact::jkr::ideal_loop_loss({in[radius], in[contact_modulus], work}).jump_out) / area;
-        }
-        return std::min(jumps, lost);
+        HystereticSphere sphere{in[radius], in[contact_modulus], state.work_approach, 0.0};
+        const auto pressed = pressing(sphere.approach(), in);
+        const double lost = state.work_of_adhesion * state.true_contact();
+        const double largest = contact::jkr::contact_radius_at_force(pressed.maximum_force, sphere.approach()),
+                     area = pi * largest * largest;
+        const auto jumps_at = [&](double edge_loss) {
+            sphere.work_retraction = state.work_approach + edge_loss;
+            return jump_loss(sphere, pressed) / area;
+        };
+        if (jumps_at(0.0) >= lost) return lost;
+        constexpr int bits = 30;
+        return lost - numerics::bracketed_root([&](double edge_loss) { return edge_loss + jumps_at(edge_loss) - lost; },
+                                               0.0, lost, bits);
+    }
+
+    /// Of both jumps [J]: closed forms under fixed grips.
+    [[nodiscard]] static double jump_loss(const HystereticSphere& sphere, const Pressing& pressing) {
+        if (std::isinf(pressing.machine_stiffness))
+            return contact::jkr::ideal_loop_loss(sphere.approach()).jump_in +
+                   contact::jkr::ideal_loop_loss(sphere.retraction()).jump_out;
+        const auto loop = sphere_loop(sphere, pressing);
+        return loop.jump_in_loss + loop.jump_out_loss;
     }
 
     const RetractionPair& pair_;
@@ -204,6 +233,7 @@ std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& 
     if (!(work_approach.value > 0.0)) return std::nullopt;
     PredictedRetraction result;
     result.sphere = functions.sphere(model);
+    result.pressing = functions.pressing(result.sphere.approach());
     const auto of_loop = [&](auto number) {
         return functions.traced([&](const SpectralParameters& p, const std::vector<double>& in) {
             const auto sphere = functions.sphere(model, p, in);

@@ -12,6 +12,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/netcdf.hpp"
 #include "setae/output/file_names.hpp"
+#include "setae/output/hysteresis_output.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/spectra/abel.hpp"
@@ -93,6 +94,8 @@ std::vector<std::string> write_results(const study::StudyResult& result, ResultF
     write_table("conforming.csv", conforming_table(result));
     write_table("loop_fits.csv", loop_fit_table(result));
     write_table("loop_energies.csv", loop_energy_table(result));
+    if (result.hysteresis)
+        for (const auto& [name, table] : hysteresis_tables(*result.hysteresis)) write_table(name, table);
     write_table("alerts.csv", alert_table(result));
     const auto stems = spectrum_stems(result);
     const auto write_spectrum = [&](const std::string& stem, const Table& table) {

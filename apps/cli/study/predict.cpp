@@ -13,11 +13,12 @@
 #include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/file_figures/hysteresis_figure.hpp"
+#include "setae/file_figures/predicted_loop_figure.hpp"
 #include "setae/output/file_names.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/parallel/cancellation.hpp"
 #include "setae/study/hysteresis.hpp"
+#include "setae/study_figures/hysteresis_figures.hpp"
 #include "setae/study_figures/write_figures.hpp"
 #include "study/interruption.hpp"
 #include "study/run_arguments.hpp"
@@ -33,7 +34,7 @@ constexpr const char* explanation =
     "laws, φ = W_ret/W_app of a smooth reference on the same elastomer, alone or times every other\n"
     "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted;\n"
     "  conformal_loss W_app + W_int A_true/A (10), or with a work of its own; opening_work W_x A_true/A\n"
-    "E_loss            jumps of the sphere under fixed grips + (W_ret - W_app) π a_max²; needs sphere_radius and preload\n"
+    "E_loss            jumps of the sphere in its machine + (W_ret - W_app) π a_max²; needs sphere_radius and preload\n"
     "off               measured - law, rms; next surface, next elastomer: of those that the fit has not seen\n"
     "odds              for the best law against each, by how well the other surfaces say each surface\n"
     "docs/theory/hysteresis.md\n";
@@ -49,20 +50,16 @@ struct PredictArguments {
 };
 
 void write_tables(const study::Hysteresis& hysteresis, const std::filesystem::path& folder) {
-    const auto write = [&](const char* name, const tables::TidyTable& table) {
-        bytes::write_whole_file((folder / name).string(), tables::as_csv(table));
-    };
-    write("hysteresis.csv", output::hysteresis_table(hysteresis));
-    write("models.csv", output::model_table(hysteresis));
-    write("model_works.csv", output::model_work_table(hysteresis));
-    if (!hysteresis.trials.empty()) write("trials.csv", output::trial_table(hysteresis));
-    write("losses.csv", output::decomposition_table(hysteresis));
+    for (const auto& [name, table] : output::hysteresis_tables(hysteresis))
+        if (name != "trials.csv" || !table.rows.empty())
+            bytes::write_whole_file((folder / name).string(), tables::as_csv(table));
 }
 
 std::vector<file_figures::StudyFigure> figures_of(const study::Hysteresis& hysteresis, const study::StudyResult& result,
                                                   const file_figures::Look& look) {
-    std::vector<file_figures::StudyFigure> figures{file_figures::hysteresis_figure(hysteresis, look),
-                                                   file_figures::loss_shares_figure(hysteresis, look)};
+    std::vector<file_figures::StudyFigure> figures{study_figures::hysteresis_figure(hysteresis, look.width),
+                                                   study_figures::loss_shares_figure(hysteresis, look.width)};
+    for (auto& figure : figures) figure.command = look.command;
     for (const auto& pair : hysteresis.pairs)
         figures.push_back(file_figures::predicted_loop_figure(pair, result, look));
     std::vector<std::string> names;
@@ -100,7 +97,8 @@ ExitCode predict(const PredictArguments& arguments, const cache::Store& store, P
                   .threads = arguments.common.workers(),
                   .cancelled = &interruption()};
     const parallel::CancellationScope scope(interruption());
-    const auto hysteresis = study::hysteresis_of(result, trials);
+    const auto hysteresis =
+        result.hysteresis && !trials ? *result.hysteresis : study::hysteresis_of(result, trials);
     int failures = result.failures();
     if (!arguments.output.empty()) {
         std::filesystem::create_directories(arguments.output);

@@ -11,6 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/output/budget.hpp"
 #include "setae/output/fit_json.hpp"
+#include "setae/output/hysteresis_output.hpp"
 #include "setae/output/predicted_quantities.hpp"
 #include "setae/output/replicate_report.hpp"
 #include "setae/output/study_tables.hpp"
@@ -644,6 +645,7 @@ Json json_without_experiments(const study::StudyResult& result) {
         json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
     json["pairs"] = pairs_json(result);
     add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
+    add_outcome(json, "hysteresis", result.hysteresis, [](const study::Hysteresis& h) { return to_json(h); });
     json["replicates"] = Json::array();
     for (const auto& replicates : result.replicates) json["replicates"].push_back(replicates_json(replicates));
     if (result.by_average) json["by_average"] = by_average_json(result);

@@ -309,10 +309,12 @@ FigureParts figures_html(const std::vector<study_figures::StudyFigure>& figures,
                                              .kind = "figure",
                                              .title = title_of(*figure),
                                              .html = drawing_html(*figure, page)});
-    Figures others, undrawable;
+    Figures others, way_back, undrawable;
     for (const auto& figure : figures)
         if (!figure.drawable()) undrawable.push_back(&figure);
+        else if (figure.identifier == "hysteresis" || figure.identifier == "losses") way_back.push_back(&figure);
         else if (std::find(first.begin(), first.end(), &figure) == first.end()) others.push_back(&figure);
+    parts.way_back = folded_html(way_back, page, 4);
     parts.others = by_family_html(others, page) + undrawable_html(undrawable);
     return parts;
 }

@@ -19,6 +19,7 @@ struct FigurePage {
 struct FigureParts {
     std::string carrying;  ///< that carry the verdict, open: 4, prediction and 1; where none of them can be drawn, the
                            ///< first that can
+    std::string way_back;  ///< of retraction and losses, folded
     std::string others;    ///< folded, then the reasons of those that cannot be drawn
 };
 

@@ -42,7 +42,7 @@ std::string escaped(std::string_view text) {
 std::string prose(std::string_view text) {
     static const std::regex power(
         "(^|[^A-Za-z0-9_./-])(-?[0-9]+(?:\\.[0-9]+)?)e([+-]?)0*([0-9]+)(?![A-Za-z0-9_./-]*[A-Za-z_/])");
-    static const std::regex symbol("\\b(W|U|A|h|E|C)_(int|app|el|true|rms|loss|iso|1D)\\b");
+    static const std::regex symbol("\\b(W|U|A|h|E|C)_(int|app|ret|x|el|true|rms|loss|iso|1D)\\b");
     static const std::regex energy("\\bmJ/m(?:2\\b|²)");
     std::string whole = escaped(text), result;
     auto from = whole.cbegin();

@@ -14,6 +14,7 @@
 #include "summary.hpp"
 #include "table.hpp"
 #include "tables.hpp"
+#include "way_back.hpp"
 
 namespace setae::report {
 namespace {
@@ -46,7 +47,7 @@ std::vector<Chapter> chapters_of(const study::StudyResult& result,
         {"verdict", "Verdict", verdict_html(result)},
         {"figures", "Figures", parts.carrying.empty() ? "<p>No figure was asked for.</p>" : undrawn + parts.carrying},
         {"limits", "What can and cannot be concluded", limits_html(result)},
-        {"tables", "Numbers", numbers_html(result, study) + tables_html(result, study)},
+        {"tables", "Numbers", numbers_html(result, study) + way_back_html(result, study, parts.way_back) + tables_html(result, study)},
         {"more-figures", "More figures", parts.others},
         {"cut", "What was cut and why", cut_html(result)},
         {"alerts", "Alerts", alerts_html(result)},

@@ -30,6 +30,8 @@ void scales_of_cost(const FigureRequest& request, StudyFigure& drawn);          
 void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn);    // agreement
 void budget_of_work(const FigureRequest& request, StudyFigure& drawn);              // budget
 void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn);      // balances
+void way_back(const FigureRequest& request, StudyFigure& drawn);                    // hysteresis
+void shares_of_losses(const FigureRequest& request, StudyFigure& drawn);            // losses
 void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn);         // replicates
 void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn);  // prediction
 

@@ -191,19 +191,22 @@ const char* name_of(study::ModelChoice choice) {
     return "";
 }
 
+std::vector<std::string> hysteresis_sentences(const study::Hysteresis& h) {
+    std::vector<std::string> sentences;
+    for (const auto& ranking : rankings_of(h)) sentences.push_back(best_sentence(ranking));
+    if (sentences.empty())
+        sentences.push_back(fmt::format(
+            "{} with W_app and W_ret measured: no law of W_ret is chosen by them, {} on {} surfaces are needed; what "
+            "follows rests on (10), E_loss = W_int A_true",
+            counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"), hysteresis::fewest_ranked_pairs,
+            hysteresis::fewest_ranked_surfaces));
+    else if (h.deciding) sentences.push_back(deciding_sentence(*h.deciding));
+    return sentences;
+}
+
 std::string hysteresis_answer(const study::Hysteresis& h, std::size_t width) {
     std::string text;
-    for (const auto& ranking : rankings_of(h)) text += wrapped(best_sentence(ranking), width, 2) + "\n";
-    if (text.empty())
-        text =
-            wrapped(fmt::format("{} with W_app and W_ret measured: no law of W_ret is chosen by them, {} are needed; "
-                                "what follows rests on (10), E_loss = W_int A_true",
-                                counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"),
-                                fmt::format("{} on {} surfaces", hysteresis::fewest_ranked_pairs,
-                                            hysteresis::fewest_ranked_surfaces)),
-                    width, 2) +
-            "\n";
-    else if (h.deciding) text += wrapped(deciding_sentence(*h.deciding), width, 2) + "\n";
+    for (const auto& sentence : hysteresis_sentences(h)) text += wrapped(sentence, width, 2) + "\n";
     return text;
 }
 
@@ -329,6 +332,14 @@ TidyTable decomposition_table(const study::Hysteresis& h) {
         table.rows.push_back(std::move(row));
     }
     return table;
+}
+
+std::vector<std::pair<std::string, TidyTable>> hysteresis_tables(const study::Hysteresis& h) {
+    return {{"hysteresis.csv", hysteresis_table(h)},
+            {"models.csv", model_table(h)},
+            {"model_works.csv", model_work_table(h)},
+            {"losses.csv", decomposition_table(h)},
+            {"trials.csv", trial_table(h)}};
 }
 
 }  // namespace setae::output

@@ -37,6 +37,25 @@ std::string sentence_of_loss(const StudyResult& result) {
                        may_be_zero(apart) ? "consistent" : fmt::format("{} apart", format_uncertain(apart, "J/m2")));
 }
 
+/// The law that says W_ret of all measured pairs best; empty where none was ranked.
+std::string sentence_of_way_back(const study::Hysteresis& h) {
+    const auto* best = h.all.best();
+    if (!best) return "";
+    const auto& model = best->fitted.model;
+    std::string fitted;
+    if (model.fitted()) {
+        const auto parameter = model.parameter();
+        const auto estimate = best->fitted.parameter.estimate();
+        fitted = fmt::format(", {} {}", parameter.symbol,
+                             parameter.unit == "1" ? uncertain_number(estimate) : format_uncertain(estimate, parameter.unit));
+    }
+    const auto alike = h.all.not_told_apart().size() - 1;
+    return fmt::format(
+        "On the way back W_ret = {}{}: {} off on surfaces not fitted ({}, {}).", model.formula(), fitted,
+        format_value(best->surface_left_out, "J/m2", 2), pairs_text(h.measured_pairs),
+        alike > 0 ? fmt::format("{} not told apart", counted(alike, "other law", "other laws")) : "no other law does as well");
+}
+
 /// What measured and predicted works of adhesion say together; empty where nothing was measured.
 std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     const bool fitted = static_cast<bool>(result.modified);
@@ -61,6 +80,8 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
         fitted && !budgets.empty() && budgets.front().quantity == "work_of_adhesion")
         sentences.push_back(budget_sentence(budgets.front()) + ".");
     if (auto loss = sentence_of_loss(result); !loss.empty()) sentences.push_back(std::move(loss));
+    if (result.hysteresis)
+        if (auto back = sentence_of_way_back(*result.hysteresis); !back.empty()) sentences.push_back(std::move(back));
     return sentences;
 }
 

@@ -14,6 +14,8 @@
 #include "setae/core/statistics.hpp"
 #include "setae/hysteresis/pinning_law.hpp"
 #include "setae/roughness/energy_below.hpp"
+#include "setae/study/loop_dependence.hpp"
+#include "setae/study/study_result.hpp"
 
 namespace setae::study {
 namespace {
@@ -71,6 +73,31 @@ std::optional<hysteresis::Pressing> pressing_of(const ElastomerResult& elastomer
         contact::jkr::force(std::sqrt(*pair.contact_area / pi),
                             {base.radius->value, base.soft.contact_modulus.value, pair.approach->value});
     return hysteresis::Pressing{.maximum_force = std::max(0.0, force)};
+}
+
+/// The mean of what loops on the pair state, else of what loops on its elastomer do; nothing where none does.
+std::optional<TracedValue> machine_stiffness_of(const StudyResult& result, const PairResult& pair) {
+    const auto stated = [&](bool on_pair) {
+        std::vector<TracedValue> found;
+        for (const auto& e : result.experiments) {
+            if (e.failed() || e.input.excluded() || !e.input.machine_stiffness || e.input.elastomer != pair.elastomer)
+                continue;
+            if (on_pair && (e.input.reference || e.input.surface != pair.surface)) continue;
+            const auto& value = *e.input.machine_stiffness;
+            found.emplace_back(value, input_name(value, e.input.file + ".machine_stiffness"));
+        }
+        return found;
+    };
+    auto found = stated(true);
+    if (found.empty()) found = stated(false);
+    if (found.empty()) return std::nullopt;
+    const double share = 1.0 / static_cast<double>(found.size());
+    TracedValue mean;
+    for (const auto& one : found) {
+        mean.value += share * one.value;
+        mean.components = combined({{1.0, mean.components}, {share, one.components}});
+    }
+    return mean;
 }
 
 /// A pair of the study with what lives as long as laws look at it.
@@ -166,6 +193,7 @@ void HysteresisOf::prepare() {
                             .band_shares = band_shares_of(spectrum.curve)};
         if (elastomer.input.sphere_radius) base.radius = elastomer.traced_radius();
         base.pressing = pressing_of(elastomer, pair, base);
+        base.machine_stiffness = machine_stiffness_of(result_, pair);
         prepared.from_roughness.emplace(base);
         base.approach = pair.traced_approach();
         if (pair.contact_area) base.contact_area = TracedValue(*pair.contact_area, pair.contact_area_inputs);
@@ -220,21 +248,23 @@ std::vector<ModelWork> HysteresisOf::works_of(const PreparedPair& pair, const Ra
     return works;
 }
 
-/// E_loss of the measured works over the contact area, with the sphere's jumps under fixed grips.
+/// E_loss of the measured works over the contact area, with the sphere's jumps in the pair's machine.
 TracedValue loss_of_works(const PreparedPair& pair, const TracedValue& retraction) {
     const auto& measured = *pair.as_measured;
     const double preload = measured.pressing ? measured.pressing->maximum_force : 0.0;
-    const bool area_known = measured.contact_area.has_value();
+    const bool area_known = measured.contact_area.has_value(), machine_known = measured.machine_stiffness.has_value();
     return setae::propagated(
         [&](const std::vector<double>& in) {
             const double approach = in[0], radius = in[2], modulus = in[3];
             hysteresis::HystereticSphere sphere{radius, modulus, approach, std::max(approach, in[1])};
             const double force =
                 area_known ? std::max(0.0, contact::jkr::force(std::sqrt(in[4] / pi), sphere.approach())) : preload;
-            return hysteresis::sphere_loop(sphere, {.maximum_force = force}).energy_loss();
+            hysteresis::Pressing pressing{.maximum_force = force};
+            if (machine_known) pressing.machine_stiffness = in[5];
+            return hysteresis::sphere_loop(sphere, pressing).energy_loss();
         },
         {*measured.approach, retraction, *measured.radius, measured.soft.contact_modulus,
-         measured.contact_area.value_or(TracedValue())});
+         measured.contact_area.value_or(TracedValue()), measured.machine_stiffness.value_or(TracedValue())});
 }
 
 Outcome<LossDecomposition> HysteresisOf::decomposed(const PreparedPair& pair, const FittedModel& model) const {

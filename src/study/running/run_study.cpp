@@ -9,6 +9,7 @@
 #include "run.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/study/open_loop.hpp"
+#include "setae/study/hysteresis.hpp"
 #include "setae/study/study_result.hpp"
 #include "surfaces/surface_run.hpp"
 
@@ -154,6 +155,21 @@ void bring_together(StudyResult& result) {
     conclude(result, result);
 }
 
+/// How pairs hold on, where that takes no minutes.
+Outcome<Hysteresis> way_back_of(const StudyResult& result) {
+    using Missing = Outcome<Hysteresis>;
+    const auto measured = std::ranges::count_if(
+        result.pairs, [](const PairResult& pair) { return pair.approach && (pair.retraction || pair.pull_off); });
+    if (measured > most_ranked_by_studies)
+        return Missing::missing(fmt::format("ranking laws by {} pairs takes minutes: setae predict {}", measured,
+                                            result.study.path));
+    try {
+        return hysteresis_of(result);
+    } catch (const UndefinedDataError& error) {
+        return Missing::missing(error.what());
+    }
+}
+
 }  // namespace
 
 StudyResult predicted_study(Study study, SurfaceResult surface) {
@@ -182,6 +198,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     });
     run.stop_if_cancelled();
     bring_together(result);
+    result.hysteresis = way_back_of(result);
     return result;
 }
 

@@ -10,7 +10,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/comparison_figure.hpp"
 #include "setae/file_figures/contour_figure.hpp"
-#include "setae/file_figures/hysteresis_figure.hpp"
+#include "setae/file_figures/predicted_loop_figure.hpp"
 #include "setae/file_figures/level_figure.hpp"
 #include "setae/file_figures/parameter_figure.hpp"
 #include "setae/file_figures/persson_figure.hpp"
@@ -263,30 +263,14 @@ TEST(ComparisonFigure, ShowsSolutionsWithTheirErrorsAndTheTheoryBeside) {
     EXPECT_EQ(wide.figure.panels[3].y.unit, "J/m2");
 }
 
-TEST(HysteresisFigures, ShowPairsBarsAndLoops) {
+TEST(PredictedLoopFigure, HasBothPanelsOrAReason) {
     const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
-    const auto h = study::hysteresis_of(result);
-    const auto pairs = hysteresis_figure(h, {});
-    ASSERT_TRUE(pairs.drawable()) << pairs.reason;
-    int drawn = 0, hollow = 0;
-    for (const auto& series : pairs.figure.panels[0].series) {
-        if (series.legend_only || series.mark != figures::Mark::points) continue;
-        ++drawn;
-        hollow += series.hollow ? 1 : 0;
-        EXPECT_LE(series.left[0], series.x[0]);
-    }
-    EXPECT_EQ(drawn, 16);
-    EXPECT_EQ(hollow, 7);
-
-    const auto bars = loss_shares_figure(h, {});
-    ASSERT_TRUE(bars.drawable()) << bars.reason;
-    EXPECT_EQ(bars.figure.panels[0].y.tick_labels.size(), 16U);
-    EXPECT_EQ(bars.figure.panels[0].y.tick_labels.back(), "PUNCD E0.7");
-
+    const auto& h = *result.hysteresis;
     const auto loop = predicted_loop_figure(h.pairs.front(), result, {});
     ASSERT_TRUE(loop.drawable()) << loop.reason;
     EXPECT_EQ(loop.figure.panels.size(), 2U);
-    EXPECT_NEAR(series_of(loop.figure.panels[0], "predicted, opening_work").y.maxCoeff(), 1000.0, 1e-6);  // µN
+    const double unit = loop.figure.panels[0].y.unit == "mN" ? 1e-3 : 1e-6;  // 1 mN is where one ends
+    EXPECT_NEAR(series_of(loop.figure.panels[0], "predicted, opening_work").y.maxCoeff() * unit, 1e-3, 1e-12);
     // a contact that touches on 2 % of its area has a loop, too
     EXPECT_TRUE(predicted_loop_figure(h.pairs.back(), result, {}).drawable());
     auto unknown = h.pairs.back();
@@ -294,10 +278,19 @@ TEST(HysteresisFigures, ShowPairsBarsAndLoops) {
     EXPECT_EQ(predicted_loop_figure(unknown, result, {}).reason, unknown.loop.reason);
 }
 
-TEST(HysteresisFigures, OfNothingMeasuredSayWhy) {
-    const study::Hysteresis none;
-    EXPECT_EQ(hysteresis_figure(none, {}).reason, "no pair has W_ret measured");
-    EXPECT_FALSE(loss_shares_figure(none, {}).drawable());
+// the force is then that of the measured contact area
+TEST(PredictedLoopFigure, OfAStudyWithoutPreload) {
+    auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
+    for (auto& elastomer : result.elastomers) elastomer.input.preload.reset();
+    result.pairs.front().contact_area = 1e-7;
+    const auto h = study::hysteresis_of(result);
+    const auto& pair = h.pairs.front();
+    ASSERT_TRUE(pair.loop) << pair.loop.reason;
+    ASSERT_GT(pair.loop->pressing.maximum_force, 0.0);
+    const auto figure = predicted_loop_figure(pair, result, {});
+    const double unit = figure.figure.panels[0].y.unit == "mN" ? 1e-3 : 1e-6;
+    EXPECT_NEAR(series_of(figure.figure.panels[0], "predicted, opening_work").y.maxCoeff() * unit,
+                pair.loop->pressing.maximum_force, 1e-12);
 }
 
 }  // namespace

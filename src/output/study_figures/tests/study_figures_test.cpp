@@ -26,11 +26,12 @@ TEST(StudyFigures, OfAnEmptyStudySayWhatIsMissing) {
         EXPECT_FALSE(figure.title.empty());
         names.insert(figure.name);
     }
-    EXPECT_EQ(names.size(), 19u);
+    EXPECT_EQ(names.size(), 21u);
     EXPECT_EQ(reason_of(empty, "1"), "the study has no surface");
     EXPECT_EQ(reason_of(empty, "2"), "the study has no loop on a rough surface");
     EXPECT_EQ(reason_of(empty, "4"), "the study has no pair of surface and elastomer");
     EXPECT_EQ(reason_of(empty, "S6"), "the study has no loop on a smooth reference");
+    EXPECT_EQ(reason_of(empty, "hysteresis"), "no W_int is known");
 }
 
 TEST(StudyFigures, OfPublishedSurfacesNeedNoMeasurement) {

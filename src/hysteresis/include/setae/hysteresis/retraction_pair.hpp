@@ -23,6 +23,7 @@ struct RetractionPair {
     std::optional<TracedValue> radius{};        ///< R [m] of the sphere
     std::optional<TracedValue> contact_area{};  ///< π a_max² as measured [m²]; without it of `pressing`
     std::optional<Pressing> pressing{};
+    std::optional<TracedValue> machine_stiffness{};  ///< k_m [N/m]; without it that of `pressing`
     std::vector<double> band_shares;  ///< of U_el, by bands of a factor of 4
 
     /// U_el over what conforming gains.
@@ -68,7 +69,8 @@ struct PredictedRetraction {
     TracedValue contact_radius;                  ///< a_max [m]
     TracedValue energy_loss;                     ///< ∮F dδ [J]
     EnergyShares shares;                         ///< they add to energy_loss
-    HystereticSphere sphere;                     ///< of the values, for loop_course()
+    HystereticSphere sphere;                     ///< of the values, with pressing for loop_course()
+    Pressing pressing;
 };
 
 /// Nothing where W_app is 0: no contact forms.

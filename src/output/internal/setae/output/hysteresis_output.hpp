@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "setae/output/json.hpp"
 #include "setae/study/hysteresis.hpp"
@@ -17,8 +19,9 @@ namespace setae::output {
 /// "conforming_pairs", "all_pairs" or "assumed".
 [[nodiscard]] const char* name_of(study::ModelChoice choice);
 
-/// Which law says W_ret best, how well, what cannot be told apart from it and what would decide, in lines of at most so
-/// many characters.
+/// Which law says W_ret best, how well, what cannot be told apart from it and what would decide.
+[[nodiscard]] std::vector<std::string> hysteresis_sentences(const study::Hysteresis& hysteresis);
+/// The same in lines of at most so many characters.
 [[nodiscard]] std::string hysteresis_answer(const study::Hysteresis& hysteresis, std::size_t width);
 
 /// Answer and tables for a terminal.
@@ -34,5 +37,9 @@ namespace setae::output {
 [[nodiscard]] tables::TidyTable model_work_table(const study::Hysteresis& hysteresis);
 /// One row a measured pair: where its joules went, SI.
 [[nodiscard]] tables::TidyTable decomposition_table(const study::Hysteresis& hysteresis);
+
+/// All of these with the names of their files.
+[[nodiscard]] std::vector<std::pair<std::string, tables::TidyTable>> hysteresis_tables(
+    const study::Hysteresis& hysteresis);
 
 }  // namespace setae::output

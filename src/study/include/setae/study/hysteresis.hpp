@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "setae/hysteresis/law_trials.hpp"
-#include "setae/study/study_result.hpp"
+#include "setae/loops/outcome.hpp"
 
 namespace setae::study {
+
+struct StudyResult;
 
 /// W_ret of a pair by one model, from roughness alone.
 struct ModelWork {
@@ -47,8 +49,8 @@ struct PairHysteresis {
     TracedValue work_approach;                  ///< by (7), of the contact that there is [J/m²]
     TracedValue work_retraction;                ///< by the model, from roughness alone [J/m²]
     std::optional<TracedValue> pull_off_force;  ///< 3/2 π R W_ret [N]; where the sphere is given
-    Outcome<hysteresis::PredictedRetraction> loop;
-    Outcome<LossDecomposition> decomposition;
+    loops::Outcome<hysteresis::PredictedRetraction> loop;
+    loops::Outcome<LossDecomposition> decomposition;
     std::vector<ModelWork> models;
 };
 
@@ -76,10 +78,14 @@ struct Hysteresis {
     std::optional<DecidingPair> deciding;       ///< between the best law and the likeliest not told apart from it
 };
 
+/// Pairs with W_ret measured up to which run_study() ranks laws: the time goes as their cube.
+inline constexpr int most_ranked_by_studies = 48;
+
 /// Every pair whose surface has a spectrum and whose elastomer a modulus; W_int is the study's.
 ///
 /// Models are ranked with W_app as measured, so that errors of it do not count against them; what is predicted rests
-/// on roughness alone, so that pairs without a loop have it, too. Machine stiffness: fixed grips.
+/// on roughness alone, so that pairs without a loop have it, too. Machines are as stiff as
+/// loops of the pair, else of its elastomer, state; fixed grips where none does.
 /// @throws UndefinedDataError where the study has no W_int.
 /// trials: whether measurements like the study's could tell the laws apart, hysteresis::law_trials().
 [[nodiscard]] Hysteresis hysteresis_of(const StudyResult& result,

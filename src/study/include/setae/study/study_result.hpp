@@ -21,6 +21,7 @@
 #include "setae/loops/reference_loop.hpp"
 #include "setae/statistics/equivalence.hpp"
 #include "setae/statistics/mixed_model.hpp"
+#include "setae/study/hysteresis.hpp"
 #include "setae/study/loop_dependence.hpp"
 #include "setae/study/provenance.hpp"
 #include "setae/study/run_options.hpp"
@@ -93,7 +94,8 @@ struct PairResult {
 
     double area_ratio = 1.0;
     Estimate stored_energy;                                      ///< U_el/A_app [J/m²]
-    std::optional<adhesion::PredictedWork> modified;             ///< (7)
+    /// (7); its errors are those of (7) of a measured pair, and hold the scatter of measured pairs about (7) of another
+    std::optional<adhesion::PredictedWork> modified;
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
     adhesion::UnloadedContact contact;           ///< under no load, of simulated patches that store as much
@@ -206,6 +208,7 @@ struct StudyResult : Conclusions {
     std::vector<ReferenceDrift> reference_drifts;
     std::vector<Alert> alerts;
     std::optional<Conclusions> by_average;  ///< once more with averages, where likelihoods are used first
+    Outcome<Hysteresis> hysteresis;         ///< without trials
 
     [[nodiscard]] int failures() const;   ///< measurements, surfaces, their likelihoods and experiments that failed
     [[nodiscard]] int successes() const;  ///< surfaces and experiments that did not

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/file_figures/hysteresis_figure.hpp"
+#include "setae/study_figures/hysteresis_figures.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "axes.hpp"
+#include "drawing.hpp"
+#include "setae/core/display_unit.hpp"
 #include "setae/core/words.hpp"
 
-namespace setae::file_figures {
+namespace setae::study_figures {
 namespace {
 
 using figures::Mark;
@@ -91,65 +93,26 @@ std::vector<Bar> bars_of(const study::Hysteresis& h, bool measured) {
     return bars;
 }
 
-/// What is drawn of a loop's curve.
-struct Course {
-    Array1D displacement, force, contact_radius;
-    explicit Course(const Table& table)
-        : displacement(table.at("displacement")),
-          force(table.at("force")),
-          contact_radius(table.at("contact_radius")) {}
-};
-
-/// Works of the way back that lie a standard error off, those that are no less than W_app.
-std::vector<hysteresis::HystereticSphere> spheres_beside(const hysteresis::PredictedRetraction& loop) {
-    std::vector<hysteresis::HystereticSphere> beside;
-    for (const double sign : {-1.0, 1.0}) {
-        auto sphere = loop.sphere;
-        sphere.work_retraction =
-            std::max(sphere.work_approach, sphere.work_retraction + sign * loop.work_retraction.standard_error());
-        if (sphere.work_retraction != loop.sphere.work_retraction) beside.push_back(sphere);
+/// A figure of the hysteresis that a study has.
+void take(StudyFigure (*figure)(const study::Hysteresis&, FigureWidth), const FigureRequest& request,
+          StudyFigure& drawn) {
+    const auto& hysteresis = request.result.hysteresis;
+    if (!hysteresis) {
+        drawn.reason = hysteresis.reason.empty() ? "no W_int is known" : hysteresis.reason;
+        return;
     }
-    return beside;
+    auto made = figure(*hysteresis, request.options.width);
+    drawn.title = std::move(made.title);
+    drawn.figure = std::move(made.figure);
+    drawn.caption = std::move(made.caption);
+    drawn.reason = std::move(made.reason);
 }
-
-/// Both panels of a curve.
-class LoopPanels {
-public:
-    LoopPanels(const Array1D& displacement, const Array1D& force, const Array1D& radius)
-        : along_(axis_unit(displacement, "m")), force_(axis_unit(force, "N")), radius_(axis_unit(radius, "m")) {
-        curve_ = {.title = "A",
-                  .x = {.quantity = "displacement *δ*", .unit = along_.name},
-                  .y = {.quantity = "force *F*", .unit = force_.name}};
-        edge_ = {.title = "B",
-                 .x = {.quantity = "force *F*", .unit = force_.name},
-                 .y = {.quantity = "contact radius *a*", .unit = radius_.name},
-                 .legend = false};
-    }
-
-    void add(const std::string& label, const Array1D& displacement, const Array1D& force, const Array1D& radius,
-             const figures::Series& style) {
-        auto series = style;
-        series.label = label;
-        series.x = displacement / along_.factor;
-        series.y = force / force_.factor;
-        curve_.series.push_back(series);
-        if (radius.size() == 0) return;
-        series.x = force / force_.factor;
-        series.y = radius / radius_.factor;
-        edge_.series.push_back(std::move(series));
-    }
-
-    [[nodiscard]] std::vector<Panel> panels() const { return {curve_, edge_}; }
-
-private:
-    DisplayUnit along_, force_, radius_;
-    Panel curve_, edge_;
-};
 
 }  // namespace
 
-StudyFigure hysteresis_figure(const study::Hysteresis& h, const Look& look) {
-    StudyFigure drawn{.identifier = "hysteresis", .name = "hysteresis", .command = look.command};
+StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
+    const bool wide = width == FigureWidth::double_column;
+    StudyFigure drawn{.identifier = "hysteresis", .name = "hysteresis"};
     drawn.title = "Work of adhesion on retraction: measured against predicted from roughness";
     Panel panel{.x = {.quantity = "predicted *W*_ret", .unit = "mJ/m2", .from = 0.0},
                 .y = {.quantity = "measured *W*_ret", .unit = "mJ/m2", .from = 0.0}};
@@ -170,29 +133,30 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, const Look& look) {
                             .x = Array1D{{0.0, largest}},
                             .y = Array1D{{0.0, largest}},
                             .mark = Mark::line,
-                            .colour = black,
+                            .colour = colour::black,
                             .dash = 1,
                             .in_legend = false});
     panel.series.insert(panel.series.end(), points.begin(), points.end());
     for (std::size_t i = 0; i < surfaces.size(); ++i)
-        panel.series.push_back(explained(surfaces[i], static_cast<int>(i), black));
+        panel.series.push_back(explained(surfaces[i], static_cast<int>(i), colour::black));
     for (std::size_t i = 0; i < elastomers.size(); ++i)
         panel.series.push_back(explained(elastomers[i], 0, static_cast<int>(i)));
-    panel.legend_beside = look.wide();
+    panel.legend_beside = wide;
     drawn.figure = {
-        .panels = {panel}, .width_mm = look.wide() ? page_mm : column_mm, .height_mm = look.wide() ? 110.0 : 95.0};
-    if (!look.wide()) figures::put_legend_above(drawn.figure);
+        .panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = wide ? 110.0 : 95.0};
+    if (!wide) figures::put_legend_above(drawn.figure);
     std::vector<std::string> laws;
     for (const auto& pair : h.pairs) (void)place_of(laws, pair.model.name());
     drawn.caption = fmt::format(
         "W_ret of {} against what roughness predicts by {}; bars are one standard error. Symbol: surface; colour: elastomer; "
         "hollow: bodies that do not come into full contact of themselves. Dashed: equal.",
-        counted(points.size(), "pair", "pairs"), fmt::join(laws, ", "));
+        setae::counted(points.size(), "pair", "pairs"), fmt::join(laws, ", "));
     return drawn;
 }
 
-StudyFigure loss_shares_figure(const study::Hysteresis& h, const Look& look) {
-    StudyFigure drawn{.identifier = "losses", .name = "losses", .command = look.command};
+StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
+    const bool wide = width == FigureWidth::double_column;
+    StudyFigure drawn{.identifier = "losses", .name = "losses"};
     auto bars = bars_of(h, true);
     const bool measured = !bars.empty();
     if (!measured) bars = bars_of(h, false);
@@ -208,7 +172,7 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, const Look& look) {
         for (const auto& part : parts) losses[i] += (bar.shares.*part.share).value;
         if (bar.measured) losses[i] = std::max(losses[i], bar.measured->value);
     }
-    const auto unit = axis_unit(losses, "J");
+    const auto unit = display_unit(losses.maxCoeff(), "J");
     const auto count = static_cast<double>(bars.size());
     Panel panel{.x = {.quantity = "energy lost", .unit = unit.name, .from = 0.0},
                 .y = {.from = -0.6, .to = count - 0.4}};
@@ -230,62 +194,25 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, const Look& look) {
                                 .x = one(bar.measured->value / unit.factor),
                                 .y = one(place),
                                 .mark = Mark::points,
-                                .colour = black,
+                                .colour = colour::black,
                                 .symbol = 0,
                                 .left = one((bar.measured->value - error) / unit.factor),
                                 .right = one((bar.measured->value + error) / unit.factor),
                                 .in_legend = i == 0});
     }
-    panel.legend_beside = look.wide();
-    drawn.figure = {.panels = {panel}, .width_mm = look.wide() ? page_mm : column_mm, .height_mm = 35.0 + 5.0 * count};
-    if (!look.wide()) figures::put_legend_above(drawn.figure);
+    panel.legend_beside = wide;
+    drawn.figure = {.panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = 35.0 + 5.0 * count};
+    if (!wide) figures::put_legend_above(drawn.figure);
     drawn.caption = fmt::format(
-        "{} {} under fixed grips: the sphere's jumps into contact and out of it, what the crack tip needs more on the way back on a "
+        "{} {}: the sphere's jumps into contact and out of it, what the crack tip needs more on the way back on a "
         "smooth reference, and what roughness adds by the law of each pair.{}",
-        measured ? "Measured loops of" : "Predicted loops of", counted(bars.size(), "pair", "pairs"),
+        measured ? "Measured loops of" : "Predicted loops of", setae::counted(bars.size(), "pair", "pairs"),
         measured ? " Symbols: measured, with one standard error." : "");
     return drawn;
 }
 
-StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::StudyResult& result, const Look& look) {
-    StudyFigure drawn{.identifier = fmt::format("loop:{} {}", pair.surface, pair.elastomer),
-                      .name = fmt::format("loop {} {}", pair.surface, pair.elastomer),
-                      .command = look.command};
-    drawn.title = fmt::format("{} on {}: the loop predicted from roughness", pair.elastomer, pair.surface);
-    if (!pair.loop) {
-        drawn.reason = pair.loop.reason;
-        return drawn;
-    }
-    const auto preload = result.elastomer(pair.elastomer).input.preload;
-    const hysteresis::Pressing pressing{.maximum_force = *preload};
-    const Course course(hysteresis::loop_course(pair.loop->sphere, pressing));
-    LoopPanels panels(course.displacement, course.force, course.contact_radius);
-    std::size_t records = 0;
-    for (const auto& e : result.experiments) {
-        if (!e.analysis || e.input.surface != pair.surface || e.input.elastomer != pair.elastomer) continue;
-        const auto& record = e.analysis->corrected;
-        panels.add(records++ == 0 ? "measured" : "", record.displacement, record.force, record.contact_radius,
-                   {.mark = Mark::points, .colour = 1, .opacity = 0.4, .in_legend = records == 1});
-    }
-    bool first = true;
-    for (const auto& sphere : spheres_beside(*pair.loop)) {
-        const Course beside(hysteresis::loop_course(sphere, pressing));
-        panels.add("W_ret ± its standard error", beside.displacement, beside.force, beside.contact_radius,
-                   {.mark = Mark::line, .colour = 0, .dash = 1, .line_width = 0.8, .opacity = 0.7, .in_legend = first});
-        first = false;
-    }
-    panels.add(fmt::format("predicted, {}", pair.model.name()), course.displacement, course.force,
-               course.contact_radius, {.mark = Mark::line, .colour = 0, .dash = 0});
-    drawn.figure = {.panels = panels.panels(),
-                    .columns = look.wide() ? 2 : 1,
-                    .width_mm = look.wide() ? page_mm : column_mm,
-                    .height_mm = look.wide() ? 70.0 : 130.0};
-    drawn.caption = fmt::format(
-        "Predicted from roughness by {}: force against displacement, contact radius against force. Dashed: W_ret a standard error "
-        "off.{}",
-        pair.model.name(),
-        records > 0 ? fmt::format(" Points: {} of the study.", counted(records, "record", "records")) : "");
-    return drawn;
-}
+void way_back(const FigureRequest& request, StudyFigure& drawn) { take(hysteresis_figure, request, drawn); }
 
-}  // namespace setae::file_figures
+void shares_of_losses(const FigureRequest& request, StudyFigure& drawn) { take(loss_shares_figure, request, drawn); }
+
+}  // namespace setae::study_figures

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/output/json.hpp"
+#include "setae/study/study_result.hpp"
+
+namespace setae::report {
+
+/// How pairs hold on, folded: which law says it, what it says of each pair, where the joules went. Empty where the study has no
+/// W_int. `study` is output::to_json(result), figures: HTML.
+[[nodiscard]] std::string way_back_html(const study::StudyResult& result, const output::Json& study,
+                                        const std::string& figures);
+
+}  // namespace setae::report
