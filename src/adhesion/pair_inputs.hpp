@@ -21,8 +21,8 @@ struct PairResiduals {
 
 /// What the errors of pairs have in common, looked up by the names of inputs once for all W.
 ///
-/// Of measured − prediction(W) inputs make ρ m + e − σ (W s − o): m, e those of the measured value, s, o of the line, ρ and
-/// σ as residual_inputs() takes them. Products of all of these over all pairs say the covariance at any W.
+/// Of measured − prediction(W) inputs make ρ m + e − σ (W s − o): m, e those of the measured value, s, o of the line, ρ
+/// and σ as residual_inputs() takes them. Products of all of these over all pairs say the covariance at any W.
 class PairInputs {
 public:
     /// @throws InvalidArgument where two values have one input with different numbers of directions.
@@ -34,9 +34,7 @@ public:
 private:
     enum Part : Index { measured, noise, slope, offset, parts };
 
-    [[nodiscard]] auto products(Index a, Index b) const {
-        return products_.block(a * size_, b * size_, size_, size_);
-    }
+    [[nodiscard]] auto products(Index a, Index b) const { return products_.block(a * size_, b * size_, size_, size_); }
     [[nodiscard]] double share_at(Index pair, double work) const;
 
     const std::vector<PairPoint>& pairs_;

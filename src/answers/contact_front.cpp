@@ -132,11 +132,10 @@ FrontRun run_of(const HeightMap& map, const Plan& plan, parallel::Threads thread
         map, {contact.contact_modulus, plan.shortest, {0.5 * map.size[0], 0.5 * map.size[1]}}, plan.rays.angles,
         plan.rays.radii, threads);
     run.stored_energy = intensity.stored_energy;
-    crack_front::CircularFront front(
-        {contact.radius, contact.contact_modulus},
-        crack_front::equivalent_work(intensity.values, intensity.points, contact.work_of_adhesion,
-                                     contact.contact_modulus),
-        plan.request.options());
+    crack_front::CircularFront front({contact.radius, contact.contact_modulus},
+                                     crack_front::equivalent_work(intensity.values, intensity.points,
+                                                                  contact.work_of_adhesion, contact.contact_modulus),
+                                     plan.request.options());
     auto path = plan.path;
     path.progress = progress;
     run.loop = crack_front::front_loop(front, path);
@@ -206,11 +205,10 @@ std::vector<Quantity> quantities_of(const FrontAnswer& answer) {
     for (const auto& reading : readings())
         quantities.push_back(
             output::quantity(reading.name, reading.symbol, mean_of(answer.runs, reading.value), reading.unit));
-    quantities.push_back(output::quantity("smooth_sphere_loss", "E_loss,0",
-                                          contact::jkr::ideal_loop_loss(answer.contact).total, "J"));
     quantities.push_back(
-        output::quantity("smooth_sphere_pull_off_force", "F_po,0",
-                         -contact::jkr::pull_off_at_fixed_load(answer.contact).force, "N"));
+        output::quantity("smooth_sphere_loss", "E_loss,0", contact::jkr::ideal_loop_loss(answer.contact).total, "J"));
+    quantities.push_back(output::quantity("smooth_sphere_pull_off_force", "F_po,0",
+                                          -contact::jkr::pull_off_at_fixed_load(answer.contact).force, "N"));
     return quantities;
 }
 
@@ -221,14 +219,15 @@ std::vector<Alert> alerts_of(const FrontAnswer& answer, const HeightMap& map) {
     for (const auto& caution : first.validity.cautions)
         alerts.push_back({"FRONT_THEORY", file, caution, "docs/theory/crack-front.md says what a front rests on"});
     if (const double across = 2.0 * first.contact_radius; map.periodic && across > std::min(map.size[0], map.size[1]))
-        alerts.push_back({"FRONT_THEORY", file,
-                          fmt::format("the contact is {} wide, the surface repeats itself every {}",
-                                      format_value(across, "m", 3),
-                                      format_value(std::min(map.size[0], map.size[1]), "m", 3)),
-                          "the same places hold the edge again and again; take a larger cell"});
+        alerts.push_back(
+            {"FRONT_THEORY", file,
+             fmt::format("the contact is {} wide, the surface repeats itself every {}", format_value(across, "m", 3),
+                         format_value(std::min(map.size[0], map.size[1]), "m", 3)),
+             "the same places hold the edge again and again; take a larger cell"});
     for (const auto& run : answer.runs) {
         if (!run.loop.complete)
-            alerts.push_back({"CONTACT_NOT_CONVERGED", file, "a loop of the front has steps that did not converge, or did not part",
+            alerts.push_back({"CONTACT_NOT_CONVERGED", file,
+                              "a loop of the front has steps that did not converge, or did not part",
                               "take more steps, or --method rosso_krauth"});
         if (!run.works)
             alerts.push_back({"FRONT_THEORY", file, "no works of adhesion can be read from a loop: " + run.reason,
@@ -247,8 +246,7 @@ output::Json run_json(const FrontRun& run) {
 
 double FrontRun::pinning_coefficient() const {
     if (!works || !(stored_energy > 0.0)) return undefined;
-    return (works->retraction.work_of_adhesion.value - works->approach.work_of_adhesion.value) /
-           (2.0 * stored_energy);
+    return (works->retraction.work_of_adhesion.value - works->approach.work_of_adhesion.value) / (2.0 * stored_energy);
 }
 
 void FrontRequest::require_complete() const {
@@ -316,8 +314,8 @@ std::string front_sentence(const FrontAnswer& answer) {
     };
     const auto text = [&](const char* name, const char* unit) { return format_uncertain(value(name), unit); };
     const double smooth = value("smooth_sphere_loss").value;
-    const auto lost = fmt::format("the loop loses {}, a smooth sphere {}", text("energy_loss", "J"),
-                                  format_value(smooth, "J", 3));
+    const auto lost =
+        fmt::format("the loop loses {}, a smooth sphere {}", text("energy_loss", "J"), format_value(smooth, "J", 3));
     if (!std::isfinite(value("work_of_adhesion_retraction").value)) return lost;
     return fmt::format("W_appr {}, W_ret {} where a smooth surface has {}: k = {} of U_el/AW = {:.2g}; {}; {}",
                        text("work_of_adhesion_approach", "J/m2"), text("work_of_adhesion_retraction", "J/m2"),
@@ -335,7 +333,10 @@ output::Json to_json(const FrontAnswer& answer, const std::vector<processing::St
     json["contact_modulus"] = answer.contact.contact_modulus;
     json["work_of_adhesion"] = answer.contact.work_of_adhesion;
     json["shortest_wavelength"] = answer.shortest_wavelength;
-    for (const auto& [name, unit] : {std::pair{"radius", "m"}, {"contact_modulus", "Pa"}, {"work_of_adhesion", "J/m2"}, {"shortest_wavelength", "m"}})
+    for (const auto& [name, unit] : {std::pair{"radius", "m"},
+                                     {"contact_modulus", "Pa"},
+                                     {"work_of_adhesion", "J/m2"},
+                                     {"shortest_wavelength", "m"}})
         json["units"][name] = unit;
     json["status"] = std::ranges::all_of(answer.runs, [](const FrontRun& run) { return run.loop.complete; })
                          ? "complete"

@@ -65,11 +65,12 @@ ExitCode run(const Arguments& arguments) {
     for (const auto& surface : surfaces) maps.push_back(surface.measurement);
     ProgressLine line;
     const bool one = maps.size() == 1;  // several run on threads of their own
-    const auto answer = answers::contact_front(arguments.surface.path, maps, arguments, threads,
-                                               one ? [&line](double share) { return line.show(share); }
-                                                   : answers::FrontProgress());
+    const auto answer =
+        answers::contact_front(arguments.surface.path, maps, arguments, threads,
+                               one ? [&line](double share) { return line.show(share); } : answers::FrontProgress());
     write_table_or_figure(
-        arguments.output, answer.steps, [&] { return file_figures::front_figure(answer.steps, answer.contact, answer.file, arguments.figure.look()); },
+        arguments.output, answer.steps,
+        [&] { return file_figures::front_figure(answer.steps, answer.contact, answer.file, arguments.figure.look()); },
         arguments.common.json);
     if (arguments.common.json) {
         print_json(answers::to_json(answer, surfaces.front().records));
@@ -87,12 +88,14 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
-    options.add("--radius", arguments->radius, "of the sphere, such as \"1.25 mm\"").quantity(positive(dimension::length));
+    options.add("--radius", arguments->radius, "of the sphere, such as \"1.25 mm\"")
+        .quantity(positive(dimension::length));
     options.add("--contact-modulus", arguments->contact_modulus, "E* of both bodies, such as \"1 MPa\"")
         .quantity(positive(dimension::pressure));
     options.add("--w,--work-of-adhesion", arguments->work_of_adhesion, "what conforming gains, such as \"50 mJ/m2\"")
         .quantity(positive(dimension::surface_energy));
-    options.add("--to-force", arguments->to_force, "where the loop turns, such as \"0.1 mN\"").quantity(positive(dimension::force));
+    options.add("--to-force", arguments->to_force, "where the loop turns, such as \"0.1 mN\"")
+        .quantity(positive(dimension::force));
     options.add("--to-displacement", arguments->to_displacement, "or there, such as \"1 um\"")
         .quantity(positive(dimension::length));
     options
@@ -102,13 +105,17 @@ Action declare(Options& options) {
     options.flag("--dead-load", arguments->dead_load, "the force is moved; its loop ends where it lets go");
     options.add("--shortest-wavelength", arguments->shortest_wavelength, "that counts; default: four pixels")
         .quantity(positive(dimension::length));
-    options.add("--realisations", arguments->realisations, "surfaces that are made, from --seed on; results are means with ±")
+    options
+        .add("--realisations", arguments->realisations,
+             "surfaces that are made, from --seed on; results are means with ±")
         .positive();
     options.add("--steps", arguments->steps, "on the way there; halved where the edge jumps").positive();
     options.add("--model", arguments->model, "how the energy follows the edge")
         .one_of({"constant_toughness", "variational", "energy_release_rate", "stress_intensity", "mean_circle"})
         .default_shown();
-    options.add("--method", arguments->method, "how equilibria are found").one_of({"trust_region", "rosso_krauth"}).default_shown();
+    options.add("--method", arguments->method, "how equilibria are found")
+        .one_of({"trust_region", "rosso_krauth"})
+        .default_shown();
     options.add("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example(

@@ -32,7 +32,8 @@ FrontRequest asked() {
 /// Waves of 1 to 4 µm that store a share of W where a body of that modulus conforms to them.
 topography::HeightMap rough(double energy_share, std::uint64_t seed) {
     const double size = 64e-6;
-    const auto density = spectra::density(spectra::SelfAffine{1.0, 2.0 * pi / (4.0 * shortest), 0.8, 2.0 * pi / shortest});
+    const auto density =
+        spectra::density(spectra::SelfAffine{1.0, 2.0 * pi / (4.0 * shortest), 0.8, 2.0 * pi / shortest});
     auto map = synthesis::random_surface(density, {256, 256, size, size}, {.key = {seed}});
     const auto intensity = crack_front::stress_intensity_on_parallels(map, {modulus, shortest});
     map.heights *= std::sqrt(energy_share * W / intensity.stored_energy);

@@ -50,11 +50,11 @@ StudyFigure front_figure(const Table& table, const contact::AdhesiveContact& con
     const auto along = axis_unit(table.at("displacement"), "m"), load = axis_unit(table.at("force"), "N"),
                radius = axis_unit(table.at("area_radius"), "m");
     const auto panel = [&](const char* title, const Curves& of, const Array1D& smooth_x, const Array1D& smooth_y) {
-        figures::Panel made{.title = title,
-                            .x = {.quantity = of.x == std::string("force") ? "force *F*" : "displacement *δ*",
-                                  .unit = of.x_unit.name},
-                            .y = {.quantity = of.y == std::string("force") ? "force *F*" : "contact radius √(*A*/π)",
-                                  .unit = of.y_unit.name}};
+        figures::Panel made{
+            .title = title,
+            .x = {.quantity = of.x == std::string("force") ? "force *F*" : "displacement *δ*", .unit = of.x_unit.name},
+            .y = {.quantity = of.y == std::string("force") ? "force *F*" : "contact radius √(*A*/π)",
+                  .unit = of.y_unit.name}};
         for (const bool approach : {true, false}) {
             const auto steps = steps_of(table, approach);
             made.series.push_back({.label = approach ? "approach" : "retraction",

@@ -41,8 +41,8 @@ DataTable pairs(const study::Hysteresis& h, const Json& study) {
         const auto quantity = [&](const char* name) { return quantity_or_none(study, joined(base, name)); };
         table.rows.push_back({TextCell{pair.surface}, TextCell{pair.elastomer}, TextCell{pair.model.name()},
                               NumberCell{joined(base, "contact_fraction")}, quantity("work_of_adhesion_approach"),
-                              quantity("work_of_adhesion_retraction"), quantity("measured"),
-                              quantity("pull_off_force"), quantity("energy_loss")});
+                              quantity("work_of_adhesion_retraction"), quantity("measured"), quantity("pull_off_force"),
+                              quantity("energy_loss")});
     }
     return table;
 }
@@ -77,19 +77,20 @@ DataTable losses(const study::Hysteresis& h, const Json& study) {
 }
 
 DataTable laws(const char* ranking, const char* title, const Json& study) {
-    DataTable table{fmt::format("laws-{}", ranking),
-                    title,
-                    "Off: measured less law, rms; of all pairs, of surfaces and of elastomers that the fit has not seen. Weight: the law's share among all, by how well the other surfaces "
-                    "say each surface.",
-                    {{"law", ""},
-                     {"*W*_ret", ""},
-                     {"*W*_x", "J/m2"},
-                     {"*k*", "1"},
-                     {"off", "J/m2"},
-                     {"next surface", "J/m2"},
-                     {"next elastomer", "J/m2"},
-                     {"weight", "1"}},
-                    {}};
+    DataTable table{
+        fmt::format("laws-{}", ranking),
+        title,
+        "Off: measured less law, rms; of all pairs, of surfaces and of elastomers that the fit has not seen. Weight: the law's share among all, by how well the other surfaces "
+        "say each surface.",
+        {{"law", ""},
+         {"*W*_ret", ""},
+         {"*W*_x", "J/m2"},
+         {"*k*", "1"},
+         {"off", "J/m2"},
+         {"next surface", "J/m2"},
+         {"next elastomer", "J/m2"},
+         {"weight", "1"}},
+        {}};
     const auto base = fmt::format("/hysteresis/rankings/{}/models", ranking);
     const auto& models = entry(study, base);
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -118,7 +119,8 @@ std::string contents_html(const study::Hysteresis& h, const Json& study) {
 std::string way_back_html(const study::StudyResult& result, const Json& study, const std::string& figures) {
     if (!result.work_of_adhesion) return "";
     const auto& hysteresis = result.hysteresis;
-    if (!hysteresis) return fmt::format("<p class=\"reason\">The way back is not predicted: {}.</p>", prose(hysteresis.reason));
+    if (!hysteresis)
+        return fmt::format("<p class=\"reason\">The way back is not predicted: {}.</p>", prose(hysteresis.reason));
     return as_html(Fold{.identifier = "way-back",
                         .kind = "family",
                         .title = "The way back: retraction, pull-off, energy lost",

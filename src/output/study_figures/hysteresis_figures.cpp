@@ -142,8 +142,7 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
     for (std::size_t i = 0; i < elastomers.size(); ++i)
         panel.series.push_back(explained(elastomers[i], 0, static_cast<int>(i)));
     panel.legend_beside = wide;
-    drawn.figure = {
-        .panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = wide ? 110.0 : 95.0};
+    drawn.figure = {.panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = wide ? 110.0 : 95.0};
     if (!wide) figures::put_legend_above(drawn.figure);
     std::vector<std::string> laws;
     for (const auto& pair : h.pairs) (void)place_of(laws, pair.model.name());

@@ -8,8 +8,8 @@
 #include "results/pairs.hpp"
 #include "run.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/study/open_loop.hpp"
 #include "setae/study/hysteresis.hpp"
+#include "setae/study/open_loop.hpp"
 #include "setae/study/study_result.hpp"
 #include "surfaces/surface_run.hpp"
 

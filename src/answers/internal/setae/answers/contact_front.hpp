@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct FrontRequest {
     std::string to_force, to_displacement;                  ///< where the loop turns: one of them
     std::string stage_stiffness;                            ///< "100 N/m" of a stage that is moved; empty: δ is held
     bool dead_load = false;                                 ///< the force is moved
-    std::string shortest_wavelength;  ///< that counts; empty: four pixels
+    std::string shortest_wavelength;                        ///< that counts; empty: four pixels
     std::string model = "constant_toughness";
     std::string method = "trust_region";
     int steps = 500;  ///< on the way there
@@ -33,8 +34,8 @@ struct FrontRequest {
 struct FrontRun {
     crack_front::FrontLoop loop;
     crack_front::FrontValidity validity;
-    double stored_energy = 0.0;  ///< U_el/A of the waves that count [J/m²]
-    double contact_radius = 0.0; ///< √(A/π) where it turns [m]
+    double stored_energy = 0.0;   ///< U_el/A of the waves that count [J/m²]
+    double contact_radius = 0.0;  ///< √(A/π) where it turns [m]
     std::optional<crack_front::BranchWorks> works;
     std::string reason;  ///< why there are none
 

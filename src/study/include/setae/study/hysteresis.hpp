@@ -84,8 +84,8 @@ inline constexpr int most_ranked_by_studies = 48;
 /// Every pair whose surface has a spectrum and whose elastomer a modulus; W_int is the study's.
 ///
 /// Models are ranked with W_app as measured, so that errors of it do not count against them; what is predicted rests
-/// on roughness alone, so that pairs without a loop have it, too. Machines are as stiff as
-/// loops of the pair, else of its elastomer, state; fixed grips where none does.
+/// on roughness alone, so that pairs without a loop have it, too. Machines are as stiff as loops of the pair, else of
+/// its elastomer, state; fixed grips where none does.
 /// @throws UndefinedDataError where the study has no W_int.
 /// trials: whether measurements like the study's could tell the laws apart, hysteresis::law_trials().
 [[nodiscard]] Hysteresis hysteresis_of(const StudyResult& result,
