@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -10,7 +11,10 @@
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "program/terminal.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/validation/law_recovery.hpp"
 #include "setae/validation/loop_coverage.hpp"
 #include "setae/validation/report.hpp"
 
@@ -23,15 +27,75 @@ constexpr const char* explanation =
     "SNR        largest force over sigma_F; displacement to the largest force over sigma_delta; a_max over sigma_a\n"
     "bias       mean of found/planted - 1, or of found - planted;  scatter, stated: standard deviation found, and claimed\n"
     "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
+    "with --mechanism: the recipe's data set with another law of W_ret in its loops, studied from its files; which law is found\n"
+    "           reversible, pinning, conformal_loss, opening_work, each alone and times a crack tip (crack_tip_…); docs/theory/hysteresis.md\n"
     "a(F)       least squares in a alone, (1); a(F) both: errors in both; linear: the linear form. a(F) and linear are biased where noisy\n";
 
 struct Arguments {
     Common common;
     validation::LoopCoverageOptions options;
+    std::string recipe;
+    std::vector<std::string> mechanisms;
     std::string output = "loop_coverage";
 };
 
-ExitCode run(const Arguments& arguments) {
+output::Json mechanism_json(const validation::LawSummary& row) {
+    output::Json json{
+        {"planted", row.planted},
+        {"runs", row.runs},
+        {"found", row.found},
+        {"not_told_apart", row.not_told_apart},
+        {"refused", row.refused},
+        {"rms_residual_surface_left_out", {{"value", output::number(row.surface_left_out)}, {"unit", "J/m2"}}}};
+    const bool fitted = std::isfinite(row.parameter);
+    if (fitted) {
+        const Estimate found{.value = row.parameter, .standard_error = row.parameter_standard_error};
+        json["work_per_true_area"] = output::to_json(output::quantity("work_per_true_area", "W_x", found, "J/m2"));
+        json["work_per_true_area_planted"] = {{"value", row.parameter_planted}, {"unit", "J/m2"}};
+    }
+    return json;
+}
+
+/// Mechanisms planted in a recipe's loops.
+ExitCode find_mechanisms(const Arguments& arguments) {
+    if (arguments.recipe.empty())
+        throw InvalidArgument(
+            "mechanisms are planted in the loops of a recipe; expected one, see docs/guides/laboratory.md");
+    const auto laws = validation::plantable_laws(arguments.mechanisms);
+    const int data_sets = arguments.options.runs * static_cast<int>(laws.size());
+    const auto found = validation::law_recoveries(arguments.recipe, laws,
+                                                  {.runs = arguments.options.runs,
+                                                   .first_seed = arguments.options.first_seed,
+                                                   .folder = arguments.output,
+                                                   .threads = arguments.common.workers(),
+                                                   .progress = progress_of(data_sets)});
+    for (const auto& failed : found.failed) complain(fmt::format("seed {}: {}", failed.seed, failed.reason));
+    if (found.recoveries.empty()) return ExitCode::nothing_done;
+    const auto rows = validation::summary(found.recoveries);
+    const auto table = validation::law_summary_table(rows);
+    const auto folder = std::filesystem::path(arguments.output);
+    bytes::write_whole_file((folder / "mechanisms.txt").string(), tables::as_text(table));
+    bytes::write_whole_file((folder / "mechanisms.csv").string(),
+                            tables::as_csv(validation::law_recovery_table(found.recoveries)));
+    if (arguments.common.json) {
+        auto list = output::Json::array();
+        for (const auto& row : rows) list.push_back(mechanism_json(row));
+        print_json({{"recipe", arguments.recipe},
+                    {"runs", arguments.options.runs},
+                    {"first_seed", arguments.options.first_seed},
+                    {"mechanisms", std::move(list)}});
+    } else {
+        print(
+            tables::as_text_within(table, output_size().width) +
+            fmt::format(
+                "\noff: of what was found, on surfaces that it has not seen; neither found nor refused: not told apart\n"
+                "data sets from seed {}; every one in {}\n",
+                arguments.options.first_seed, (folder / "mechanisms.csv").string()));
+    }
+    return found.failed.empty() ? ExitCode::done : ExitCode::some_failed;
+}
+
+ExitCode cover(const Arguments& arguments) {
     auto options = arguments.options;
     options.threads = arguments.common.workers();
     options.progress = progress_of(options.runs);
@@ -54,18 +118,34 @@ ExitCode run(const Arguments& arguments) {
     return ExitCode::done;
 }
 
+ExitCode run(const Arguments& arguments) {
+    if (!arguments.mechanisms.empty()) return find_mechanisms(arguments);
+    if (!arguments.recipe.empty())
+        throw InvalidArgument("a recipe is for --mechanism; expected that, or no recipe: the loops are the verb's own");
+    return cover(arguments);
+}
+
 }  // namespace
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
+    options.add("recipe", arguments->recipe, "of a data set whose loops get mechanisms, with --mechanism").of_inputs();
+    options
+        .add("--mechanism", arguments->mechanisms,
+             "of hysteresis, planted in the recipe's loops and looked for by the study: all, or names of laws")
+        .value_named("NAME");
     options.add("-o,--output", arguments->output, "folder of tables and figure").default_shown();
-    options.add("--runs", arguments->options.runs, "loops at each signal-to-noise ratio")
+    options
+        .add("--runs", arguments->options.runs,
+             "loops at each signal-to-noise ratio; with --mechanism data sets of each")
         .between(1, 1000000)
         .default_shown();
     options.add("--seed", arguments->options.first_seed, "of the first run").default_shown();
     options.add("--samples", arguments->options.samples, "of each branch").between(20, 1000000).default_shown();
     options.add("--snr", arguments->options.signal_to_noise, "signal-to-noise ratios").default_shown();
     options.example("setae lab loops --runs 20 -o loops", "whether intervals of fitted loops hold the truth");
+    options.example("setae lab loops recipe.toml --mechanism all --runs 1 -o mechanisms",
+                    "whether a study finds the law of W_ret that its loops were made by");
     return action(options, arguments, explanation, run);
 }
 

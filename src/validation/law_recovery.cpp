@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/validation/law_recovery.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <mutex>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "data_sets.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
+#include "setae/core/uncertain_text.hpp"
+#include "setae/study/study_result.hpp"
+
+namespace setae::validation {
+namespace {
+
+using hysteresis::Law;
+using hysteresis::RetractionModel;
+using simulation::Recipe;
+using simulation::RetractionLaw;
+using tables::TidyTable;
+
+RetractionLaw planted_as(Law law) {
+    switch (law) {
+        case Law::pinning: return RetractionLaw::pinning;
+        case Law::conformal_loss: return RetractionLaw::loss;
+        case Law::opening_work: return RetractionLaw::opening;
+        default: return RetractionLaw::reversible;
+    }
+}
+
+LawRecovery recovery_of(const study::StudyResult& result, const RetractionModel& law, const Recipe& made) {
+    if (!result.hysteresis) throw UndefinedDataError(result.hysteresis.reason);
+    const auto& hysteresis = *result.hysteresis;
+    const auto& ranking = hysteresis.conforming.best() ? hysteresis.conforming : hysteresis.all;
+    const auto* best = ranking.best();
+    if (!best)
+        throw UndefinedDataError(fmt::format("{} pairs with W_app and W_ret rank no law", hysteresis.measured_pairs));
+    LawRecovery found{.planted = law.name(), .found = best->fitted.model.name(), .seed = made.seed};
+    found.surface_left_out = best->surface_left_out;
+    const auto alike = ranking.not_told_apart();
+    found.not_told_apart =
+        !found.is_found() && std::ranges::any_of(alike, [&](const auto* score) { return score->fitted.model == law; });
+    if (!law.fitted()) return found;
+    found.parameter_planted = made.loops->opening_work;
+    for (const auto& score : ranking.models)
+        if (score.fitted.model == law) {
+            found.parameter = score.fitted.parameter.value;
+            found.parameter_standard_error = score.fitted.parameter.standard_error();
+        }
+    return found;
+}
+
+double mean_of(const std::vector<const LawRecovery*>& list, double LawRecovery::*number) {
+    double sum = 0.0;
+    for (const auto* one : list) sum += one->*number;
+    return sum / static_cast<double>(list.size());
+}
+
+LawSummary summary_of(const std::vector<const LawRecovery*>& list) {
+    LawSummary row{.planted = list.front()->planted, .runs = static_cast<int>(list.size())};
+    std::map<std::string, int> others;
+    for (const auto* one : list) {
+        if (one->is_found()) ++row.found;
+        else ++others[one->found];
+        if (one->not_told_apart) ++row.not_told_apart;
+    }
+    row.refused = row.runs - row.found - row.not_told_apart;
+    row.parameter_planted = mean_of(list, &LawRecovery::parameter_planted);
+    row.parameter = mean_of(list, &LawRecovery::parameter);
+    row.parameter_standard_error = mean_of(list, &LawRecovery::parameter_standard_error);
+    row.surface_left_out = mean_of(list, &LawRecovery::surface_left_out);
+    const auto most = std::ranges::max_element(others, {}, [](const auto& entry) { return entry.second; });
+    if (most != others.end()) row.most_taken = most->first;
+    return row;
+}
+
+}  // namespace
+
+std::vector<RetractionModel> plantable_laws() {
+    std::vector<RetractionModel> laws;
+    for (const bool crack_tip : {false, true})
+        for (const Law law : {Law::reversible, Law::pinning, Law::conformal_loss, Law::opening_work})
+            laws.push_back({law, crack_tip});
+    return laws;
+}
+
+std::vector<RetractionModel> plantable_laws(const std::vector<std::string>& names) {
+    const auto all = plantable_laws();
+    std::vector<std::string> known{"all"};
+    for (const auto& law : all) known.push_back(law.name());
+    std::vector<RetractionModel> laws;
+    for (const auto& name : names) {
+        const auto place = std::ranges::find(known, name);
+        if (place == known.end()) {
+            const auto nearest = nearest_match(name, known);
+            throw InvalidArgument(fmt::format("no mechanism '{}'; expected {}{}", name, fmt::join(known, ", "),
+                                              nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+        }
+        if (place == known.begin()) laws.insert(laws.end(), all.begin(), all.end());
+        else laws.push_back(all[static_cast<std::size_t>(place - known.begin()) - 1]);
+    }
+    return laws;
+}
+
+Recipe with_law(Recipe recipe, const RetractionModel& law) {
+    if (!recipe.loops) throw InvalidArgument("the recipe has no [loops] to plant a mechanism in");
+    auto& loops = *recipe.loops;
+    loops.law = planted_as(law.law);
+    constexpr double over_intrinsic = 2.0;
+    if (law.law == Law::opening_work && !(loops.opening_work > 0.0))
+        loops.opening_work = over_intrinsic * recipe.work_of_adhesion;
+    if (law.law == Law::conformal_loss) loops.loss_factor = 1.0;
+    if (law.crack_tip && !loops.reference_work)
+        throw InvalidArgument(
+            fmt::format("{} needs a smooth reference; expected reference_work in the recipe's [loops]", law.name()));
+    const bool told = std::ranges::any_of(recipe.elastomers, [](const auto& e) { return e.tip_factor > 1.0; });
+    double factor = 1.5;
+    for (auto& elastomer : recipe.elastomers) {
+        if (!law.crack_tip) elastomer.tip_factor = 1.0;
+        else if (!told) elastomer.tip_factor = factor;
+        factor = std::max(1.1, factor - 0.1);
+    }
+    return recipe;
+}
+
+LawRecoveries law_recoveries(const std::string& recipe, const std::vector<RetractionModel>& laws,
+                             const LawRecoveryOptions& options) {
+    if (options.runs < 1) throw InvalidArgument(fmt::format("{} runs; expected at least 1", options.runs));
+    const auto runs = static_cast<std::size_t>(options.runs);
+    for (const auto& law : laws) (void)with_law(simulation::read_recipe(recipe), law);  // what is wrong is said once
+    std::filesystem::create_directories(options.folder);
+    std::vector<LawRecovery> found(laws.size() * runs);
+    std::vector<std::string> failures(found.size());
+    std::mutex counting;
+    int done = 0;
+    parallel::for_each_index(found.size(), options.threads, [&](std::size_t i) {
+        const auto folder = (std::filesystem::path(options.folder) / fmt::format("data_{:04}", i)).string();
+        try {
+            const auto& law = laws[i / runs];
+            const auto made = with_law(simulation::read_recipe(recipe, options.first_seed + i % runs), law);
+            with_data_set(made, folder, false, [&] {
+                found[i] = recovery_of(study::run_study(study_of_data_set(folder), {parallel::Threads{1}}), law, made);
+            });
+        } catch (const std::exception& failure) {
+            failures[i] = fmt::format("{}: {}", laws[i / runs].name(), reason_of(failure));
+        }
+        const std::lock_guard lock(counting);
+        ++done;
+        if (options.progress) options.progress(done);
+    });
+    LawRecoveries result;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (failures[i].empty()) result.recoveries.push_back(std::move(found[i]));
+        else result.failed.push_back({options.first_seed + i % runs, std::move(failures[i])});
+    return result;
+}
+
+std::vector<LawSummary> summary(const std::vector<LawRecovery>& recoveries) {
+    std::vector<LawSummary> rows;
+    for (std::size_t from = 0; from < recoveries.size();) {
+        std::vector<const LawRecovery*> alike;
+        std::size_t to = from;
+        for (; to < recoveries.size() && recoveries[to].planted == recoveries[from].planted; ++to)
+            alike.push_back(&recoveries[to]);
+        rows.push_back(summary_of(alike));
+        from = to;
+    }
+    return rows;
+}
+
+TidyTable law_summary_table(const std::vector<LawSummary>& rows) {
+    constexpr double milli = 1e-3;
+    TidyTable table{"mechanisms planted in loops, and what studies of them find [mJ/m²]",
+                    {"planted", "found", "refused", "W_x", "planted", "off", "most often in its place"},
+                    {}};
+    for (const auto& row : rows) {
+        const bool fitted = std::isfinite(row.parameter);
+        const Estimate work{.value = row.parameter, .standard_error = row.parameter_standard_error};
+        table.rows.push_back({row.planted, fmt::format("{} of {}", row.found, row.runs), fmt::format("{}", row.refused),
+                              fitted ? uncertain_number(work, milli) : std::string(),
+                              fitted ? fmt::format("{:.4g}", row.parameter_planted / milli) : std::string(),
+                              fmt::format("{:.2g}", row.surface_left_out / milli), row.most_taken});
+    }
+    return table;
+}
+
+TidyTable law_recovery_table(const std::vector<LawRecovery>& recoveries) {
+    TidyTable table{"",
+                    {"planted", "seed", "found", "not told apart", "parameter planted [J/m2]", "parameter [J/m2]",
+                     "standard_error [J/m2]", "next surface off [J/m2]"},
+                    {}};
+    for (const auto& one : recoveries)
+        table.rows.push_back({one.planted, static_cast<double>(one.seed), one.found,
+                              std::string(one.not_told_apart ? "yes" : "no"), one.parameter_planted, one.parameter,
+                              one.parameter_standard_error, one.surface_left_out});
+    return table;
+}
+
+}  // namespace setae::validation

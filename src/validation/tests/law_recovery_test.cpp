@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/validation/law_recovery.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "setae/core/errors.hpp"
+
+namespace setae::validation::law_recovery_test {
+namespace {
+
+using hysteresis::Law;
+using hysteresis::RetractionModel;
+
+simulation::Recipe recipe() {
+    simulation::Recipe recipe;
+    recipe.work_of_adhesion = 0.037;
+    recipe.elastomers.resize(3);
+    recipe.loops.emplace();
+    recipe.loops->reference_work = 0.04;
+    return recipe;
+}
+
+TEST(LawRecovery, NamesWhatRecipesCanPlant) {
+    EXPECT_EQ(plantable_laws().size(), 8U);
+    const auto named = plantable_laws({"crack_tip_pinning", "opening_work"});
+    ASSERT_EQ(named.size(), 2U);
+    EXPECT_EQ(named[0], (RetractionModel{Law::pinning, true}));
+    EXPECT_EQ(named[1], (RetractionModel{Law::opening_work, false}));
+    EXPECT_EQ(plantable_laws({"all"}), plantable_laws());
+    EXPECT_THROW((void)plantable_laws({"opening"}), InvalidArgument);
+}
+
+TEST(LawRecovery, PlantsALawAlone) {
+    auto told = recipe();
+    told.elastomers[1].tip_factor = 1.7;
+    const auto opening = with_law(told, {Law::opening_work, false});
+    EXPECT_EQ(opening.loops->law, simulation::RetractionLaw::opening);
+    EXPECT_DOUBLE_EQ(opening.loops->opening_work, 0.074);
+    EXPECT_EQ(opening.elastomers[1].tip_factor, 1.0) << "the crack tip is another mechanism";
+    EXPECT_EQ(with_law(told, {Law::pinning, true}).elastomers[1].tip_factor, 1.7);
+    const auto tip = with_law(recipe(), {Law::reversible, true});
+    EXPECT_DOUBLE_EQ(tip.elastomers[0].tip_factor, 1.5);
+    EXPECT_DOUBLE_EQ(tip.elastomers[2].tip_factor, 1.3);
+}
+
+TEST(LawRecovery, RefusesWhatNoRecipeHas) {
+    auto smooth = recipe();
+    smooth.loops->reference_work.reset();
+    EXPECT_THROW((void)with_law(smooth, {Law::reversible, true}), InvalidArgument);
+    smooth.loops.reset();
+    EXPECT_THROW((void)with_law(smooth, {Law::reversible, false}), InvalidArgument);
+}
+
+TEST(LawRecovery, CountsWhatBecameOfALaw) {
+    std::vector<LawRecovery> list(4);
+    for (auto& one : list) one.planted = "pinning";
+    list[0].found = "pinning";
+    list[1].found = list[2].found = "reversible";
+    list[1].not_told_apart = true;
+    list[3].planted = list[3].found = "reversible";
+    const auto rows = summary(list);
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0].runs, 3);
+    EXPECT_EQ(rows[0].found, 1);
+    EXPECT_EQ(rows[0].not_told_apart, 1);
+    EXPECT_EQ(rows[0].refused, 1);
+    EXPECT_EQ(rows[0].most_taken, "reversible");
+    EXPECT_TRUE(std::isnan(rows[0].parameter));
+    EXPECT_EQ(rows[1].refused, 0);
+}
+
+}  // namespace
+}  // namespace setae::validation::law_recovery_test
