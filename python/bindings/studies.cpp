@@ -103,7 +103,9 @@ void bind_studies(nb::module_& module) {
                 return unlocked([&](const auto& cancelled) {
                     std::optional<hysteresis::TrialOptions> options;
                     if (trials > 0) options = {.runs = trials, .seed = seed, .threads = {threads}, .cancelled = &cancelled};
-                    return output::as_text(output::to_json(study::hysteresis_of(study.result, options)));
+                    const auto& known = study.result.hysteresis;
+                    return output::as_text(output::to_json(
+                        known && !options ? *known : study::hysteresis_of(study.result, options, {threads})));
                 });
             },
             nb::arg("trials"), nb::arg("seed"), nb::arg("threads"))

@@ -58,8 +58,7 @@ BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const Generalise
             std::vector<PairPoint> there;
             for (std::size_t i = 0; i < pairs.size(); ++i) {
                 auto pair = at_draw(pairs[i]);
-                const double measured = pairs[i].measured.value,
-                             relative = measured > 0.0 ? pairs[i].prediction(work.value) / measured : 1.0;
+                const double relative = predicted_over_measured(pairs[i], work.value);
                 pair.measured.value += relative * deviates.moved(pair.measured_inputs) +
                                        deviates.moved(pair.measured_noise) + effects.of(pair, share_through_floor(pairs[i], work.value)) +
                                        std::sqrt(pairs[i].own_variance()) * noise[static_cast<Index>(i)];

@@ -88,14 +88,14 @@ private:
 
     /// Residuals and ∂f/∂θ where the parameters are.
     void look() {
-        std::vector<PairPoint> there;
-        for (const auto& point : points_) there.push_back(point.storing(at_[surface_of(point.pair)]));
-        residuals_ = residuals_at(there, at_[0]);
+        there_.clear();
+        for (const auto& point : points_) there_.push_back(point.storing(at_[surface_of(point.pair)]));
+        residuals_ = PairInputs(there_).residuals_at(at_[0]);
         slopes_ = MatrixXd::Zero(static_cast<Index>(points_.size()), at_.size());
-        for (std::size_t i = 0; i < there.size(); ++i) {
-            if (!(there[i].raw_prediction(at_[0]) > 0.0) && there[i].floored) continue;
-            slopes_(static_cast<Index>(i), 0) = there[i].slope;
-            slopes_(static_cast<Index>(i), surface_of(there[i])) = -points_[i].contact_modulus.value;
+        for (std::size_t i = 0; i < there_.size(); ++i) {
+            if (!(there_[i].raw_prediction(at_[0]) > 0.0) && there_[i].floored) continue;
+            slopes_(static_cast<Index>(i), 0) = there_[i].slope;
+            slopes_(static_cast<Index>(i), surface_of(there_[i])) = -points_[i].contact_modulus.value;
         }
     }
 
@@ -144,7 +144,7 @@ private:
         auto at = residuals_;
         at.design = columns_of(slopes_, columns);
         const VectorXd h = generalised_weights(at.design, model_.covariance(at, scatter_)).row(row);
-        return {at_[parameter] + h.dot(at.value), model_.components(at, scatter_, h)};
+        return {at_[parameter] + h.dot(at.value), model_.components(at, residual_inputs(there_, at_[0]), scatter_, h)};
     }
 
     [[nodiscard]] Estimate estimate(Index parameter) const {
@@ -182,6 +182,7 @@ private:
     VectorXd at_;
     MatrixXd slopes_;
     ModelScatter scatter_;
+    std::vector<PairPoint> there_;  ///< pairs with what the parameters say that surfaces store
     PairResiduals residuals_;
 };
 

@@ -18,12 +18,6 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-std::set<std::string> groups_of(const std::vector<PairPoint>& pairs, std::string PairPoint::*label) {
-    std::set<std::string> groups;
-    for (const auto& pair : pairs) groups.insert(pair.*label);
-    return groups;
-}
-
 /// The minimum of (y − f(W))ᵀ V⁻¹ (y − f(W)) over W >= 0 that lies next to `start`: with V held, another valley, of
 /// floored pairs alone, says nothing. Within a piece between two kinks of the floors the cost is one parabola.
 double minimum_of(const std::vector<PairPoint>& pairs, const Eigen::LLT<MatrixXd>& factor, double start) {
@@ -108,9 +102,7 @@ public:
         std::vector<double> measured;
         for (const auto& pair : pairs_) measured.push_back(pair.measured.value);
         fit.r_squared = 1.0 - at_.value.squaredNorm() / squares_about_mean(measured);
-        auto at = at_;
-        for (const auto& pair : pairs_) at.inputs.push_back(residual_inputs(pair, work_));
-        fit.work_of_adhesion = {work_, model_.components(at, scatter_, weights())};
+        fit.work_of_adhesion = {work_, model_.components(at_, residual_inputs(pairs_, work_), scatter_, weights())};
         return fit;
     }
 

@@ -45,12 +45,6 @@ struct Parted {
     }
 };
 
-std::set<std::string> groups_of(const std::vector<PairPoint>& pairs, std::string PairPoint::*label) {
-    std::set<std::string> groups;
-    for (const auto& pair : pairs) groups.insert(pair.*label);
-    return groups;
-}
-
 /// Of the residuals of pairs of one surface that was not in the fit: inputs, the fitted W, own noise, the scatter.
 Eigen::MatrixXd covariance_by(const GeneralisedFit& others, const std::vector<PairPoint>& own) {
     const double work = others.work_of_adhesion.value;

@@ -146,9 +146,10 @@ ModelScatter ScatterFit::most_likely(const PairResiduals& at, ModelScatter scatt
     return scatter;
 }
 
-Components ScatterFit::components(const PairResiduals& at, const ModelScatter& scatter, const VectorXd& h) const {
+Components ScatterFit::components(const PairResiduals& at, const std::vector<Components>& inputs,
+                                  const ModelScatter& scatter, const VectorXd& h) const {
     std::vector<Dependence> parts;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) parts.push_back({h[static_cast<Index>(i)], at.inputs[i]});
+    for (std::size_t i = 0; i < pairs_.size(); ++i) parts.push_back({h[static_cast<Index>(i)], inputs[i]});
     auto result = combined(parts);
     for (std::size_t i = 0; i < pairs_.size(); ++i)
         if (pairs_[i].own_variance() > 0.0)

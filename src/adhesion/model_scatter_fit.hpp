@@ -37,9 +37,9 @@ public:
     [[nodiscard]] bool tells(double ModelScatter::*level) const;
     /// The most likely scatter, from one that is near; of a level that the pairs do not tell, that one's.
     [[nodiscard]] ModelScatter most_likely(const PairResiduals& at, ModelScatter scatter) const;
-    /// Components of a parameter that moves with y − f by h: inputs, which `at` has, noise of every pair and the scatter.
-    [[nodiscard]] Components components(const PairResiduals& at, const ModelScatter& scatter,
-                                        const Eigen::VectorXd& h) const;
+    /// Components of a parameter that moves with y − f by h: inputs, noise of every pair and the scatter.
+    [[nodiscard]] Components components(const PairResiduals& at, const std::vector<Components>& inputs,
+                                        const ModelScatter& scatter, const Eigen::VectorXd& h) const;
 
 private:
     class Restricted;

@@ -147,6 +147,12 @@ std::optional<Estimate> profile_likelihood(const Pairs& pairs, double start) {
 
 }  // namespace
 
+std::set<std::string> groups_of(const std::vector<PairPoint>& pairs, std::string PairPoint::*label) {
+    std::set<std::string> groups;
+    for (const auto& pair : pairs) groups.insert(pair.*label);
+    return groups;
+}
+
 std::vector<FlooredTerm> terms_of(const std::vector<PairPoint>& pairs) {
     std::vector<FlooredTerm> terms;
     for (const auto& pair : pairs) terms.push_back({pair.measured.value, pair.slope, pair.offset, 1.0, pair.floored});

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pair_inputs.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <string_view>
 
@@ -63,27 +61,21 @@ PairInputs::PairInputs(const std::vector<PairPoint>& pairs) : pairs_(pairs), siz
     products_.noalias() = rows * rows.transpose();
 }
 
-/// share_through_floor().
-double PairInputs::share_at(Index i, double work) const {
-    const auto& pair = pairs_[static_cast<std::size_t>(i)];
-    const double raw = pair.raw_prediction(work);
-    if (raw >= 0.0 || !pair.floored) return 1.0;
-    const double variance = work * work * products(slope, slope)(i, i) - 2.0 * work * products(slope, offset)(i, i) +
-                            products(offset, offset)(i, i);
-    return variance > 0.0 ? std::max(0.0, 1.0 + raw / std::sqrt(variance)) : 0.0;
+double PairInputs::prediction_variance(Index i, double work) const {
+    return work * work * products(slope, slope)(i, i) - 2.0 * work * products(slope, offset)(i, i) +
+           products(offset, offset)(i, i);
 }
 
 PairResiduals PairInputs::residuals_at(double work) const {
-    PairResiduals result{VectorXd(size_), MatrixXd(size_, 1), VectorXd(size_), MatrixXd::Zero(size_, size_), {}};
+    PairResiduals result{VectorXd(size_), MatrixXd(size_, 1), VectorXd(size_), MatrixXd::Zero(size_, size_)};
     std::array<VectorXd, parts> weights;
     for (auto& weight : weights) weight.resize(size_);
     for (Index i = 0; i < size_; ++i) {
         const auto& pair = pairs_[static_cast<std::size_t>(i)];
-        const double predicted = pair.prediction(work);
-        result.value[i] = pair.measured.value - predicted;
+        result.value[i] = pair.measured.value - pair.prediction(work);
         result.design(i, 0) = !pair.floored || pair.raw_prediction(work) > 0.0 ? pair.slope : 0.0;
-        result.share[i] = share_at(i, work);
-        weights[measured][i] = pair.measured.value > 0.0 ? predicted / pair.measured.value : 1.0;
+        result.share[i] = share_through_floor(pair, work, prediction_variance(i, work));
+        weights[measured][i] = predicted_over_measured(pair, work);
         weights[noise][i] = 1.0;
         weights[slope][i] = -work * result.share[i];
         weights[offset][i] = result.share[i];
@@ -97,10 +89,10 @@ PairResiduals PairInputs::residuals_at(double work) const {
     return result;
 }
 
-PairResiduals residuals_at(const std::vector<PairPoint>& pairs, double work) {
-    auto result = PairInputs(pairs).residuals_at(work);
-    for (const auto& pair : pairs) result.inputs.push_back(residual_inputs(pair, work));
-    return result;
+std::vector<Components> residual_inputs(const std::vector<PairPoint>& pairs, double work) {
+    std::vector<Components> inputs;
+    for (const auto& pair : pairs) inputs.push_back(residual_inputs(pair, work));
+    return inputs;
 }
 
 }  // namespace setae::adhesion

@@ -16,7 +16,6 @@ struct PairResiduals {
     Eigen::MatrixXd design;      ///< ∂f/∂θ, one column a parameter that some pair answers to
     Eigen::VectorXd share;       ///< of an error of the balance that its floor lets through
     Eigen::MatrixXd covariance;  ///< of own noise and inputs
-    std::vector<Components> inputs;
 };
 
 /// What the errors of pairs have in common, looked up by the names of inputs once for all W.
@@ -28,21 +27,22 @@ public:
     /// @throws InvalidArgument where two values have one input with different numbers of directions.
     explicit PairInputs(const std::vector<PairPoint>& pairs);
 
-    /// Without `inputs`. The design has one column, or none where no pair answers to W.
+    /// The design has one column, or none where no pair answers to W.
     [[nodiscard]] PairResiduals residuals_at(double work) const;
 
 private:
     enum Part : Index { measured, noise, slope, offset, parts };
 
     [[nodiscard]] auto products(Index a, Index b) const { return products_.block(a * size_, b * size_, size_, size_); }
-    [[nodiscard]] double share_at(Index pair, double work) const;
+    /// PairPoint::prediction_variance().
+    [[nodiscard]] double prediction_variance(Index pair, double work) const;
 
     const std::vector<PairPoint>& pairs_;
     Index size_;
     Eigen::MatrixXd products_;  ///< part × pair, both ways
 };
 
-/// Of pairs as lines in W, with `inputs`.
-[[nodiscard]] PairResiduals residuals_at(const std::vector<PairPoint>& pairs, double work);
+/// residual_inputs() of each.
+[[nodiscard]] std::vector<Components> residual_inputs(const std::vector<PairPoint>& pairs, double work);
 
 }  // namespace setae::adhesion

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,6 +12,9 @@
 #include "setae/adhesion/pair_fit.hpp"
 
 namespace setae::adhesion {
+
+/// Names of the surfaces, or elastomers, that pairs have.
+[[nodiscard]] std::set<std::string> groups_of(const std::vector<PairPoint>& pairs, std::string PairPoint::*label);
 
 using PairVariance = std::function<double(const PairPoint&)>;
 

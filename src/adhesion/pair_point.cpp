@@ -48,17 +48,24 @@ Component own_noise(const PairPoint& pair, double derivative) {
 }
 
 Components residual_inputs(const PairPoint& pair, double work) {
-    const double relative = pair.measured.value > 0.0 ? pair.prediction(work) / pair.measured.value : 1.0;
-    return combined({{relative, pair.measured_inputs},
+    return combined({{predicted_over_measured(pair, work), pair.measured_inputs},
                      {1.0, pair.measured_noise},
                      {-share_through_floor(pair, work), pair.prediction_inputs(work)}});
 }
 
+double predicted_over_measured(const PairPoint& pair, double work) {
+    return pair.measured.value > 0.0 ? pair.prediction(work) / pair.measured.value : 1.0;
+}
+
 double share_through_floor(const PairPoint& pair, double work) {
+    const bool whole = pair.raw_prediction(work) >= 0.0 || !pair.floored;
+    return whole ? 1.0 : share_through_floor(pair, work, pair.prediction_variance(work));
+}
+
+double share_through_floor(const PairPoint& pair, double work, double prediction_variance) {
     const double raw = pair.raw_prediction(work);
     if (raw >= 0.0 || !pair.floored) return 1.0;
-    const double error = std::sqrt(pair.prediction_variance(work));
-    return error > 0.0 ? std::max(0.0, 1.0 + raw / error) : 0.0;
+    return prediction_variance > 0.0 ? std::max(0.0, 1.0 + raw / std::sqrt(prediction_variance)) : 0.0;
 }
 
 }  // namespace setae::adhesion

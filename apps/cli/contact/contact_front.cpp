@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -60,9 +62,9 @@ ExitCode run(const Arguments& arguments) {
     require_table_or_figure(arguments.output);
     arguments.require_complete();
     const auto threads = arguments.common.workers();
-    const auto surfaces = arguments.surface.realisations(arguments.realisations, threads);
+    auto surfaces = arguments.surface.realisations(arguments.realisations, threads);
     std::vector<topography::Measurement> maps;
-    for (const auto& surface : surfaces) maps.push_back(surface.measurement);
+    for (auto& surface : surfaces) maps.push_back(std::move(surface.measurement));
     ProgressLine line;
     const bool one = maps.size() == 1;  // several run on threads of their own
     const auto answer =

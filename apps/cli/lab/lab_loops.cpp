@@ -27,9 +27,9 @@ constexpr const char* explanation =
     "SNR        largest force over sigma_F; displacement to the largest force over sigma_delta; a_max over sigma_a\n"
     "bias       mean of found/planted - 1, or of found - planted;  scatter, stated: standard deviation found, and claimed\n"
     "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
+    "a(F)       least squares in a alone, (1); a(F) both: errors in both; linear: the linear form. a(F) and linear are biased where noisy\n"
     "with --mechanism: the recipe's data set with another law of W_ret in its loops, studied from its files; which law is found\n"
-    "           reversible, pinning, conformal_loss, opening_work, each alone and times a crack tip (crack_tip_…); docs/theory/hysteresis.md\n"
-    "a(F)       least squares in a alone, (1); a(F) both: errors in both; linear: the linear form. a(F) and linear are biased where noisy\n";
+    "           reversible, pinning, conformal_loss, opening_work, each alone and times a crack tip (crack_tip_…); docs/theory/hysteresis.md\n";
 
 struct Arguments {
     Common common;

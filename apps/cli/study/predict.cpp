@@ -51,8 +51,7 @@ struct PredictArguments {
 
 void write_tables(const study::Hysteresis& hysteresis, const std::filesystem::path& folder) {
     for (const auto& [name, table] : output::hysteresis_tables(hysteresis))
-        if (name != "trials.csv" || !table.rows.empty())
-            bytes::write_whole_file((folder / name).string(), tables::as_csv(table));
+        bytes::write_whole_file((folder / name).string(), tables::as_csv(table));
 }
 
 std::vector<file_figures::StudyFigure> figures_of(const study::Hysteresis& hysteresis, const study::StudyResult& result,
@@ -98,7 +97,7 @@ ExitCode predict(const PredictArguments& arguments, const cache::Store& store, P
                   .cancelled = &interruption()};
     const parallel::CancellationScope scope(interruption());
     const auto hysteresis =
-        result.hysteresis && !trials ? *result.hysteresis : study::hysteresis_of(result, trials);
+        result.hysteresis && !trials ? *result.hysteresis : study::hysteresis_of(result, trials, arguments.common.workers());
     int failures = result.failures();
     if (!arguments.output.empty()) {
         std::filesystem::create_directories(arguments.output);

@@ -60,9 +60,7 @@ std::string parameter_cell(const ModelScore& score) {
 std::string parameter_text(const ModelScore& score) {
     if (!score.fitted.model.fitted()) return "";
     const auto parameter = score.fitted.model.parameter();
-    const auto estimate = score.fitted.parameter.estimate();
-    return fmt::format("{} = {}", parameter.symbol,
-                       parameter.unit == "1" ? uncertain_number(estimate) : format_uncertain(estimate, parameter.unit));
+    return fmt::format("{} = {}", parameter.symbol, fitted_number(score));
 }
 
 std::string best_sentence(const NamedRanking& of) {
@@ -189,6 +187,12 @@ const char* name_of(study::ModelChoice choice) {
         case study::ModelChoice::assumed: return "assumed";
     }
     return "";
+}
+
+std::string fitted_number(const ModelScore& score) {
+    const auto unit = score.fitted.model.parameter().unit;
+    const auto estimate = score.fitted.parameter.estimate();
+    return unit == "1" ? uncertain_number(estimate) : format_uncertain(estimate, unit);
 }
 
 std::vector<std::string> hysteresis_sentences(const study::Hysteresis& h) {
@@ -335,11 +339,12 @@ TidyTable decomposition_table(const study::Hysteresis& h) {
 }
 
 std::vector<std::pair<std::string, TidyTable>> hysteresis_tables(const study::Hysteresis& h) {
-    return {{"hysteresis.csv", hysteresis_table(h)},
-            {"models.csv", model_table(h)},
-            {"model_works.csv", model_work_table(h)},
-            {"losses.csv", decomposition_table(h)},
-            {"trials.csv", trial_table(h)}};
+    std::vector<std::pair<std::string, TidyTable>> tables{{"hysteresis.csv", hysteresis_table(h)},
+                                                          {"models.csv", model_table(h)},
+                                                          {"model_works.csv", model_work_table(h)},
+                                                          {"losses.csv", decomposition_table(h)}};
+    if (!h.trials.empty()) tables.emplace_back("trials.csv", trial_table(h));
+    return tables;
 }
 
 }  // namespace setae::output

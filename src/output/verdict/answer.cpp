@@ -9,6 +9,7 @@
 #include "setae/core/units.hpp"
 #include "setae/core/words.hpp"
 #include "setae/output/budget.hpp"
+#include "setae/output/hysteresis_output.hpp"
 
 namespace setae::output {
 namespace {
@@ -42,13 +43,8 @@ std::string sentence_of_way_back(const study::Hysteresis& h) {
     const auto* best = h.all.best();
     if (!best) return "";
     const auto& model = best->fitted.model;
-    std::string fitted;
-    if (model.fitted()) {
-        const auto parameter = model.parameter();
-        const auto estimate = best->fitted.parameter.estimate();
-        fitted = fmt::format(", {} {}", parameter.symbol,
-                             parameter.unit == "1" ? uncertain_number(estimate) : format_uncertain(estimate, parameter.unit));
-    }
+    const auto fitted =
+        model.fitted() ? fmt::format(", {} {}", model.parameter().symbol, fitted_number(*best)) : std::string();
     const auto alike = h.all.not_told_apart().size() - 1;
     return fmt::format(
         "On the way back W_ret = {}{}: {} off on surfaces not fitted ({}, {}).", model.formula(), fitted,

@@ -121,7 +121,9 @@ struct PreparedPair {
 
 class HysteresisOf {
 public:
-    explicit HysteresisOf(const StudyResult& result) : result_(result) { prepare(); }
+    HysteresisOf(const StudyResult& result, parallel::Threads threads) : result_(result), threads_(threads) {
+        prepare();
+    }
 
     [[nodiscard]] Hysteresis all(const std::optional<hysteresis::TrialOptions>& trials) {
         for (const auto& pair : pairs_) {
@@ -159,6 +161,7 @@ private:
     void decide();
 
     const StudyResult& result_;
+    parallel::Threads threads_;
     std::deque<PreparedPair> pairs_;  // whose places do not change
     Hysteresis found_;
 };
@@ -221,7 +224,7 @@ HysteresisOf::Models HysteresisOf::models_of(bool conforming_alone) const {
 
 Ranking HysteresisOf::ranking(bool conforming_alone) const {
     const auto models = models_of(conforming_alone);
-    auto ranking = hysteresis::rank_models(models.points);
+    auto ranking = hysteresis::rank_models(models.points, threads_);
     ranking.unranked.insert(ranking.unranked.end(), models.lacking.begin(), models.lacking.end());
     return ranking;
 }
@@ -370,10 +373,11 @@ void HysteresisOf::decide() {
 
 }  // namespace
 
-Hysteresis hysteresis_of(const StudyResult& result, const std::optional<hysteresis::TrialOptions>& trials) {
+Hysteresis hysteresis_of(const StudyResult& result, const std::optional<hysteresis::TrialOptions>& trials,
+                         parallel::Threads threads) {
     if (!result.work_of_adhesion)
         throw UndefinedDataError("no hysteresis can be predicted: " + result.work_of_adhesion.reason);
-    return HysteresisOf(result).all(trials);
+    return HysteresisOf(result, threads).all(trials);
 }
 
 }  // namespace setae::study

@@ -156,7 +156,7 @@ void bring_together(StudyResult& result) {
 }
 
 /// How pairs hold on, where that takes no minutes.
-Outcome<Hysteresis> way_back_of(const StudyResult& result) {
+Outcome<Hysteresis> way_back_of(const StudyResult& result, parallel::Threads threads) {
     using Missing = Outcome<Hysteresis>;
     const auto measured = std::ranges::count_if(
         result.pairs, [](const PairResult& pair) { return pair.approach && (pair.retraction || pair.pull_off); });
@@ -164,7 +164,7 @@ Outcome<Hysteresis> way_back_of(const StudyResult& result) {
         return Missing::missing(fmt::format("ranking laws by {} pairs takes minutes: setae predict {}", measured,
                                             result.study.path));
     try {
-        return hysteresis_of(result);
+        return hysteresis_of(result, {}, threads);
     } catch (const UndefinedDataError& error) {
         return Missing::missing(error.what());
     }
@@ -198,7 +198,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     });
     run.stop_if_cancelled();
     bring_together(result);
-    result.hysteresis = way_back_of(result);
+    result.hysteresis = way_back_of(result, options.threads);
     return result;
 }
 

@@ -61,5 +61,10 @@ struct PairPoint {
 /// Share of an error of slope · W − offset that the floor at 0 lets through: 1 above it, 0 a standard error and more
 /// below.
 [[nodiscard]] double share_through_floor(const PairPoint& pair, double work);
+/// The same where prediction_variance() is known.
+[[nodiscard]] double share_through_floor(const PairPoint& pair, double work, double prediction_variance);
+
+/// What relative errors of a measured value are multiplied by, to be of the prediction.
+[[nodiscard]] double predicted_over_measured(const PairPoint& pair, double work);
 
 }  // namespace setae::adhesion

@@ -19,6 +19,9 @@ namespace setae::output {
 /// "conforming_pairs", "all_pairs" or "assumed".
 [[nodiscard]] const char* name_of(study::ModelChoice choice);
 
+/// "87.9 ± 4.4 mJ/m²": the number of a law that has one, as it was fitted.
+[[nodiscard]] std::string fitted_number(const hysteresis::ModelScore& score);
+
 /// Which law says W_ret best, how well, what cannot be told apart from it and what would decide.
 [[nodiscard]] std::vector<std::string> hysteresis_sentences(const study::Hysteresis& hysteresis);
 /// The same in lines of at most so many characters.
@@ -38,7 +41,7 @@ namespace setae::output {
 /// One row a measured pair: where its joules went, SI.
 [[nodiscard]] tables::TidyTable decomposition_table(const study::Hysteresis& hysteresis);
 
-/// All of these with the names of their files.
+/// All of these that have something to say, with the names of their files.
 [[nodiscard]] std::vector<std::pair<std::string, tables::TidyTable>> hysteresis_tables(
     const study::Hysteresis& hysteresis);
 

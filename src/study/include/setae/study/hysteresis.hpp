@@ -89,6 +89,7 @@ inline constexpr int most_ranked_by_studies = 48;
 /// @throws UndefinedDataError where the study has no W_int.
 /// trials: whether measurements like the study's could tell the laws apart, hysteresis::law_trials().
 [[nodiscard]] Hysteresis hysteresis_of(const StudyResult& result,
-                                       const std::optional<hysteresis::TrialOptions>& trials = {});
+                                       const std::optional<hysteresis::TrialOptions>& trials = {},
+                                       parallel::Threads threads = {});
 
 }  // namespace setae::study
