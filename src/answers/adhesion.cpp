@@ -33,7 +33,7 @@ void add_other_routes(std::vector<Quantity>& list, const study::StudyResult& res
     add("stored_energy_bound", adhesion::stored_energy_bound(modulus, p.rms_height, p.rms_slope),
         "E* h_rms h'_rms/4, no spectrum with these two stores more");
     if (!map) return;
-    const auto curve = roughness::limited(study::isotropic_spectrum(*map, options, threads), options.limits);
+    const auto curve = roughness::limited(study::isotropic_spectrum(*map, options, threads), options.limits());
     add("stored_energy_from_C_iso", adhesion::stored_energy(modulus, curve), "(E*/8 pi) int q^2 C_iso dq; [D19] (8)");
     add("stored_energy_from_map", adhesion::stored_energy(modulus, *map, threads),
         "(E*/4) sum |q| |h_q|^2, no isotropy assumed; all wavevectors of the map");

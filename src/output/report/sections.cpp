@@ -109,7 +109,7 @@ std::string cut_html(const StudyResult& result) {
     if (!excluded.empty())
         html += plain_table("excluded", "Loops left out of every mean, and why",
                             {"surface", "elastomer", "file", "reason"}, excluded);
-    const auto& limits = result.study.analysis.limits;
+    const auto limits = result.study.analysis.limits();
     if (limits.shortest || limits.longest)
         html += fmt::format("<p>Every spectrum is cut to wavelengths from {} to {}, as the study says.</p>",
                             limits.shortest ? format_value(*limits.shortest, "m", 3) : "the shortest measured",

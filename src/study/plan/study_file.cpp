@@ -418,12 +418,9 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
                 {{"average", SpectrumMethod::average}, {"likelihood", SpectrumMethod::likelihood}},
                 "the mean of C1D over measurements, or C_iso fitted to all of them at once; without it "
                 "the likelihood of surfaces with several measurements")
-            .add(
-                "longest_wavelength", [](auto& o) -> auto& { return o.limits.longest; }, positive(dimension::length),
-                "limit of all integrals")
-            .add(
-                "shortest_wavelength", [](auto& o) -> auto& { return o.limits.shortest; }, positive(dimension::length),
-                "likewise")
+            .add("longest_wavelength", &Options::longest_wavelength, positive(dimension::length),
+                 "limit of all integrals; its ± is in every number of every surface that reaches so far")
+            .add("shortest_wavelength", &Options::shortest_wavelength, positive(dimension::length), "likewise")
             .add(
                 "surface_shortest_wavelength", [](auto& o) -> auto& { return o.likelihood.shortest_wavelength; },
                 positive(dimension::length),

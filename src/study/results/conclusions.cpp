@@ -82,7 +82,7 @@ void Concluding::find_shares() {
         const auto& soft = result_.elastomer(pair.elastomer).input;
         adhesion::ContactScales scales{.poisson_ratio = soft.poisson_ratio.value};
         if (soft.sphere_height) scales.thickness = soft.sphere_height->value;
-        if (pair.contact_area && !result_.study.analysis.limits.longest)
+        if (pair.contact_area && !result_.study.analysis.longest_wavelength)
             scales.contact_diameter = 2.0 * std::sqrt(*pair.contact_area / pi);
         if (scales.contact_diameter || scales.thickness)
             pair.seen = adhesion::contact_shares(to_.spectrum_of(surface).curve, scales);

@@ -44,20 +44,22 @@ void add_instruments(std::vector<ExactInputs>& found, const Study& study) {
     std::vector<Input> measurements;
     for (const auto& surface : study.surfaces)
         measurements.insert(measurements.end(), surface.measurements.begin(), surface.measurements.end());
-    const auto name = [](const Input& m) { return m.instrument.empty() ? std::string("instruments not named") : m.instrument; };
+    const auto name = [](const Input& m) {
+        return m.instrument.empty() ? std::string("instruments not named") : m.instrument;
+    };
     std::vector<ExactInputs> calibrations;
     add<std::vector<Input>>(
-        calibrations, "calibration of heights", measurements, [](const Input& m) { return exact(m.height_calibration); },
-        name);
+        calibrations, "calibration of heights", measurements,
+        [](const Input& m) { return exact(m.height_calibration); }, name);
     add<std::vector<Input>>(
-        calibrations, "calibration of lengths", measurements, [](const Input& m) { return exact(m.lateral_calibration); },
-        name);
+        calibrations, "calibration of lengths", measurements,
+        [](const Input& m) { return exact(m.lateral_calibration); }, name);
     if (calibrations.size() == 2 && calibrations[0].names == calibrations[1].names)
         calibrations = {{"calibration of heights and lengths", calibrations[0].names}};
     found.insert(found.end(), calibrations.begin(), calibrations.end());
     add<std::vector<Input>>(
-        found, "tip radius", measurements,
-        [](const Input& m) { return m.tip_radius && !m.tip_radius->uncertain(); }, name);
+        found, "tip radius", measurements, [](const Input& m) { return m.tip_radius && !m.tip_radius->uncertain(); },
+        name);
 }
 
 void add_loops(std::vector<ExactInputs>& found, const Study& study) {
@@ -73,10 +75,19 @@ void add_loops(std::vector<ExactInputs>& found, const Study& study) {
     if (!channels.empty()) found.push_back({"calibration of " + listed(channels), {}});
 }
 
+void add_limits(std::vector<ExactInputs>& found, const SurfaceAnalysisOptions& options) {
+    const auto of = [&](const char* what, const std::optional<Estimate>& limit) {
+        if (limit && !limit->uncertain()) found.push_back({what, {}});
+    };
+    of("longest wavelength", options.longest_wavelength);
+    of("shortest wavelength", options.shortest_wavelength);
+}
+
 }  // namespace
 
 std::vector<ExactInputs> exact_inputs(const Study& study) {
     std::vector<ExactInputs> found;
+    add_limits(found, study.analysis);
     add_elastomers(found, study);
     add_instruments(found, study);
     add_loops(found, study);

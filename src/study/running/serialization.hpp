@@ -105,7 +105,6 @@ SETAE_KEEP(SlopeDistribution, directions, slope, density, gaussian_p_value, isot
 SETAE_KEEP(TriangulatedArea, area_ratio, rms_slope, cells)
 SETAE_KEEP(SlopeShape, share, square)
 SETAE_KEEP(WeighedShape, shape, area)
-SETAE_KEEP(WavelengthLimits, longest, shortest)
 SETAE_KEEP(SpectralParameters, rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, decade_C1D, area_shape)
 SETAE_KEEP(BeyondData, end, up_to, exponent, rms_height, rms_slope, excess_area, elastic_energy_per_modulus)
 SETAE_KEEP(ParameterSpread::Source, name, plus, minus)
@@ -220,7 +219,7 @@ SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, t
            references, unit, size, pipeline, steps, in_memory)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, spectrum_units, moments)
-SETAE_KEEP(SurfaceAnalysisOptions, spectrum, limits, conversion, contours, window, weighting, tip_percentile,
+SETAE_KEEP(SurfaceAnalysisOptions, spectrum, longest_wavelength, shortest_wavelength, conversion, contours, window, weighting, tip_percentile,
            bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
 SETAE_KEEP(HeightPreview, positions, heights, map, size)
 SETAE_KEEP(InstrumentInputs, tip_radius, foil_thickness, height_calibration, lateral_calibration)

@@ -35,20 +35,24 @@ spectra::Spectrum spectrum_of(const spectra::SelfAffine& model) {
 }  // namespace
 
 void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options) {
-    const double height = moments.rms_height.value, slope = moments.rms_slope.value,
-                 curvature = moments.rms_curvature.value;
-    const auto reconstruct = [&](double h, double s, double c) {
-        return spectrum_of(spectra::self_affine_with_moments(h, s, c, moments.short_wavevector));
+    const auto reconstruct = [](const PublishedMoments& of) {
+        return spectrum_of(spectra::self_affine_with_moments(of.rms_height.value, of.rms_slope.value,
+                                                             of.rms_curvature.value, of.short_wavevector.value));
     };
     surface.reconstructed = true;
-    surface.average = spectrum_result(reconstruct(height, slope, curvature), options);
-    const auto source = [&](const char* name, const Estimate& moment, double dh, double ds, double dc) {
+    surface.average = spectrum_result(reconstruct(moments), options);
+    const auto source = [&](const char* name, Estimate PublishedMoments::*member) {
+        const auto& moment = moments.*member;
         if (!moment.uncertain()) return;
+        const auto moved = [&](double side) {
+            auto other = moments;
+            (other.*member).value += side * moment.standard_error;
+            return parameters_of(reconstruct(other), options);
+        };
         try {
             surface.average.spread.sources.push_back(
-                {moment.input.empty() ? fmt::format("{}, {}", name, surface.name) : moment.input,
-                 parameters_of(reconstruct(height + dh, slope + ds, curvature + dc), options),
-                 parameters_of(reconstruct(height - dh, slope - ds, curvature - dc), options)});
+                {moment.input.empty() ? fmt::format("{}, {}", name, surface.name) : moment.input, moved(1.0),
+                 moved(-1.0)});
         } catch (const InvalidArgument& error) {
             surface.alerts.push_back(
                 {"SPREAD_INCOMPLETE", surface.name,
@@ -56,14 +60,15 @@ void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const
                  "the standard errors leave it out"});
         }
     };
-    source("rms height", moments.rms_height, moments.rms_height.standard_error, 0.0, 0.0);
-    source("rms slope", moments.rms_slope, 0.0, moments.rms_slope.standard_error, 0.0);
-    source("rms curvature", moments.rms_curvature, 0.0, 0.0, moments.rms_curvature.standard_error);
+    source("rms height", &PublishedMoments::rms_height);
+    source("rms slope", &PublishedMoments::rms_slope);
+    source("rms curvature", &PublishedMoments::rms_curvature);
+    source("short wavevector", &PublishedMoments::short_wavevector);
     surface.alerts.push_back(
         {"RECONSTRUCTION", surface.name,
          fmt::format(
              "its spectrum is a self-affine reconstruction from three published moments with short cutoff {:.4g} 1/m",
-             moments.short_wavevector),
+             moments.short_wavevector.value),
          "it fixes rms height, slope and curvature; the stored energy in between is the model's"});
 }
 

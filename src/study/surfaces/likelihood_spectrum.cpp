@@ -23,7 +23,7 @@ constexpr double group_end = 1.04;
 class Lines {
 public:
     Lines(const spectra::Spectrum& C_iso, const SurfaceAnalysisOptions& options)
-        : C_iso_(C_iso), C1D_(spectral_fit::line_spectrum(C_iso.wavevector, C_iso.density)), limits_(options.limits) {}
+        : C_iso_(C_iso), C1D_(spectral_fit::line_spectrum(C_iso.wavevector, C_iso.density)), limits_(options.limits()) {}
 
     [[nodiscard]] roughness::DecadeMeans decade_means() const { return means_of(C1D_); }
 
@@ -162,6 +162,8 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     const auto unmoved = curve;
     const Lines lines(unmoved, options);
     result.parameters.decade_C1D = lines.decade_means();
+    for (auto& limit : result.spread.sources)
+        limit.plus.decade_C1D = limit.minus.decade_C1D = result.parameters.decade_C1D;  // whole decades alone
     result.spread.seed = options.seed;
     result.spread.replicas_are_draws = true;
     const Array2D drawn =

@@ -154,7 +154,7 @@ void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& opti
     constexpr double nearly_whole = 0.9, much = 0.05;
     const auto& curve = surface.used().curve;
     const double end =
-        2.0 * pi / std::max(options.limits.shortest.value_or(0.0), options.likelihood.shortest_wavelength);
+        2.0 * pi / std::max(options.limits().shortest.value_or(0.0), options.likelihood.shortest_wavelength);
     if (curve.band.upper > nearly_whole * end) return;
     surface.beyond_data = continued(curve, end);
     if (!surface.beyond_data) return;
@@ -177,7 +177,7 @@ void look_beyond_data(SurfaceResult& surface, const SurfaceAnalysisOptions& opti
 /// that was asked for leaves longer ones out on purpose.
 void look_at_longer_waves(SurfaceResult& surface, const SurfaceAnalysisOptions& options) {
     constexpr double much = 0.05, times = 10.0;
-    if (options.limits.longest) return;
+    if (options.longest_wavelength) return;
     const auto& curve = surface.used().curve;
     surface.longer_waves = continued(curve, curve.band.lower / times);
     if (!surface.longer_waves) return;
@@ -322,16 +322,47 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceA
     return steps;
 }
 
+roughness::WavelengthLimits SurfaceAnalysisOptions::limits() const {
+    const auto value = [](const std::optional<Estimate>& limit) {
+        return limit ? std::optional(limit->value) : std::nullopt;
+    };
+    return {value(longest_wavelength), value(shortest_wavelength)};
+}
+
 SpectralParameters parameters_of(Spectrum whole, const SurfaceAnalysisOptions& options) {
     whole.waves_end = 2.0 * pi / options.likelihood.shortest_wavelength;
-    return roughness::spectral_parameters(roughness::limited(std::move(whole), options.limits), options.conversion);
+    return roughness::spectral_parameters(roughness::limited(std::move(whole), options.limits()), options.conversion);
 }
+
+namespace {
+
+/// What the ± of a limit of integrals does, where the spectrum reaches that far: parameters with it one standard error
+/// longer and shorter.
+void add_limit_source(roughness::ParameterSpread& spread, const char* name,
+                      std::optional<Estimate> SurfaceAnalysisOptions::*limit, const Spectrum& whole,
+                      const SurfaceAnalysisOptions& options) {
+    const auto& stated = options.*limit;
+    if (!stated || !stated->uncertain()) return;
+    const auto moved = [&](double side) {
+        auto other = options;
+        (other.*limit)->value += side * stated->standard_error;
+        return other;
+    };
+    const auto longer = moved(1.0), shorter = moved(-1.0);
+    const Band with_longer = roughness::limited(whole, longer.limits()).band,
+               with_shorter = roughness::limited(whole, shorter.limits()).band;
+    if (with_longer.lower == with_shorter.lower && with_longer.upper == with_shorter.upper) return;
+    spread.sources.push_back({stated->input.empty() ? std::string(name) : stated->input, parameters_of(whole, longer),
+                              parameters_of(whole, shorter)});
+}
+
+}  // namespace
 
 SpectrumResult spectrum_result(Spectrum whole, const SurfaceAnalysisOptions& options) {
     whole.waves_end = 2.0 * pi / options.likelihood.shortest_wavelength;
     SpectrumResult result;
-    const bool cut = options.limits.longest || options.limits.shortest;
-    result.curve = roughness::limited(whole, options.limits);
+    const bool cut = options.longest_wavelength || options.shortest_wavelength;
+    result.curve = roughness::limited(whole, options.limits());
     result.parameters = roughness::spectral_parameters(result.curve, options.conversion);
     result.uncut_energy_per_modulus =
         (cut ? roughness::spectral_parameters(whole, options.conversion) : result.parameters)
@@ -341,6 +372,9 @@ SpectrumResult spectrum_result(Spectrum whole, const SurfaceAnalysisOptions& opt
         result.other_conversion = roughness::spectral_parameters(
             result.curve, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact);
     }
+    add_limit_source(result.spread, "longest wavelength", &SurfaceAnalysisOptions::longest_wavelength, whole, options);
+    add_limit_source(result.spread, "shortest wavelength", &SurfaceAnalysisOptions::shortest_wavelength, whole,
+                     options);
     return result;
 }
 

@@ -53,5 +53,13 @@ TEST(ExactInputs, OfCalibrationsStandApartWhereTheyDiffer) {
     EXPECT_EQ(words[3], "calibration of lengths: afm stylus");
 }
 
+TEST(ExactInputs, HaveTheLimitsOfIntegralsThatAStudyGives) {
+    auto one = study();
+    one.analysis.longest_wavelength = Estimate{1e-4, 1e-5};
+    EXPECT_EQ(words_of(one).size(), words_of(study()).size());
+    one.analysis.shortest_wavelength = Estimate{1e-9, 0.0};
+    EXPECT_EQ(words_of(one)[0], "shortest wavelength:");
+}
+
 }  // namespace
 }  // namespace setae::study::exact_inputs_test

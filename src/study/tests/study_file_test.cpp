@@ -49,7 +49,7 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
         "1.5], surface_energy = [\"25 mJ/m2\", \"30 mJ/m2\"] }\n");
     EXPECT_DOUBLE_EQ(study.work_of_adhesion->value, 0.037);
     EXPECT_DOUBLE_EQ(study.work_of_adhesion->standard_error, 0.0037);
-    EXPECT_DOUBLE_EQ(*study.analysis.limits.longest, 1e-4);
+    EXPECT_DOUBLE_EQ(study.analysis.longest_wavelength->value, 1e-4);
     EXPECT_DOUBLE_EQ(study.analysis.cutoff_scan.at(0), 4e-10);
     EXPECT_DOUBLE_EQ(study.counter_youngs_modulus, 1.1e12);
     EXPECT_DOUBLE_EQ(study.elastomers.at(0).youngs_modulus.standard_error, 2e4);

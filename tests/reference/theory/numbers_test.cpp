@@ -24,7 +24,7 @@ const study::StudyResult& published() {
 
 study::StudyResult published_with_short_wavevector(double wavevector) {
     auto study = study::read_study("examples/nanodiamond/published.toml");
-    for (auto& surface : study.surfaces) surface.moments->short_wavevector = wavevector;
+    for (auto& surface : study.surfaces) surface.moments->short_wavevector = {wavevector};
     return study::run_study(study);
 }
 
@@ -191,7 +191,7 @@ TEST(PublishedTables, CuttingAtTheContactSizeChangesAlmostNothing) {
     // %)
     const auto whole = published_with_short_wavevector(2.0 * pi / 4e-10);
     auto study = whole.study;
-    study.analysis.limits.longest = 100e-6;
+    study.analysis.longest_wavelength = Estimate{.value = 100e-6};
     const auto cut = study::run_study(study);
     const auto &all = whole.surface("MCD").used().parameters, &rest = cut.surface("MCD").used().parameters;
     EXPECT_NEAR(1.0 - rest.elastic_energy_per_modulus / all.elastic_energy_per_modulus, 1.3e-5, 5e-7);

@@ -17,7 +17,7 @@ Study ncd_against(double youngs_modulus) {
     surface.moments = PublishedMoments{.rms_height = {121.7e-9, 0.0},
                                        .rms_slope = {1.15, 0.0},
                                        .rms_curvature = {3.19e9, 0.0},
-                                       .short_wavevector = 1.6e10};
+                                       .short_wavevector = {1.6e10}};
     study.surfaces = {surface};
     ElastomerInput elastomer;
     elastomer.name = "E";

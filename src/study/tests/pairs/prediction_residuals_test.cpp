@@ -23,7 +23,7 @@ Study study_of_nine_pairs() {
         surface.moments = PublishedMoments{.rms_height = {scale * 4.6e-9, 0.3e-9, "given"},
                                            .rms_slope = {scale * 0.39, 0.02, "given"},
                                            .rms_curvature = {scale * 1.13e9, 0.05e9, "given"},
-                                           .short_wavevector = 1.6e10};
+                                           .short_wavevector = {1.6e10}};
         study.surfaces.push_back(surface);
     }
     for (const double modulus : {1e6, 3e6, 8e6}) {

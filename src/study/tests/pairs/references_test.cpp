@@ -20,7 +20,7 @@ Study study_with_reference(double contact_radius = undefined) {
     surface.moments = PublishedMoments{.rms_height = {121.7e-9, 8e-9, "given"},
                                        .rms_slope = {1.15, 0.04, "given"},
                                        .rms_curvature = {3.19e9, 0.1e9, "given"},
-                                       .short_wavevector = 1.6e10};
+                                       .short_wavevector = {1.6e10}};
     study.surfaces = {surface};
     ElastomerInput elastomer;
     elastomer.name = "E0.7";

@@ -64,7 +64,7 @@ struct PublishedMoments {
     Estimate rms_height;            ///< [m]
     Estimate rms_slope;             ///< [1]
     Estimate rms_curvature;         ///< [1/m]
-    double short_wavevector = 0.0;  ///< q_s of the reconstruction [1/m]
+    Estimate short_wavevector;  ///< q_s of the reconstruction [1/m]
 };
 
 /// A rough surface: exactly one of measurements, power_spectrum and moments is given.
@@ -151,7 +151,7 @@ enum class SpectrumMethod {
 struct SurfaceAnalysisOptions {
     std::optional<SpectrumMethod>
         spectrum;  ///< absent: likelihood of surfaces with several measurements, average of one alone
-    roughness::WavelengthLimits limits;
+    std::optional<Estimate> longest_wavelength, shortest_wavelength;  ///< limits of all integrals [m]
     roughness::Conversion conversion = roughness::Conversion::exact;
     spectra::ContourTreatment contours = spectra::ContourTreatment::sinc_corrected;
     spectra::Window window = spectra::Window::automatic;
@@ -163,6 +163,8 @@ struct SurfaceAnalysisOptions {
     std::uint64_t largest_map = std::uint64_t{2}
                                 << 30;  ///< bytes of heights above which a map is read by bands of scan lines
     std::vector<double> cutoff_scan;    ///< shortest wavelengths [m] for W_int against the short cutoff
+
+    [[nodiscard]] roughness::WavelengthLimits limits() const;
 };
 
 /// How repeated loops and the smooth reference are compared.
