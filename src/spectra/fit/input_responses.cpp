@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "setae/spectral_fit/hat_node.hpp"
+
 namespace setae::spectral_fit {
 namespace {
 
@@ -43,6 +45,9 @@ void move_lengths(PeriodogramClass& data, const ObservedGroup& group, const TipR
     const double factor = std::exp(log_factor);
     const Array1D wavevector = data.wavevector / factor, nodes = data.nodes / factor;
     data.periodogram *= factor;
+    // the spectrum's end stays where it is, that much further behind the last node
+    if (group.end_response.size() > 0)
+        data.response.col(data.nodes.size() - 1) += log_factor / node_spacing * group.end_response;
     data.response /= factor;
     if (data.noise_response.size() > 0) data.noise_response *= factor;
     if (group.optics) data.response.rowwise() *= change_of_optics(*group.optics, data.nodes, nodes).transpose();

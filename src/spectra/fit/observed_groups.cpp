@@ -54,11 +54,13 @@ void add_response(ObservedGroup& group, const ScanShape& shape, const SpectrumRa
     // missing
     const double rest = end - static_cast<double>(last) - 0.5;
     const Index count = last - first + 1;
-    kernel.response.col(count - 1) += rest * std::exp(-2.0 * node_spacing) * kernel.response.col(count);
+    const Array1D behind = std::exp(-2.0 * node_spacing) * kernel.response.col(count);
+    kernel.response.col(count - 1) += rest * behind;
     kernel.response.col(0) += kernel.flat_response;
     group.data.nodes =
         (Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)) * node_spacing).exp() / step;
     group.data.response = kernel.response.leftCols(count) / step;
+    group.end_response = behind / step;
     group.data.noise_response = kernel.noise_response * step;
 }
 

@@ -32,6 +32,8 @@ struct ObservedGroup {
     Array1D independent_share;                     ///< ω of each group of modes
     const topography::Profile* contour = nullptr;  ///< where it is a curve
     std::optional<OpticalTransfer> optics;
+    Array1D end_response;  ///< of scans: what their last node's response grows by where the spectrum goes on one node
+                           ///< further; empty of curves
     std::vector<GappedLines> gaps;  ///< of each measurement that has some
     Array1D gap_factor;             ///< that response and noise_response hold; empty: none yet
     SampledResponse tip;

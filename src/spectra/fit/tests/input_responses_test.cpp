@@ -168,6 +168,28 @@ TEST(InputResponses, AreTheDifferencesOfFitsOfMovedData) {
     }
 }
 
+/// A line of every map, lengths of the second instrument's apart.
+std::vector<ObservedSurface> observed_lines(double lengths) {
+    auto all = observed(1.0, lengths);
+    for (auto& o : all) {
+        const auto& map = std::get<topography::HeightMap>(o.measurement);
+        o.measurement = topography::LineScan{map.heights.col(5), map.size[0], false, map.metadata};
+    }
+    return all;
+}
+
+// Of maps the number of independent lines is held; of lines nothing is: the moved fit is met to 1e-4 of the most that
+// any wave moves by.
+TEST(InputResponses, OfLinesAreExact) {
+    constexpr double step = 1e-3;
+    const auto fit = likelihood_spectrum(observed_lines(1.0), options());
+    const Array1D longer = likelihood_spectrum(observed_lines(1.0 + step), options()).C_iso.density,
+                  shorter = likelihood_spectrum(observed_lines(1.0 - step), options()).C_iso.density,
+                  found = (fit.design * response(fit, "x of other").theta).array() / 0.03,
+                  refitted = (longer / shorter).log() / (2.0 * step);
+    EXPECT_LT((found - refitted).abs().maxCoeff(), 1e-4 * refitted.abs().maxCoeff());
+}
+
 std::vector<ObservedSurface> touched(double of_radius, double error, double tip = radius) {
     std::vector<ObservedSurface> all;
     for (std::uint64_t seed : {1, 2}) all.push_back({cut_map(seed, 128, 40e-9, tip), topography::Trend::tilt});
