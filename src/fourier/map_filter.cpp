@@ -44,6 +44,11 @@ Index checked_side(Index points, Index period, const char* side) {
     return points;
 }
 
+const parallel::Slab& checked_rows(const parallel::Slab& rows, Index period) {
+    checked_side(rows.all(), period, "x");
+    return rows;
+}
+
 /// A row's modes of a block: a few cache lines, for which a call costs more than the copy.
 template <class Real>
 void copy_piece(const ComplexOf<Real>* from, ComplexOf<Real>* to) {
@@ -75,6 +80,20 @@ void transform_along_y(Multiplier& values, parallel::Threads threads) {
     });
 }
 
+/// Of every rank's blocks of a spectrum, then how many there are.
+std::vector<Index> begins_of_blocks(Index blocks, int ranks) {
+    std::vector<Index> begins;
+    for (Index rank = 0; rank <= ranks; ++rank) begins.push_back(blocks * rank / ranks);
+    return begins;
+}
+
+std::vector<Index> begins_of_lines(const parallel::Slab& blocks, Index lines) {
+    std::vector<Index> begins;
+    for (int rank = 0; rank <= blocks.ranks(); ++rank)
+        begins.push_back(std::min(lines, blocks.begin(rank) * columns_per_block));
+    return begins;
+}
+
 template <class Real>
 double weighted_power(const ComplexOf<Real>* column, Index period, const Real* factors) {
     double sum = 0.0;
@@ -85,24 +104,45 @@ double weighted_power(const ComplexOf<Real>* column, Index period, const Real* f
 }  // namespace
 
 template <class Real>
-MapFilterOf<Real>::MapFilterOf(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads)
-    : nx_(checked_side(nx, period_x, "x")),
+MapFilterOf<Real>::MapFilterOf(const parallel::Slab& rows, Index ny, Index period_x, Index period_y,
+                               parallel::Threads threads)
+    : rows_(checked_rows(rows, period_x)),
       ny_(checked_side(ny, period_y, "y")),
       modes_y_(period_y / 2 + 1),
-      block_stride_(nx * columns_per_block + numbers_a_line<Real>),
       column_stride_(stride_for<Real>(period_x)),
+      blocks_(rows.among_same(begins_of_blocks(blocks_of(modes_y_, columns_per_block), rows.ranks()))),
+      lines_(rows.among_same(begins_of_lines(blocks_, modes_y_))),
       along_y_(period_y),
       back_along_y_(period_y),
       along_x_(period_x, TransformSign::minus),
       back_along_x_(period_x, TransformSign::plus),
-      threads_{nx * (period_y / 2 + 1) < modes_for_threads ? 1 : threads.resolved()},
-      half_(extent(blocks_of(modes_y_, columns_per_block) * block_stride_)),
+      threads_{rows.rows() * (period_y / 2 + 1) < modes_for_threads ? 1 : threads.resolved()},
+      half_(extent(blocks_.all() * (rows.rows() * columns_per_block + numbers_a_line<Real>))),
       rooms_(extent(threads_.count)) {
     for (Room& room : rooms_) {
         room.line.assign(extent(period_y), Real(0));
         room.modes.assign(extent(blocks_of(modes_y_, columns_per_block) * columns_per_block), ComplexOf<Real>{});
         room.columns.resize(extent(columns_per_block * column_stride_));
     }
+    if (rows_.alone()) return;
+    constexpr Index bytes = sizeof(ComplexOf<Real>);
+    column_begins_.push_back(0);
+    for (int rank = 0; rank < rows_.ranks(); ++rank) {
+        row_begins_.push_back(blocks_.begin(rank) * own_stride() * bytes);
+        column_begins_.push_back(column_begins_.back() + blocks_.rows() * block_stride(rank) * bytes);
+    }
+    row_begins_.push_back(blocks_.all() * own_stride() * bytes);
+    columns_.resize(extent(column_begins_.back() / bytes));
+}
+
+template <class Real>
+Index MapFilterOf<Real>::block_stride(int rank) const {
+    return rows_.rows(rank) * columns_per_block + numbers_a_line<Real>;
+}
+
+template <class Real>
+Index MapFilterOf<Real>::own_stride() const {
+    return rows_.rows() * columns_per_block + numbers_a_line<Real>;
 }
 
 template <class Real>
@@ -115,13 +155,14 @@ void MapFilterOf<Real>::with_rooms(Index tasks, const std::function<void(Index, 
 
 template <class Real>
 MultiplierOf<Real> MapFilterOf<Real>::multiplier(const std::function<double(Index, Index)>& factor) const {
-    MultiplierOf<Real> result{.modes_x = period_x() / 2 + 1, .modes_y = period_y() / 2 + 1, .values = {}};
-    result.values.resize(extent(result.modes_x * result.modes_y));
+    MultiplierOf<Real> result{
+        .modes_x = period_x() / 2 + 1, .modes_y = period_y() / 2 + 1, .first_line = lines_.first(), .values = {}};
+    result.values.resize(extent(result.modes_x * lines_.rows()));
     const double points = static_cast<double>(period_x()) * static_cast<double>(period_y());
-    parallel::for_each_index(extent(result.modes_y), threads_, [&](std::size_t m) {
-        Real* line = result.values.data() + static_cast<Index>(m) * result.modes_x;
-        for (Index k = 0; k < result.modes_x; ++k)
-            line[k] = static_cast<Real>(factor(k, static_cast<Index>(m)) / points);
+    parallel::for_each_index(extent(lines_.rows()), threads_, [&](std::size_t own) {
+        const Index m = result.first_line + static_cast<Index>(own);
+        Real* line = result.values.data() + static_cast<Index>(own) * result.modes_x;
+        for (Index k = 0; k < result.modes_x; ++k) line[k] = static_cast<Real>(factor(k, m) / points);
     });
     return result;
 }
@@ -136,6 +177,7 @@ MultiplierOf<Real> MapFilterOf<Real>::kernel_multiplier(const std::function<doub
             throw InvalidArgument(
                 fmt::format("a kernel along {} needs an even period, the filter has {} points", axis, period));
     };
+    if (!rows_.alone()) throw InvalidArgument("a kernel for a map that processes share; expected factors of modes");
     MultiplierOf<Real> result = multiplier(kernel);
     if (along != KernelAxes::y) {
         require_even(period_x(), "x");
@@ -153,15 +195,33 @@ MultiplierOf<Real> MapFilterOf<Real>::kernel_multiplier(const std::function<doub
 
 template <class Real>
 ComplexOf<Real>* MapFilterOf<Real>::block(Index index) {
-    return half_.data() + index * block_stride_;
+    return half_.data() + index * own_stride();
+}
+
+template <class Real>
+ComplexOf<Real>* MapFilterOf<Real>::piece(int rank, Index index) {
+    if (rows_.alone()) return block(index);
+    constexpr Index bytes = sizeof(ComplexOf<Real>);
+    return columns_.data() + column_begins_[extent(rank)] / bytes + (index - blocks_.first()) * block_stride(rank);
+}
+
+template <class Real>
+void MapFilterOf<Real>::hand_on() {
+    if (!rows_.alone()) rows_.exchange(half_.data(), row_begins_, columns_.data(), column_begins_);
+}
+
+template <class Real>
+void MapFilterOf<Real>::hand_back() {
+    if (!rows_.alone()) rows_.exchange(columns_.data(), column_begins_, half_.data(), row_begins_);
 }
 
 template <class Real>
 void MapFilterOf<Real>::forward_rows(const LoadRowOf<Real>& load) {
-    with_rooms(blocks_of(nx_, rows_per_task), [&](Index task, Room& room) {
+    const Index rows = rows_.rows();
+    with_rooms(blocks_of(rows, rows_per_task), [&](Index task, Room& room) {
         std::fill(room.line.begin() + ny_, room.line.end(), Real(0));
         const Index first = task * rows_per_task, blocks = blocks_of(modes_y_, columns_per_block);
-        for (Index i = first; i < std::min(nx_, first + rows_per_task); ++i) {
+        for (Index i = first; i < std::min(rows, first + rows_per_task); ++i) {
             load(i, room.line.data());
             along_y_.forward(room.line.data(), room.modes.data());
             for (Index b = 0; b < blocks; ++b)
@@ -172,18 +232,25 @@ void MapFilterOf<Real>::forward_rows(const LoadRowOf<Real>& load) {
 
 template <class Real>
 void MapFilterOf<Real>::gather(Index index, ComplexOf<Real>* columns) {
-    const ComplexOf<Real>* from = block(index);
-    for (Index i = 0; i < nx_; ++i)
-        for (Index m = 0; m < columns_per_block; ++m) columns[m * column_stride_ + i] = from[i * columns_per_block + m];
+    for (int rank = 0; rank < rows_.ranks(); ++rank) {
+        const ComplexOf<Real>* from = piece(rank, index);
+        ComplexOf<Real>* to = columns + rows_.begin(rank);
+        for (Index i = 0; i < rows_.rows(rank); ++i)
+            for (Index m = 0; m < columns_per_block; ++m) to[m * column_stride_ + i] = from[i * columns_per_block + m];
+    }
     for (Index m = 0; m < columns_per_block; ++m)
-        std::fill(columns + m * column_stride_ + nx_, columns + m * column_stride_ + period_x(), ComplexOf<Real>{});
+        std::fill(columns + m * column_stride_ + rows_.all(), columns + m * column_stride_ + period_x(),
+                  ComplexOf<Real>{});
 }
 
 template <class Real>
 void MapFilterOf<Real>::scatter(Index index, const ComplexOf<Real>* columns) {
-    ComplexOf<Real>* to = block(index);
-    for (Index i = 0; i < nx_; ++i)
-        for (Index m = 0; m < columns_per_block; ++m) to[i * columns_per_block + m] = columns[m * column_stride_ + i];
+    for (int rank = 0; rank < rows_.ranks(); ++rank) {
+        ComplexOf<Real>* to = piece(rank, index);
+        const ComplexOf<Real>* from = columns + rows_.begin(rank);
+        for (Index i = 0; i < rows_.rows(rank); ++i)
+            for (Index m = 0; m < columns_per_block; ++m) to[i * columns_per_block + m] = from[m * column_stride_ + i];
+    }
 }
 
 template <class Real>
@@ -202,16 +269,20 @@ template <class Real>
 void MapFilterOf<Real>::apply(const MultiplierOf<Real>& multiplier, const LoadRowOf<Real>& load,
                               const StoreRowOf<Real>& store) {
     forward_rows(load);
-    with_rooms(blocks_of(modes_y_, columns_per_block), [&](Index block, Room& room) {
+    hand_on();
+    with_rooms(blocks_.rows(), [&](Index own, Room& room) {
+        const Index block = blocks_.first() + own;
         each_column(block, room, [&](ComplexOf<Real>* column, Index line) {
             multiply(column, period_x(), multiplier.line(line));
             back_along_x_.apply(column);
         });
         scatter(block, room.columns.data());
     });
-    with_rooms(blocks_of(nx_, rows_per_task), [&](Index task, Room& room) {
+    hand_back();
+    const Index rows = rows_.rows();
+    with_rooms(blocks_of(rows, rows_per_task), [&](Index task, Room& room) {
         const Index first = task * rows_per_task, blocks = blocks_of(modes_y_, columns_per_block);
-        for (Index i = first; i < std::min(nx_, first + rows_per_task); ++i) {
+        for (Index i = first; i < std::min(rows, first + rows_per_task); ++i) {
             for (Index b = 0; b < blocks; ++b)
                 copy_piece(block(b) + i * columns_per_block, room.modes.data() + b * columns_per_block);
             back_along_y_.apply(room.modes.data(), room.line.data());
@@ -223,13 +294,15 @@ void MapFilterOf<Real>::apply(const MultiplierOf<Real>& multiplier, const LoadRo
 template <class Real>
 double MapFilterOf<Real>::quadratic_form(const MultiplierOf<Real>& multiplier, const LoadRowOf<Real>& load) {
     forward_rows(load);
+    hand_on();
     Array1D sums(multiplier.modes_y);
-    with_rooms(blocks_of(modes_y_, columns_per_block), [&](Index block, Room& room) {
-        each_column(block, room, [&](const ComplexOf<Real>* column, Index line) {
+    with_rooms(blocks_.rows(), [&](Index own, Room& room) {
+        each_column(blocks_.first() + own, room, [&](const ComplexOf<Real>* column, Index line) {
             const bool twice = line > 0 && 2 * line != period_y();  // the other half of the spectrum
             sums[line] = (twice ? 2.0 : 1.0) * weighted_power(column, period_x(), multiplier.line(line));
         });
     });
+    lines_.share(sums.data());
     return pairwise_sum(sums);
 }
 

@@ -32,7 +32,7 @@ ActiveSetSolver::ActiveSetSolver(ElasticOperator& response, const fourier::Multi
       softest_(softest_stiffness(stiffness)),
       heights_(heights),
       target_(target),
-      rows_(heights, threads),
+      rows_(response.slab(), heights.cols(), threads),
       highest_(rows_.largest([&](Index i) { return heights.row(i).abs().maxCoeff(); })),
       units_(units_of(highest_, stiffness)),
       model_(response, compliance, stiffness, units_, heights, threads),
@@ -50,7 +50,7 @@ void ActiveSetSolver::cut_pressures() {
 
 /// Scales the pressures that do not flow until they carry the load.
 void ActiveSetSolver::carry_load() {
-    const double load = *target_.mean_pressure * static_cast<double>(p_.size()), hardness = target_.hardness;
+    const double load = *target_.mean_pressure * rows_.points(), hardness = target_.hardness;
     constexpr int most_rounds = 100;  // one is enough where nothing flows
     for (int round = 0; round < most_rounds; ++round) {
         const auto sums = rows_.numbers<3>([&](Index i) {
@@ -77,7 +77,7 @@ void ActiveSetSolver::carry_load() {
 /// v = G p − h, and what the certificate needs of it.
 void ActiveSetSolver::respond() {
     const Index ny = p_.cols();
-    RowSums<6> sums(p_.rows());
+    auto sums = rows_.sums<6>();
     response_.apply(
         compliance_, [&](Index i, double* line) { std::copy_n(p_.data() + i * ny, ny, line); },
         [&](Index i, const double* line) {
@@ -109,7 +109,7 @@ void ActiveSetSolver::respond() {
 }
 
 void ActiveSetSolver::certify() {
-    const double points = static_cast<double>(p_.size()), mean = load_ / points;
+    const double mean = load_ / rows_.points();
     certificate_ = {.penetration = std::max(0.0, -(least_ + level_))};
     if (target_.mean_pressure) certificate_.load_error = std::abs(mean / *target_.mean_pressure - 1.0);
     if (!(load_ > 0.0)) return;
@@ -173,7 +173,7 @@ double ActiveSetSolver::activation_step() {
         const double g = v_(i, j) + level_;
         return p_(i, j) > 0.0 || g < 0.0 ? g : 0.0;
     };
-    RowSums<1> squares(p_.rows());
+    auto squares = rows_.sums<1>();
     const double curvature = response_.quadratic_form(compliance_, [&](Index i, double* line) {
         double square = 0.0;
         for (Index j = 0; j < ny; ++j) {
@@ -207,7 +207,8 @@ SolveStatus ActiveSetSolver::solve(double tolerance, Index most_iterations,
         const double error = !apart     ? std::max(certificate_.duality_gap, certificate_.level_error)
                              : overlaps ? std::numeric_limits<double>::infinity()
                                         : 0.0;
-        if (report) report({.nx = p_.rows(), .ny = p_.cols(), .iterations = iterations_, .duality_gap = error});
+        const auto& grid = response_.grid();
+        if (report) report({.nx = grid.nx, .ny = grid.ny, .iterations = iterations_, .duality_gap = error});
         if (error <= tolerance) return SolveStatus::converged;
         without_progress = error < best ? 0 : without_progress + 1;
         best = std::min(best, error);

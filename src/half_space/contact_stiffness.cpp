@@ -33,7 +33,7 @@ double contact_stiffness(const HardWall& problem, const HardWallContact& contact
     // G s = 1 on the set, by gradients in float and residuals in double
     const ModelUnits units{.length = 1.0, .pressure = preconditioner.greatest_stiffness()};
     SetModel model(response, response.compliance(), preconditioner, units, set, threads);
-    const RowPasses rows(set, threads);
+    const RowPasses rows(response.slab(), set.cols(), threads);
     rows.each([&](Index i) { model.face(i) = row(set, i).cast<float>(); });
     Array2D s = Array2D::Zero(set.rows(), set.cols()), left = set;
     double square = points;
@@ -47,7 +47,7 @@ double contact_stiffness(const HardWall& problem, const HardWallContact& contact
                                           .most_iterations = most_iterations - iterations});
         if (taken == 0) break;
         iterations += taken;
-        RowSums<1> squares(set.rows());
+        auto squares = rows.sums<1>();
         response.apply(
             response.compliance(),
             [&](Index i, double* line) {

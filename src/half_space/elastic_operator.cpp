@@ -48,12 +48,16 @@ fourier::StoreRow rows_to(Eigen::Ref<Array2D>& map) {
 
 }  // namespace
 
-ElasticOperator::ElasticOperator(const Grid& grid, const Body& body, Edges edges, parallel::Threads threads)
+ElasticOperator::ElasticOperator(const Grid& grid, const Body& body, Edges edges, parallel::Threads threads,
+                                 const parallel::Ranks* ranks)
     : grid_(checked(grid, body, edges)),
       body_(body),
       edges_(edges),
-      filter_(grid.nx, grid.ny, period(grid.nx, repeats_along_x(edges)), period(grid.ny, repeats_along_y(edges)),
+      slab_(slab_of(grid, ranks)),
+      filter_(slab_, grid.ny, period(grid.nx, repeats_along_x(edges)), period(grid.ny, repeats_along_y(edges)),
               threads) {
+    if (!slab_.alone() && edges != Edges::periodic)
+        throw InvalidArgument("free edges of a map that processes share; expected periodic edges");
     const double x = grid.nx > 1 ? 2.0 * pi / grid.size_x : 0.0, y = grid.ny > 1 ? 2.0 * pi / grid.size_y : 0.0;
     const double longest = x > 0.0 && y > 0.0 ? std::min(x, y) : std::max(x, y);
     const Index half_x = grid.nx / 2, half_y = grid.ny / 2;

@@ -2,6 +2,7 @@
 #include "setae/half_space/grid.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -19,9 +20,26 @@ void require(const Grid& grid) {
 }
 
 void require_shape(const ArrayView2D& map, const Grid& grid, const char* what) {
-    if (map.rows() != grid.nx || map.cols() != grid.ny)
+    require_shape(map, grid, parallel::Slab(grid.nx), what);
+}
+
+void require_shape(const ArrayView2D& map, const Grid& grid, const parallel::Slab& slab, const char* what) {
+    const bool differs = map.rows() != slab.rows() || map.cols() != grid.ny;
+    if (!slab.anywhere(differs)) return;
+    if (slab.alone())
         throw InvalidArgument(fmt::format("{} have {} x {} points, the grid has {} x {}", what, map.rows(), map.cols(),
                                           grid.nx, grid.ny));
+    throw InvalidArgument(fmt::format("{} have {} x {} points here, where this process has rows {} to {} of {} x {}{}",
+                                      what, map.rows(), map.cols(), slab.first(), slab.first() + slab.rows() - 1,
+                                      grid.nx, grid.ny, differs ? "" : "; another one's do not fit"));
+}
+
+parallel::Slab slab_of(const Grid& grid, const parallel::Ranks* ranks) {
+    require(grid);
+    // rows begin on the same places of vector registers in every process, or sums over them would round otherwise
+    constexpr Index numbers = EIGEN_MAX_ALIGN_BYTES / sizeof(float);
+    const Index columns = parallel::coarsest_side_of(grid.ny, coarsest_side);
+    return parallel::nested_slab(grid.nx, coarsest_side, numbers / std::gcd(numbers, columns), ranks);
 }
 
 }  // namespace setae::half_space

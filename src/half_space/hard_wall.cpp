@@ -2,6 +2,7 @@
 #include "setae/half_space/hard_wall.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,30 +11,34 @@
 #include <fmt/format.h>
 
 #include "active_set.hpp"
+#include "row_passes.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
 
 namespace setae::half_space {
 namespace {
 
-constexpr Index coarsest_side = 64;
 /// Of what a coarser grid hands on; its own error is larger.
 constexpr double coarse_tolerance = 1e-3;
 
-double mean_of(const Array2D& map) {
-    Array1D rows(map.rows());
-    for (Index i = 0; i < map.rows(); ++i) rows[i] = pairwise_sum(map.row(i).transpose());
-    return pairwise_sum(rows) / static_cast<double>(map.size());
+double mean_of(const Array2D& map, const RowPasses& rows) {
+    return rows.sum([&](Index i) { return pairwise_sum(row(map, i)); }) / rows.points();
 }
 
-void require_heights(const Array2D& heights) {
-    for (Index i = 0; i < heights.rows(); ++i)
+/// Says which pixel of the whole map is not finite, whoever of the processes holds it.
+void require_heights(const Array2D& heights, const RowPasses& rows) {
+    constexpr double none = -1.0;
+    const auto found = rows.numbers<2>([&](Index i) {
         for (Index j = 0; j < heights.cols(); ++j)
-            if (!std::isfinite(heights(i, j)))
-                throw InvalidArgument(
-                    fmt::format("the height at pixel ({}, {}) is {}; expected finite heights, fill "
-                                "undefined ones first",
-                                i, j, heights(i, j)));
+            if (!std::isfinite(heights(i, j))) return std::array{static_cast<double>(j), heights(i, j)};
+        return std::array{none, 0.0};
+    });
+    for (Index i = 0; i < found.rows(); ++i)
+        if (const double column = found.at(i); column != none)
+            throw InvalidArgument(
+                fmt::format("the height at pixel ({}, {}) is {}; expected finite heights, fill "
+                            "undefined ones first",
+                            i, column, found.at(i, 1)));
 }
 
 void require_positive(double value, const char* what, const char* unit) {
@@ -41,9 +46,9 @@ void require_positive(double value, const char* what, const char* unit) {
         throw InvalidArgument(fmt::format("{} must be > 0 and finite, got {} {}", what, value, unit));
 }
 
-void require_start(const Array2D& start, const Grid& grid) {
-    require_shape(start, grid, "pressures to start from");
-    if (!start.allFinite() || !(start.maxCoeff() > 0.0))
+void require_start(const Array2D& start, const Grid& grid, const parallel::Slab& slab) {
+    require_shape(start, grid, slab, "pressures to start from");
+    if (slab.anywhere(!start.allFinite()) || !slab.anywhere(start.maxCoeff() > 0.0))
         throw InvalidArgument("pressures to start from are not finite or nowhere > 0; expected those of another load");
 }
 
@@ -53,8 +58,8 @@ struct Aim {
     bool without_mean = false;
 };
 
-Aim aim_of(const HardWall& problem, MeanDisplacement mean_displacement) {
-    const double highest = problem.heights.maxCoeff(), mean = mean_of(problem.heights);
+/// highest, mean: of the heights.
+Aim aim_of(const HardWall& problem, double highest, double mean, MeanDisplacement mean_displacement) {
     Aim aim;
     if (problem.hardness) {
         require_positive(*problem.hardness, "hardness", "Pa");
@@ -94,15 +99,15 @@ struct Level {
     Array2D heights;
 };
 
-bool halves(Index side) { return side % 2 == 0 && side > coarsest_side; }
+bool halves(Index side) { return parallel::coarsest_side_of(side, coarsest_side) < side; }
 
 /// The grid of half as many points along every side that may be halved, heights averaged; none where neither may.
 std::optional<Level> coarser(const Grid& grid, const Array2D& heights) {
     const Index step_x = halves(grid.nx) ? 2 : 1, step_y = halves(grid.ny) ? 2 : 1;
     if (step_x * step_y == 1) return std::nullopt;
     Level level{.grid = {grid.nx / step_x, grid.ny / step_y, grid.size_x, grid.size_y}, .heights = {}};
-    level.heights = Array2D::Zero(level.grid.nx, level.grid.ny);
-    for (Index i = 0; i < grid.nx; ++i)
+    level.heights = Array2D::Zero(heights.rows() / step_x, level.grid.ny);
+    for (Index i = 0; i < heights.rows(); ++i)
         for (Index j = 0; j < grid.ny; ++j) level.heights(i / step_x, j / step_y) += heights(i, j);
     level.heights /= static_cast<double>(step_x * step_y);
     return level;
@@ -118,8 +123,10 @@ void inject(const Array2D& coarse, Array2D& fine) {
 /// One grid with its operators and its solver.
 class Stage {
 public:
-    Stage(const HardWall& problem, const Grid& grid, const Array2D& heights, const Aim& aim, parallel::Threads threads)
-        : response_(grid, problem.body, problem.edges, threads) {
+    Stage(const HardWall& problem, const Grid& grid, const Array2D& heights, const Aim& aim,
+          const SolveOptions& options)
+        : response_(grid, problem.body, problem.edges, options.threads, options.ranks) {
+        const auto threads = options.threads;
         if (problem.edges != Edges::periodic)
             preconditioner_ = std::make_unique<ElasticOperator>(grid, problem.body, Edges::periodic, threads);
         if (aim.without_mean)
@@ -150,7 +157,7 @@ std::optional<Array2D> first_guess(const HardWall& problem, const Aim& aim, cons
     }
     std::optional<Array2D> guess;
     for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-        Stage stage(problem, level->grid, level->heights, aim, options.threads);
+        Stage stage(problem, level->grid, level->heights, aim, options);
         auto& pressures = stage.solver().pressures();
         if (guess) inject(*guess, pressures);
         else pressures.setConstant(aim.target.mean_pressure.value_or(0.0));
@@ -179,17 +186,20 @@ void require_free_rim(const Array2D& pressures, Edges edges) {
 HardWallContact solve(const HardWall& problem, const SolveOptions& options) {
     require(problem.grid);
     require(problem.body);
-    require_shape(problem.heights, problem.grid, "heights");
-    require_heights(problem.heights);
+    const auto slab = slab_of(problem.grid, options.ranks);
+    require_shape(problem.heights, problem.grid, slab, "heights");
+    const RowPasses rows(slab, problem.grid.ny, options.threads);
+    require_heights(problem.heights, rows);
     require_positive(options.tolerance, "tolerance", "");
     HardWallContact contact;
     contact.mean_displacement =
         ElasticOperator({1, 1, problem.grid.size_x, problem.grid.size_y}, problem.body).mean_displacement();
-    const Aim aim = aim_of(problem, contact.mean_displacement);
+    const double highest = rows.largest([&](Index i) { return row(problem.heights, i).maxCoeff(); });
+    const Aim aim = aim_of(problem, highest, mean_of(problem.heights, rows), contact.mean_displacement);
     const bool started = options.start.size() > 0;
-    if (started) require_start(options.start, problem.grid);
+    if (started) require_start(options.start, problem.grid, slab);
     const auto guess = options.nested_grids && !started ? first_guess(problem, aim, options) : std::nullopt;
-    Stage stage(problem, problem.grid, problem.heights, aim, options.threads);
+    Stage stage(problem, problem.grid, problem.heights, aim, options);
     ActiveSetSolver& solver = stage.solver();
     if (started) solver.pressures() = options.start;
     else if (guess) inject(*guess, solver.pressures());
@@ -208,20 +218,21 @@ HardWallContact solve(const HardWall& problem, const SolveOptions& options) {
     const double pixel = problem.grid.pixel_area();
     if (problem.hardness) {
         const auto flowing = (contact.pressures >= *problem.hardness).eval();
-        contact.flowing_area = static_cast<double>(flowing.count()) * pixel;
-        contact.deepest_dent = flowing.select(-contact.gaps, 0.0).maxCoeff();
+        contact.flowing_area = rows.sum([&](Index i) { return static_cast<double>(flowing.row(i).count()); }) * pixel;
+        contact.deepest_dent =
+            rows.largest([&](Index i) { return flowing.row(i).select(-contact.gaps.row(i), 0.0).maxCoeff(); });
     }
     contact.gaps = contact.gaps.max(0.0);
-    contact.mean_gap = mean_of(contact.gaps);
-    contact.mean_pressure = mean_of(contact.pressures);
-    contact.displacement = problem.heights.maxCoeff() - solver.level();
+    contact.mean_gap = mean_of(contact.gaps, rows);
+    contact.mean_pressure = mean_of(contact.pressures, rows);
+    contact.displacement = highest - solver.level();
     contact.stored_energy = 0.5 * solver.elastic_work() * pixel;
     if (aim.without_mean && contact.mean_displacement == MeanDisplacement::finite) {
         const double mean = contact.mean_pressure / stiffness(0.0, problem.body);
         contact.displacement += mean;
         contact.stored_energy += 0.5 * contact.mean_pressure * mean * problem.grid.area();
     }
-    contact.area = contact_area(contact.pressures, problem.grid, problem.edges);
+    contact.area = contact_area(contact.pressures, problem.grid, slab, problem.edges);
     return contact;
 }
 

@@ -8,8 +8,10 @@
 #include <boost/container/small_vector.hpp>
 
 #include "setae/core/arrays.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/core/summation.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/parallel/slab.hpp"
 
 namespace setae::half_space {
 
@@ -35,50 +37,69 @@ ConstRowOf<Real> row(const MapOf<Real>& map, Index i) {
 [[nodiscard]] auto above_zero(const auto& numbers) { return (numbers.max(0.0) * 1e300).min(1.0); }
 
 /// Numbers of several kinds, one of each a row, from a pass over a map or from what rides along with a transform: rows
-/// are added in an order of their own, whatever thread they came from.
+/// are added in an order of their own, whatever thread or process they came from. Processes store their own rows,
+/// counted from 0, and ask together.
 template <std::size_t kinds>
 class RowSums {
 public:
-    explicit RowSums(Index rows) : rows_(rows), values_(kinds * static_cast<std::size_t>(rows)) {}
+    /// slab outlives the sums.
+    explicit RowSums(const parallel::Slab& slab) : slab_(slab), values_(kinds * extent(slab.all())) {}
     void store(Index row, const std::array<double, kinds>& values) {
         for (std::size_t kind = 0; kind < kinds; ++kind)
-            values_[kind * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row)] = values[kind];
+            values_[kind * extent(slab_.all()) + extent(slab_.first() + row)] = values[kind];
     }
     [[nodiscard]] double sum(std::size_t kind = 0) const { return pairwise_sum(of(kind)); }
     [[nodiscard]] double least(std::size_t kind = 0) const { return of(kind).minCoeff(); }
     [[nodiscard]] double largest(std::size_t kind = 0) const { return of(kind).maxCoeff(); }
+    /// Of all processes' rows, and what one of them said.
+    [[nodiscard]] Index rows() const { return slab_.all(); }
+    [[nodiscard]] double at(Index row, std::size_t kind = 0) const { return of(kind)[row]; }
 
 private:
     [[nodiscard]] ConstRow of(std::size_t kind) const {
-        return {values_.data() + kind * static_cast<std::size_t>(rows_), rows_};
+        double* values = values_.data() + kind * extent(slab_.all());
+        if (!shared_[kind]) slab_.share(values);
+        shared_[kind] = true;
+        return {values, slab_.all()};
     }
     /// Of most maps on the stack: passes are many and short.
     static constexpr std::size_t on_stack = 1024;
-    Index rows_;
-    boost::container::small_vector<double, on_stack> values_;
+    const parallel::Slab& slab_;
+    mutable boost::container::small_vector<double, on_stack> values_;
+    mutable std::array<bool, kinds> shared_{};
 };
 
 /// Passes over a map row by row, on threads where it is large.
 class RowPasses {
 public:
-    RowPasses(const Array2D& shape, parallel::Threads threads)
-        : rows_(shape.rows()),
-          rows_per_task_(std::max<Index>(1, points_per_task / std::max<Index>(1, shape.cols()))),
-          threads_{shape.size() < 2 * points_per_task ? 1 : threads.resolved()} {}
+    /// Of a map of so many columns, of which this process has the rows of a slab.
+    RowPasses(const parallel::Slab& slab, Index columns, parallel::Threads threads)
+        : slab_(slab),
+          columns_(columns),
+          rows_per_task_(std::max<Index>(1, points_per_task / std::max<Index>(1, columns))),
+          threads_{slab.rows() * columns < 2 * points_per_task ? 1 : threads.resolved()} {}
+
+    /// Of the whole map.
+    [[nodiscard]] double points() const { return static_cast<double>(slab_.all()) * static_cast<double>(columns_); }
+    /// For what rides along with a transform.
+    template <std::size_t kinds>
+    [[nodiscard]] RowSums<kinds> sums() const {
+        return RowSums<kinds>(slab_);
+    }
 
     /// body(row) of every row.
     template <class Body>
     void each(const Body& body) const {
-        const Index tasks = (rows_ + rows_per_task_ - 1) / rows_per_task_;
+        const Index rows = slab_.rows(), tasks = (rows + rows_per_task_ - 1) / rows_per_task_;
         parallel::for_each_index(static_cast<std::size_t>(tasks), threads_, [&](std::size_t task) {
             const Index first = static_cast<Index>(task) * rows_per_task_;
-            for (Index i = first; i < std::min(rows_, first + rows_per_task_); ++i) body(i);
+            for (Index i = first; i < std::min(rows, first + rows_per_task_); ++i) body(i);
         });
     }
     /// What body(row), an array of that many numbers, says of every row.
     template <std::size_t kinds, class Body>
     [[nodiscard]] RowSums<kinds> numbers(const Body& body) const {
-        RowSums<kinds> result(rows_);
+        auto result = sums<kinds>();
         each([&](Index i) { result.store(i, body(i)); });
         return result;
     }
@@ -94,7 +115,8 @@ public:
 
 private:
     static constexpr Index points_per_task = 1 << 13;
-    Index rows_, rows_per_task_;
+    parallel::Slab slab_;
+    Index columns_, rows_per_task_;
     parallel::Threads threads_;
 };
 

@@ -20,7 +20,7 @@ SetModel::SetModel(const ElasticOperator& response, const fourier::Multiplier& c
           return k > 0.0 && std::isfinite(k) ? k : softest;
       }),
                                   units.length / units.pressure)),
-      rows_(shape, threads) {
+      rows_(response.slab(), shape.cols(), threads) {
     if (&preconditioner != &response) periodic_filter_ = preconditioner.float_filter(threads);
     for (auto* map : {&face_, &residual_, &change_, &direction_, &response_})
         *map = MapOf<float>::Zero(shape.rows(), shape.cols());
@@ -28,7 +28,7 @@ SetModel::SetModel(const ElasticOperator& response, const fourier::Multiplier& c
 
 /// w = z, the preconditioned residual, after what is left of the last step; sums of z and of w before.
 SetModel::Preconditioned SetModel::precondition(float step, float mean_response) {
-    RowSums<3> sums(face_.rows());
+    auto sums = rows_.sums<3>();
     auto& filter = periodic_filter_ ? *periodic_filter_ : filter_;
     filter.apply(
         stiffness_,
@@ -55,8 +55,8 @@ SetModel::Preconditioned SetModel::precondition(float step, float mean_response)
 
 /// t = w − mean + memory t in the set, w = G t, and the sums of it.
 SetModel::Response SetModel::respond(float mean, float memory) {
-    RowSums<4> sums(face_.rows());
-    RowSums<2> direction(face_.rows());
+    auto sums = rows_.sums<4>();
+    auto direction = rows_.sums<2>();
     filter_.apply(
         compliance_,
         [&](Index i, float* line) {

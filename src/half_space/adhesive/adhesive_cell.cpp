@@ -15,12 +15,10 @@
 namespace setae::half_space {
 namespace {
 
-const ArrayView2D& checked(const ArrayView2D& heights, const Grid& grid, const Body& body, const Interaction& law) {
-    require(grid);
-    require(body);
-    require(law, body, grid);
-    require_shape(heights, grid, "heights");
-    if (!heights.isFinite().all())
+const ArrayView2D& checked(const ArrayView2D& heights, const ElasticOperator& elastic, const Interaction& law) {
+    require(law, elastic.body(), elastic.grid());
+    require_shape(heights, elastic.grid(), elastic.slab(), "heights");
+    if (elastic.slab().anywhere(!heights.isFinite().all()))
         throw UndefinedDataError("heights of a cell are undefined at some points; fill them first");
     return heights;
 }
@@ -35,13 +33,15 @@ public:
          const AdhesiveOptions& options, parallel::Threads threads)
         : law_(law),
           options_(options),
-          elastic_(grid, body, Edges::periodic, threads),
-          heights_(checked(heights, grid, body, law)),
+          elastic_(grid, body, Edges::periodic, threads, options.ranks),
+          heights_(checked(heights, elastic_, law)),
           stiffness_(stiffness_of_waves(elastic_)),
           units_{.length = law.range, .pressure = law.greatest_tension()},
           model_(heights_, elastic_, units_, threads),
-          rows_(heights_, threads),
-          points_(static_cast<double>(heights_.size())),
+          rows_(elastic_.slab(), heights_.cols(), threads),
+          points_(rows_.points()),
+          mean_height_(rows_.sum([&](Index i) { return row(heights_, i).sum(); }) / points_),
+          highest_(rows_.largest([&](Index i) { return row(heights_, i).maxCoeff(); })),
           radius_(2.0 * law.range) {
         face_ = MapOf<float>::Zero(heights_.rows(), heights_.cols());
         for (auto* place : {&here_, &trial_}) *place = {heights_, heights_, heights_, face_, heights_.col(0), 0.0, {}};
@@ -53,16 +53,16 @@ public:
     }
 
     void begin_at(double mean_gap) {
-        const double mean_height = heights_.mean();
-        here_.gaps = mean_gap - (heights_ - mean_height);
+        here_.gaps = mean_gap - (heights_ - mean_height_);
         move_to_mean(here_, mean_gap, 0.0);
         refresh();
         has_tangent_ = false;
     }
 
     void begin_with(const ArrayView2D& gaps) {
-        require_shape(gaps, elastic_.grid(), "gaps");
-        if (!(gaps >= 0.0).all()) throw InvalidArgument("gaps of a cell are below 0 or undefined; expected >= 0");
+        require_shape(gaps, elastic_.grid(), elastic_.slab(), "gaps");
+        if (elastic_.slab().anywhere(!(gaps >= 0.0).all()))
+            throw InvalidArgument("gaps of a cell are below 0 or undefined; expected >= 0");
         here_.gaps = gaps;
         refresh();
         has_tangent_ = false;
@@ -84,18 +84,19 @@ public:
     }
 
     [[nodiscard]] const Grid& grid() const { return elastic_.grid(); }
+    [[nodiscard]] const parallel::Slab& slab() const { return elastic_.slab(); }
     [[nodiscard]] const Interaction& interaction() const { return law_; }
     [[nodiscard]] const Array2D& gaps() const { return here_.gaps; }
     [[nodiscard]] Array2D pressures() const { return here_.stiff - tension_; }
     [[nodiscard]] double conformal_energy() const { return conformal_energy_; }
     [[nodiscard]] double felt_gap() const {
         const double reach = law_.law == AttractionLaw::dugdale ? 0.9 : 2.5;
-        return heights_.maxCoeff() - heights_.mean() + reach * law_.range;
+        return highest_ - mean_height_ + reach * law_.range;
     }
     [[nodiscard]] double far_gap() const {
         const double reach = law_.law == AttractionLaw::lennard_jones ? 15.0 : 5.0;
         const double longest = std::max(grid().nx > 1 ? grid().size_x : 0.0, grid().ny > 1 ? grid().size_y : 0.0);
-        return std::max(heights_.maxCoeff() - heights_.mean() + reach * law_.range,
+        return std::max(highest_ - mean_height_ + reach * law_.range,
                         1.4 * std::sqrt(law_.work_of_adhesion * longest / elastic_.body().contact_modulus));
     }
 
@@ -199,7 +200,7 @@ private:
     FaceModel model_;
     std::int64_t transforms_ = 0;  ///< of its own
     RowPasses rows_;
-    double points_, radius_;
+    double points_, mean_height_, highest_, radius_;
     double conformal_energy_ = 0.0, multiplier_ = 0.0, tension_ = 0.0;
     double level_ = 0.0;  ///< that the gradient is at where free, in equilibrium
     /// Of points that are free or would become so: how many, and of the gradient less its level the sum and that of
@@ -248,8 +249,8 @@ double AdhesiveCell::Work::residual() {
 }
 
 double AdhesiveCell::Work::energy_to_trial(bool stiff_known) {
-    RowSums<4> sums(here_.gaps.rows());
-    RowSums<1> energies(here_.gaps.rows());
+    auto sums = rows_.sums<4>();
+    auto energies = rows_.sums<1>();
     const auto compare = [&](Index i) {
         sums.store(i, sum_up(trial_, i));
         const double elastic =
@@ -336,7 +337,7 @@ AdhesiveState AdhesiveCell::Work::state(double residual, int iterations, std::in
     result.elastic_energy = 0.5 * rows_.sum([&](Index i) {
         return ((row(here_.gaps, i) + row(heights_, i)) * row(here_.stiff, i)).sum();
     }) / points_;
-    result.adhesive_energy = pairwise_sum(here_.energy) / points_;
+    result.adhesive_energy = rows_.sum([&](Index i) { return here_.energy[i]; }) / points_;
     result.area_fraction =
         rows_.sum([&](Index i) { return static_cast<double>((row(here_.gaps, i) == 0.0).count()); }) / points_;
     return result;
@@ -433,7 +434,7 @@ void AdhesiveCell::Work::follow_tangent(double change) {
     const double mean = std::max(0.0, here_.mean + change);
     if (has_tangent_) {
         here_.gaps += change * tangent_;
-    } else if ((here_.gaps > 0.0).any()) {
+    } else if (elastic_.slab().anywhere((here_.gaps > 0.0).any())) {
         here_.gaps = (here_.gaps > 0.0).select(here_.gaps + change, 0.0);
     } else {
         // out of full contact the least pressed points open
@@ -453,6 +454,7 @@ AdhesiveCell::AdhesiveCell(AdhesiveCell&&) noexcept = default;
 AdhesiveCell& AdhesiveCell::operator=(AdhesiveCell&&) noexcept = default;
 
 const Grid& AdhesiveCell::grid() const { return work_->grid(); }
+const parallel::Slab& AdhesiveCell::slab() const { return work_->slab(); }
 const Interaction& AdhesiveCell::interaction() const { return work_->interaction(); }
 const Array2D& AdhesiveCell::gaps() const { return work_->gaps(); }
 Array2D AdhesiveCell::pressures() const { return work_->pressures(); }

@@ -29,7 +29,7 @@ double greatest_tension(const AdhesiveLoop& loop) {
 }  // namespace
 
 std::vector<Quantity> adhesive_quantities(const AdhesiveCell& cell, const AdhesiveState& state) {
-    const auto area = contact_area((cell.gaps() == 0.0).cast<double>(), cell.grid());
+    const auto area = contact_area((cell.gaps() == 0.0).cast<double>(), cell.grid(), cell.slab());
     return {number("area_fraction", "A/A0", area.fraction, "1"),
             number("area_fraction_corrected", "", area.corrected_fraction, "1"),
             number("perimeter", "", area.perimeter, "m"),

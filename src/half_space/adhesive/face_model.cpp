@@ -9,8 +9,9 @@ namespace setae::half_space {
 namespace {
 
 /// A multiplier whose mean is set.
-fourier::Multiplier with_mean(fourier::Multiplier multiplier, double mean, Index points) {
-    multiplier.values[0] = mean / static_cast<double>(points);
+fourier::Multiplier with_mean(fourier::Multiplier multiplier, double mean, double points) {
+    const bool held_here = multiplier.first_line == 0 && !multiplier.values.empty();
+    if (held_here) multiplier.values[0] = mean / points;
     return multiplier;
 }
 
@@ -18,7 +19,7 @@ fourier::Multiplier with_mean(fourier::Multiplier multiplier, double mean, Index
 
 fourier::Multiplier stiffness_of_waves(const ElasticOperator& elastic) {
     const auto finite = elastic.multiplier([](double k) { return std::isinf(k) ? 0.0 : k; });
-    return with_mean(finite, 0.0, 1);
+    return with_mean(finite, 0.0, 1.0);
 }
 
 FaceModel::FaceModel(const Array2D& shape, const ElasticOperator& elastic, const ModelUnits& units,
@@ -27,16 +28,16 @@ FaceModel::FaceModel(const Array2D& shape, const ElasticOperator& elastic, const
       stiffness_(float_multiplier(stiffness_of_waves(elastic), units.length / units.pressure)),
       preconditioner_(float_multiplier(
           with_mean(elastic.multiplier([&](double k) { return 1.0 / (k + elastic.least_stiffness()); }),
-                    1.0 / elastic.least_stiffness(), shape.size()),
+                    1.0 / elastic.least_stiffness(), static_cast<double>(elastic.grid().points())),
           units.pressure / units.length)),
       units_(units),
-      rows_(shape, threads) {
+      rows_(elastic.slab(), shape.cols(), threads) {
     for (auto* map : {&step_, &stiff_step_, &residual_, &preconditioned_, &direction_, &stiff_direction_})
         *map = MapOf<Real>::Zero(shape.rows(), shape.cols());
 }
 
 void FaceModel::precondition(const Scaled& problem, Real length, Real hold) {
-    RowSums<2> before(step_.rows()), after(step_.rows());
+    auto before = rows_.sums<2>(), after = rows_.sums<2>();
     const auto load = [&](Index i, Real* line) {
         auto r = row(residual_, i);
         Real largest = 0;
@@ -67,8 +68,8 @@ void FaceModel::precondition(const Scaled& problem, Real length, Real hold) {
 
 void FaceModel::apply_hessian(const Scaled& problem, Real along_last) {
     const auto mean_preconditioned = static_cast<Real>(mean_preconditioned_);
-    RowSums<1> directions(step_.rows());
-    RowSums<2> responses(step_.rows());
+    auto directions = rows_.sums<1>();
+    auto responses = rows_.sums<2>();
     const auto load = [&](Index i, Real* line) {
         auto p = row(direction_, i);
         p = row(problem.face, i) * (row(preconditioned_, i) - mean_preconditioned) + along_last * p;
@@ -85,7 +86,7 @@ void FaceModel::apply_hessian(const Scaled& problem, Real along_last) {
     };
     filter_.apply(stiffness_, load, store);
     ++transforms_;
-    const double sum = directions.sum(), mean = sum / static_cast<double>(direction_.size());
+    const double sum = directions.sum(), mean = sum / rows_.points();
     curvature_ = responses.sum(0);
     if (problem.mean_held) {
         hold_ = responses.sum(1) / count_;

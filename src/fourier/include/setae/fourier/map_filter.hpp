@@ -9,17 +9,19 @@
 #include "setae/fourier/buffer.hpp"
 #include "setae/fourier/transform.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/parallel/slab.hpp"
 
 namespace setae::fourier {
 
 /// Real factors T(k, m) of a filter that is even along x and along y, made by MapFilter::multiplier.
 template <class Real>
 struct MultiplierOf {
-    Index modes_x = 0;    ///< k = 0 … period_x/2
-    Index modes_y = 0;    ///< m = 0 … period_y/2
-    Buffer<Real> values;  ///< T(k, m)/(period_x period_y) at m · modes_x + k
+    Index modes_x = 0;     ///< k = 0 … period_x/2
+    Index modes_y = 0;     ///< m = 0 … period_y/2
+    Index first_line = 0;  ///< m of the first line held: all of them, or those of this process
+    Buffer<Real> values;   ///< T(k, m)/(period_x period_y) at (m − first_line) · modes_x + k
 
-    [[nodiscard]] const Real* line(Index m) const { return values.data() + m * modes_x; }
+    [[nodiscard]] const Real* line(Index m) const { return values.data() + (m - first_line) * modes_x; }
 };
 using Multiplier = MultiplierOf<double>;
 
@@ -41,11 +43,17 @@ using StoreRow = StoreRowOf<double>;
 /// nor transformed, and nothing is allocated after construction. The caller's own arithmetic rides along in the first
 /// and the last pass. O(P_x P_y log(P_x P_y)). Same bytes for any number of threads. An object filters one map at a
 /// time.
+///
+/// Where processes share the map, each loads and stores its own rows, counted from 0, and holds the factors of its own
+/// lines of the spectrum, which two exchanges hand on and back. Same bytes for any number of processes; they call
+/// apply() and quadratic_form() together.
 template <class Real>
 class MapFilterOf {
 public:
     /// @throws InvalidArgument for nx or ny < 1, or a period shorter than its side.
-    MapFilterOf(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads = {});
+    MapFilterOf(Index nx, Index ny, Index period_x, Index period_y, parallel::Threads threads = {})
+        : MapFilterOf(parallel::Slab(nx), ny, period_x, period_y, threads) {}
+    MapFilterOf(const parallel::Slab& rows, Index ny, Index period_x, Index period_y, parallel::Threads threads = {});
 
     [[nodiscard]] Index period_x() const { return along_x_.points(); }
     [[nodiscard]] Index period_y() const { return along_y_.points(); }
@@ -59,7 +67,8 @@ public:
     ///
     /// Along one axis alone, the other argument is a mode as in T.
     /// `kernel` is called for i = 0 … period_x/2, j = 0 … period_y/2, from any thread.
-    /// @throws InvalidArgument for an odd period along an axis of the kernel. Of double alone.
+    /// @throws InvalidArgument for an odd period along an axis of the kernel, and where processes share the map. Of
+    /// double alone.
     enum class KernelAxes { x, y, both };
     [[nodiscard]] MultiplierOf<Real> kernel_multiplier(const std::function<double(Index i, Index j)>& kernel,
                                                        KernelAxes along = KernelAxes::both) const
@@ -77,7 +86,14 @@ private:
         Buffer<ComplexOf<Real>> modes;
         Buffer<ComplexOf<Real>> columns;
     };
+    /// Of one rank's rows, from begin to begin of a block.
+    [[nodiscard]] Index block_stride(int rank) const;
+    [[nodiscard]] Index own_stride() const;
     ComplexOf<Real>* block(Index index);
+    /// A rank's rows of a block whose columns are transformed here.
+    ComplexOf<Real>* piece(int rank, Index block);
+    void hand_on();
+    void hand_back();
     void forward_rows(const LoadRowOf<Real>& load);
     void gather(Index index, ComplexOf<Real>* columns);
     void scatter(Index index, const ComplexOf<Real>* columns);
@@ -86,12 +102,16 @@ private:
     void each_column(Index block, Room& room, const Visit& visit);
     void with_rooms(Index tasks, const std::function<void(Index task, Room& room)>& body);
 
-    Index nx_, ny_, modes_y_, block_stride_, column_stride_;
+    parallel::Slab rows_;
+    Index ny_, modes_y_, column_stride_;
+    parallel::Slab blocks_, lines_;  ///< of the spectrum that are transformed along x here
     RealTransformOf<Real> along_y_;
     InverseRealTransformOf<Real> back_along_y_;
     ComplexTransformOf<Real> along_x_, back_along_x_;
     parallel::Threads threads_;
-    Buffer<ComplexOf<Real>> half_;
+    Buffer<ComplexOf<Real>> half_;                   ///< all blocks of own rows
+    Buffer<ComplexOf<Real>> columns_;                ///< own blocks of all rows, where processes share the map
+    std::vector<Index> row_begins_, column_begins_;  ///< of every rank's share of half_ and of columns_ [bytes]
     std::vector<Room> rooms_;
 };
 using MapFilter = MapFilterOf<double>;

@@ -45,6 +45,9 @@ struct AdhesiveState {
 struct AdhesiveOptions {
     double tolerance = 1e-4;    ///< of the residual
     int most_iterations = 300;  ///< of the outer loop
+    /// Processes that share the cell, each with the rows of slab_of(): heights, gaps and pressures are its own, numbers
+    /// of the whole map. They call everything together.
+    const parallel::Ranks* ranks = nullptr;
 };
 
 /// A periodic cell: an elastic body, a rigid rough surface that it is attracted by and cannot enter.
@@ -71,6 +74,7 @@ public:
     AdhesiveCell& operator=(AdhesiveCell&&) noexcept;
 
     [[nodiscard]] const Grid& grid() const;
+    [[nodiscard]] const parallel::Slab& slab() const;
     [[nodiscard]] const Interaction& interaction() const;
     /// g [m] >= 0, exactly 0 in contact; where the cell is now.
     [[nodiscard]] const Array2D& gaps() const;

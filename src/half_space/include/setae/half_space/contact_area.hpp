@@ -21,5 +21,8 @@ struct ContactArea {
 /// Area, perimeter and patches of pressure > 0; across edges where the map repeats itself, too. Rims of free edges do
 /// not count as perimeter. @throws InvalidArgument for pressures of another shape than the grid's.
 [[nodiscard]] ContactArea contact_area(const ArrayView2D& pressures, const Grid& grid, Edges edges = Edges::periodic);
+/// The same of a map that processes share, each with its rows; they call it together.
+[[nodiscard]] ContactArea contact_area(const ArrayView2D& pressures, const Grid& grid, const parallel::Slab& slab,
+                                       Edges edges = Edges::periodic);
 
 }  // namespace setae::half_space

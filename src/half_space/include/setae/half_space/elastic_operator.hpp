@@ -37,14 +37,18 @@ enum class MeanDisplacement {
 /// arbitrary (strip_displacement in pixel_kernels.hpp says which it is). p [Pa] presses where > 0, u [m] > 0 is the way
 /// the surface gives. Maps have the grid's shape; input and output may be the same map. One transform there and one
 /// back, real, in three passes over scratch that stays: nothing is allocated per call. An object serves one call at a
-/// time. Same bytes for any number of threads.
+/// time. Same bytes for any number of threads and of processes, which may share a periodic map: each then has the rows
+/// of its slab alone, in the multipliers and in apply(), which they call together.
 class ElasticOperator {
 public:
-    /// @throws InvalidArgument for a grid or body outside its domain, a layer without periodic edges, and one line of
-    /// points with free edges (a line contact repeats itself along its length).
-    ElasticOperator(const Grid& grid, const Body& body, Edges edges = Edges::periodic, parallel::Threads threads = {});
+    /// @throws InvalidArgument for a grid or body outside its domain, a layer without periodic edges, one line of
+    /// points with free edges (a line contact repeats itself along its length), and free edges of a map that processes
+    /// share.
+    ElasticOperator(const Grid& grid, const Body& body, Edges edges = Edges::periodic, parallel::Threads threads = {},
+                    const parallel::Ranks* ranks = nullptr);
 
     [[nodiscard]] const Grid& grid() const { return grid_; }
+    [[nodiscard]] const parallel::Slab& slab() const { return slab_; }
     [[nodiscard]] const Body& body() const { return body_; }
     [[nodiscard]] Edges edges() const { return edges_; }
     [[nodiscard]] MeanDisplacement mean_displacement() const;
@@ -77,7 +81,7 @@ public:
     }
     /// Applies the same multipliers in float, in half the memory.
     [[nodiscard]] fourier::MapFilterOf<float> float_filter(parallel::Threads threads) const {
-        return {grid_.nx, grid_.ny, filter_.period_x(), filter_.period_y(), threads};
+        return {slab_, grid_.ny, filter_.period_x(), filter_.period_y(), threads};
     }
     /// Σ x y of a map x and of y, what the multiplier makes of it.
     [[nodiscard]] double quadratic_form(const fourier::Multiplier& multiplier, const fourier::LoadRow& load) {
@@ -91,6 +95,7 @@ private:
     Grid grid_;
     Body body_;
     Edges edges_;
+    parallel::Slab slab_;
     fourier::MapFilter filter_;
     double least_stiffness_, greatest_stiffness_;
     std::optional<fourier::Multiplier> compliance_, stiffness_;

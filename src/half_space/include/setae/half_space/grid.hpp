@@ -2,6 +2,7 @@
 #pragma once
 
 #include "setae/core/arrays.hpp"
+#include "setae/parallel/slab.hpp"
 
 namespace setae::half_space {
 
@@ -20,10 +21,19 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
+/// Rows that maps are averaged down to, grid by grid, and not below.
+inline constexpr Index coarsest_side = 64;
+
+/// Which rows of a map each of the processes has that solve it together; `ranks`: nullptr for one process.
+/// @throws as parallel::nested_slab.
+[[nodiscard]] parallel::Slab slab_of(const Grid& grid, const parallel::Ranks* ranks);
+
 /// Refuses a grid outside its domain. @throws InvalidArgument.
 void require(const Grid& grid);
 
 /// Refuses a map of another shape than the grid's; `what` names it. @throws InvalidArgument.
 void require_shape(const ArrayView2D& map, const Grid& grid, const char* what);
+/// The same of this process's rows of a map.
+void require_shape(const ArrayView2D& map, const Grid& grid, const parallel::Slab& slab, const char* what);
 
 }  // namespace setae::half_space

@@ -34,7 +34,7 @@ struct HardWall {
     Grid grid;
     Body body;
     Edges edges = Edges::periodic;
-    Array2D heights;  ///< h [m], finite, peaks positive: towards the body
+    Array2D heights;  ///< h [m], finite, peaks positive: towards the body; of processes that share it, the own rows
     Control control;
     std::optional<double> hardness;  ///< H [Pa]: pressure at which the body flows; absent: purely elastic
 };
@@ -53,7 +53,9 @@ struct SolveOptions {
     bool nested_grids = true;      ///< begin on coarser grids
     Array2D start;  ///< pressures [Pa] to begin with, such as those of a load close by; empty: coarser grids find them
     parallel::Threads threads;
-    std::function<void(const SolveProgress&)> progress;  ///< now and then, from the calling thread; may throw to stop
+    const parallel::Ranks* ranks = nullptr;  ///< processes that solve it together, each with the rows of slab_of()
+    std::function<void(const SolveProgress&)> progress;  ///< now and then, from the calling thread; may throw to stop, in all
+                                                          ///< processes alike
 };
 
 enum class SolveStatus {
@@ -73,7 +75,7 @@ struct Certificate {
 
 /// The contact found.
 struct HardWallContact {
-    Array2D pressures;  ///< p [Pa], >= 0
+    Array2D pressures;  ///< p [Pa], >= 0; of processes the own rows, as the gaps. Numbers are of the whole map
     Array2D gaps;       ///< g [m], >= 0; 0 in contact
     SolveStatus status = SolveStatus::not_converged;
     Certificate certificate;
@@ -96,7 +98,8 @@ struct HardWallContact {
 /// The set of contact is guessed (pressed, or overlapping) and on it the residual is reduced by conjugate gradients,
 /// preconditioned with the body's stiffness k(q); then pressures are cut at zero and the set is guessed anew. How far
 /// the residual goes before that shrinks where guesses fail, down to one step and the careful activation of Polonsky
-/// and Keer. Grids of 64 points and twice as many each time come first. Same bytes for any number of threads.
+/// and Keer. Grids of 64 points and twice as many each time come first. Same bytes and the same iterations for any
+/// number of threads, and of processes that share a periodic map: solve() is then called by all together.
 /// @throws InvalidArgument for heights that are not finite, a load or level outside its domain, a mean pressure that
 /// the hardness does not carry, mean gaps with free edges, and pressure on the rim of a map with free edges, beyond
 /// which contact would go on.
