@@ -32,6 +32,7 @@ struct Sweep {
     Table steps;
     std::vector<Quantity> quantities;
     std::string json;
+    std::vector<answers::SweepMaps> maps;
 };
 
 std::string texts_of(const std::vector<Quantity>& quantities) {
@@ -174,7 +175,7 @@ Sweep swept(const Item& item, const answers::SweepRequest& request, const answer
     };
     auto answer = answers::adhesive_sweep(item.path, prepared.measurement, request, {}, go_on);
     auto json = output::as_text(answers::to_json(answer, prepared.records));
-    return {std::move(answer.steps), std::move(answer.quantities), std::move(json)};
+    return {std::move(answer.steps), std::move(answer.quantities), std::move(json), std::move(answer.maps)};
 }
 
 Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::MadeSurfaceRequest made,
@@ -182,7 +183,8 @@ Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::
     request.require_complete();
     if (realisations < 1) throw InvalidArgument("realisations must be at least 1");
     if (realisations > 1 && !made.given())
-        throw InvalidArgument("several realisations are of a surface made from a spectrum or a study; expected one of a map");
+        throw InvalidArgument(
+            "several realisations are of a surface made from a spectrum or a study; expected one of a map");
     std::vector<topography::Measurement> surfaces;
     std::vector<processing::StepRecord> records;
     for (int i = 0; i < realisations; ++i, ++made.seed) {
@@ -216,6 +218,7 @@ void bind_solve(nb::module_& module) {
     request.def_rw("pressure", &Request::pressure)
         .def_rw("displacement", &Request::displacement)
         .def_rw("mean_gap", &Request::mean_gap)
+        .def_rw("stage_stiffness", &Request::stage_stiffness)
         .def_rw("hardness", &Request::hardness)
         .def_rw("free", &Request::free)
         .def_rw("tolerance", &Request::tolerance);
@@ -248,11 +251,20 @@ void bind_sweep(nb::module_& module) {
     bind_attraction<Request>(request);
     request.def_rw("stage_stiffness", &Request::stage_stiffness)
         .def_rw("to_gap", &Request::to_gap)
-        .def_rw("to_pressure", &Request::to_pressure);
+        .def_rw("to_pressure", &Request::to_pressure)
+        .def_rw("maps", &Request::maps);
     nb::class_<Sweep>(module, "Sweep")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Sweep&>(self).steps, self); })
         .def_prop_ro("units", [](const Sweep& sweep) { return units(sweep.steps); })
         .def("quantities", [](const Sweep& sweep) { return texts_of(sweep.quantities); })
+        .def_prop_ro("maps",
+                     [](nb::handle self) {
+                         nb::dict maps;
+                         for (const auto& state : nb::cast<const Sweep&>(self).maps)
+                             maps[state.name.c_str()] =
+                                 nb::make_tuple(map_of(state.pressures, self), map_of(state.gaps, self));
+                         return maps;
+                     })
         .def_ro("json", &Sweep::json);
     module.def(
         "contact_sweep",

@@ -16,6 +16,8 @@ from ._spectra import analysis_of, shared_options
 from ._synthesis import one
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ._columns import Array
 
 
@@ -51,6 +53,7 @@ def contact(
     pressure: Text | None = None,
     displacement: Text | None = None,
     mean_gap: Text | None = None,
+    stage_stiffness: Text | None = None,
     free: bool = False,
     layer: Text | None = None,
     bonded: bool = False,
@@ -73,7 +76,8 @@ def contact(
     contact_modulus: E* = E/(1 − ν²).  One of pressure, displacement (from first touch) and mean_gap.  free: nothing touches beyond the map.
     layer: its thickness on a rigid base, with ``nu`` and ``bonded`` or ``frictionless``.  hardness: the body flows there.
     W_int, range: both bodies attract each other, V(0) = −W_int and V'(0) = W_int/range; ``law`` says how that falls with the gap,
-    "exponential", "cubic", "dugdale" or "lennard_jones". The equilibrium is the one met coming from far; pressure or mean_gap, no hardness.
+    "exponential", "cubic", "dugdale" or "lennard_jones". The equilibrium is the one met coming from far; no hardness, nothing free.
+    stage_stiffness: "10 N/m" of a stage that is moved by the displacement, with adhesion.
 
     A file that is the table of a spectrum, or a study, has a surface made from it: ``pixels`` "512" or "1024x512", ``cell`` its extent,
     ``surface`` which of a study's, ``seed``. Its waves are those of the spectrum that the grid holds.
@@ -91,6 +95,7 @@ def contact(
         pressure=pressure,
         displacement=displacement,
         mean_gap=mean_gap,
+        stage_stiffness=stage_stiffness,
         free=free,
         layer=layer,
         bonded=bonded,
@@ -124,8 +129,14 @@ class _ContactLoop(Columns):
         return f"{type(self).__name__}({self.n} steps, {', '.join(f'{q.symbol} = {q}' for q in self.quantities)})"
 
 
+@dataclass(frozen=True, eq=False, repr=False)
 class ContactSweep(_ContactLoop):
-    """A loop from far into contact and back, a row a step, as ``setae contact sweep --json`` says it; ``quantities``: works and losses."""
+    """A loop from far into contact and back, a row a step, as ``setae contact sweep --json`` says it; ``quantities``: works and losses.
+
+    ``maps``: by name of a state its pressures [Pa], below 0 where it is drawn, and gaps [m], where they were asked for.
+    """
+
+    maps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
 
 
 def contact_sweep(
@@ -138,6 +149,7 @@ def contact_sweep(
     stage_stiffness: Text | None = None,
     to_gap: Text | None = None,
     to_pressure: Text | None = None,
+    maps: bool = False,
     layer: Text | None = None,
     bonded: bool = False,
     frictionless: bool = False,
@@ -153,6 +165,8 @@ def contact_sweep(
 
     W_int, range, law, the body, and what a surface is made from: as of :func:`contact`.  stage_stiffness: of a stage that is moved, "10 N/m"; else the mean gap is.
     to_gap, to_pressure: where it turns; without them at full contact.  A cell has a loss of its own, even a flat one.
+    maps: keep the states point by point where it is first pressed, "approach_zero_load", turns, "turn", is first drawn, "separation_zero_load",
+    and is drawn most, "greatest_tension".
 
     >>> import numpy, setae
     >>> flat = setae.scan(numpy.zeros((8, 8)), size="80 nm x 80 nm", unit="m", periodic=True)
@@ -169,13 +183,14 @@ def contact_sweep(
         stage_stiffness=stage_stiffness,
         to_gap=to_gap,
         to_pressure=to_pressure,
+        maps=maps,
         layer=layer,
         bonded=bonded,
         frictionless=frictionless,
         poisson_ratio=nu,
     )
     swept: Any = _setae.contact_sweep(one(measurement, size, unit), request, made_surface(pixels, cell, surface, seed))
-    return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))))
+    return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))), swept.maps)
 
 
 class ContactFront(_ContactLoop):

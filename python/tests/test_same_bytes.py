@@ -232,6 +232,9 @@ def test_contact(printed):
     attracted_typed = ("--contact-modulus", "1 GPa", "--mean-gap", "150 nm", "--w", "50 mJ/m2", "--range", "200 nm", "--law", "cubic")
     assert attracted.json() == printed("contact", "solve", "rough.nc", *attracted_typed)
     assert attracted.pressures.min() < 0 and attracted["status"] == "converged"
+    on_a_stage = setae.contact("rough.nc", contact_modulus="1 GPa", displacement="20 nm", stage_stiffness="1 kN/m", **attraction)
+    staged = ("--contact-modulus", "1 GPa", "--displacement", "20 nm", "--stage-stiffness", "1 kN/m", "--w", "50 mJ/m2", "--range", "200 nm")
+    assert on_a_stage.json() == printed("contact", "solve", "rough.nc", *staged)
     levelled = setae.read("rough.nc").level()
     assert setae.contact(levelled, **body).json() == printed("contact", "solve", "rough.nc", "--step", "level_plane", *typed)
 
@@ -253,6 +256,12 @@ def test_contact_sweep(printed):
     assert swept.complete and swept.n == len(swept["tension"]) and {q.quantity for q in swept.quantities} >= {"loss", "separation_work"}
     on_a_stage = setae.contact_sweep("coarse.nc", **asked, stage_stiffness="0.1 N/m", to_pressure="1 kPa")
     assert on_a_stage.json() == printed("contact", "sweep", "coarse.nc", *typed, "--stage-stiffness", "0.1 N/m", "--to-pressure", "1 kPa")
+    kept = setae.contact_sweep("coarse.nc", **asked, to_pressure="1 kPa", maps=True)
+    assert kept.json() == printed("contact", "sweep", "coarse.nc", *typed, "--to-pressure", "1 kPa", "--maps", "states.npy")
+    assert [state["name"] for state in kept.data["maps"]] == list(kept.maps) and not swept.maps
+    pressures, gaps = kept.maps["turn"]
+    assert numpy.array_equal(gaps, numpy.load("states_turn_gap.npy")) and pressures.shape == (16, 16)
+    assert pressures.mean() == pytest.approx(-kept["tension"][kept.data["maps"][1]["step"]])
     with pytest.raises(TypeError, match="W_int"):
         setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", range="400 nm")
 

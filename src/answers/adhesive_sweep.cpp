@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <tuple>
 
 #include <nlohmann/json.hpp>
 
 #include "setae/answers/columns.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/half_space/adhesive_quantities.hpp"
 #include "setae/half_space/loop_checkpoint.hpp"
@@ -20,15 +22,16 @@ SweepProgress progress_of(const half_space::LoopStep& step, double first, double
     return {.approaching = step.approaching, .share = 0.5 * (step.approaching ? way : 2.0 - way)};
 }
 
-half_space::AdhesiveLoop loop_of(const TouchingSurface& surface, const SweepRequest& request,
-                                 const half_space::Body& body, const half_space::Interaction& interaction,
-                                 parallel::Threads threads, const std::function<bool(const SweepProgress&)>& progress) {
+void sweep(SweepAnswer& answer, const TouchingSurface& surface, const SweepRequest& request, parallel::Threads threads,
+           const std::function<bool(const SweepProgress&)>& progress) {
+    const auto& [body, interaction] = std::tie(answer.body, answer.interaction);
     auto options = request.options(surface.grid);
     half_space::AdhesiveCell cell(surface.heights, surface.grid, body, interaction, {}, threads);
-    if (progress)
-        options.progress = [&, first = cell.far_gap(), turn = options.turn](const half_space::LoopStep& step) {
-            return progress(progress_of(step, first, turn));
-        };
+    NotableStates notable;
+    options.progress = [&, first = cell.far_gap(), turn = options.turn](const half_space::LoopStep& step) {
+        if (request.maps) notable.look(step, cell);
+        return !progress || progress(progress_of(step, first, turn));
+    };
     std::optional<half_space::LoopCheckpoint> begun;
     if (!request.restart.empty()) {
         const auto key = half_space::loop_key(surface.heights, surface.grid, body, interaction, options);
@@ -38,7 +41,8 @@ half_space::AdhesiveLoop loop_of(const TouchingSurface& surface, const SweepRequ
             half_space::write_checkpoint(request.restart, key, checkpoint);
         };
     }
-    return half_space::adhesive_loop(cell, options);
+    answer.loop = half_space::adhesive_loop(cell, options);
+    answer.maps = notable.take();
 }
 
 }  // namespace
@@ -46,6 +50,8 @@ half_space::AdhesiveLoop loop_of(const TouchingSurface& surface, const SweepRequ
 void SweepRequest::require_complete() const {
     (void)body();
     (void)interaction();
+    if (maps && !restart.empty())
+        throw InvalidArgument("--maps with --restart: states before a stop are not kept; expected one of the two");
 }
 
 half_space::LoopOptions SweepRequest::options(const half_space::Grid& grid) const {
@@ -72,8 +78,9 @@ SweepAnswer adhesive_sweep(const std::string& file, const topography::Measuremen
                        .loop = {},
                        .steps = {},
                        .quantities = {},
+                       .maps = {},
                        .alerts = {}};
-    answer.loop = loop_of(surface, request, answer.body, answer.interaction, threads, progress);
+    sweep(answer, surface, request, threads, progress);
     answer.steps = half_space::loop_table(answer.loop);
     answer.quantities = half_space::loop_quantities(answer.loop);
     answer.alerts = alerts_of_grid(file, answer.interaction, answer.body, answer.grid);
@@ -87,6 +94,7 @@ output::Json to_json(const SweepAnswer& answer, const std::vector<processing::St
     auto json = quantities_json(answer.quantities);
     json["status"] = answer.loop.complete ? "complete" : "not_converged";
     json["steps"] = columns_json(answer.steps);
+    for (const auto& maps : answer.maps) json["maps"].push_back({{"name", maps.name}, {"step", maps.step}});
     add_problem(json, answer.grid, answer.body);
     add_interaction(json, answer.interaction, answer.body, answer.grid);
     add_input(json, answer.file, processing, answer.alerts);

@@ -29,6 +29,8 @@ void HardWallRequest::require_complete() const {
 HardWallAnswer hard_wall(const std::string& file, const topography::Measurement& measurement,
                          const HardWallRequest& request, parallel::Threads threads,
                          const std::function<void(const half_space::SolveProgress&)>& progress) {
+    if (!request.stage_stiffness.empty())
+        throw InvalidArgument("--stage-stiffness is of a contact with adhesion; expected --w and --range with it");
     auto surface = touching_surface(file, measurement);
     HardWallAnswer answer{.file = file,
                           .problem = {.grid = surface.grid,

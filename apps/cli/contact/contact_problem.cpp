@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/contact_problem.hpp"
 
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "convert/heights_output.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/quantity_table.hpp"
@@ -51,6 +57,35 @@ processing::PipelineResult ContactSurface::processed(parallel::Threads threads) 
 std::vector<processing::PipelineResult> ContactSurface::realisations(int count, parallel::Threads threads) const {
     if (path.empty()) throw InvalidArgument("no file; expected a map, a table of a spectrum or a study");
     return answers::contact_surfaces(path, file, processing.pipeline(), made, count, threads);
+}
+
+void ContactMaps::require_ending() const {
+    if (output.empty() || output.ends_with(".npy") || output.ends_with(".csv") || file_figures::is_figure_path(output))
+        return;
+    throw InvalidArgument(fmt::format("{}: maps of pressure are no heights; expected an ending .npy or .csv, or {}",
+                                      output, file_figures::figure_endings));
+}
+
+void ContactMaps::write(const half_space::Grid& grid, bool periodic, const std::string& file,
+                        const std::vector<State>& states, bool quiet) const {
+    if (output.empty()) return;
+    const std::array size{grid.size_x, grid.size_y};
+    if (file_figures::is_figure_path(output)) {
+        std::vector<file_figures::ContactState> drawn;
+        for (const auto& [name, state] : states) drawn.push_back(state);
+        write_figure(file_figures::contact_map_figure(drawn, size, file, figure.look()), output, quiet);
+        return;
+    }
+    const std::filesystem::path path(output);
+    const auto write_map = [&](const std::string& what, const Array2D& values) {
+        const auto name = path.stem().string() + "_" + what + path.extension().string();
+        write_heights((path.parent_path() / name).string(), topography::HeightMap{values, size, periodic, {}});
+    };
+    for (const auto& [name, state] : states) {
+        const auto of = name.empty() ? name : name + "_";
+        write_map(of + "pressure", state.pressures);
+        write_map(of + "gap", state.gaps);
+    }
 }
 
 std::string made_surface_text(const processing::PipelineResult& surface, std::size_t width) {

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "convert/pipeline_option.hpp"
 #include "files/file_options.hpp"
+#include "plot/figure_output.hpp"
 #include "program/options.hpp"
 #include "setae/answers/contact_problem.hpp"
 #include "setae/answers/made_surface.hpp"
+#include "setae/file_figures/contact_map_figure.hpp"
 #include "setae/processing/pipeline.hpp"
 
 namespace setae::cli {
@@ -32,6 +35,21 @@ struct ContactSurface {
     [[nodiscard]] processing::PipelineResult processed(parallel::Threads threads) const;
     /// Several that are made with one seed after the other. @throws InvalidArgument for several of a map.
     [[nodiscard]] std::vector<processing::PipelineResult> realisations(int count, parallel::Threads threads) const;
+};
+
+/// Where maps of a contact go: OUT.npy stands for OUT_pressure.npy [Pa] and OUT_gap.npy [m], or for
+/// OUT_NAME_pressure.npy of several states; OUT.svg is one figure of all.
+struct ContactMaps {
+    std::string output;  ///< empty: nowhere
+    FigureOption figure;
+
+    /// A state by its name, empty of one alone.
+    using State = std::pair<std::string, file_figures::ContactState>;
+
+    /// @throws InvalidArgument for an ending other than .npy, .csv and those of figures.
+    void require_ending() const;
+    void write(const half_space::Grid& grid, bool periodic, const std::string& file, const std::vector<State>& states,
+               bool quiet) const;
 };
 
 /// What a surface that was made is; nothing for one that was read.

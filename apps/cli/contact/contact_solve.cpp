@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "contact/contact_problem.hpp"
-#include "convert/heights_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
@@ -41,7 +38,7 @@ constexpr const char* explanation =
 struct Arguments : answers::HardWallRequest, answers::InteractionRequest {
     Common common;
     ContactSurface surface;
-    std::string output;
+    ContactMaps maps;
 };
 
 std::function<void(const half_space::SolveProgress&)> progress_line() {
@@ -52,25 +49,6 @@ std::function<void(const half_space::SolveProgress&)> progress_line() {
     };
 }
 
-/// OUT.npy: what OUT_pressure.npy and OUT_gap.npy are called.
-std::string map_path(const std::string& output, const char* what) {
-    const std::filesystem::path path(output);
-    return (path.parent_path() / (path.stem().string() + "_" + what + path.extension().string())).string();
-}
-
-void require_map_ending(const std::string& output) {
-    if (output.empty() || output.ends_with(".npy") || output.ends_with(".csv")) return;
-    throw InvalidArgument(fmt::format("{}: maps of pressure are no heights; expected an ending .npy or .csv", output));
-}
-
-void write_maps(const std::string& output, const half_space::Grid& grid, bool periodic, const Array2D& pressures,
-                const Array2D& gaps) {
-    if (output.empty()) return;
-    const std::array size{grid.size_x, grid.size_y};
-    write_heights(map_path(output, "pressure"), topography::HeightMap{pressures, size, periodic, {}});
-    write_heights(map_path(output, "gap"), topography::HeightMap{gaps, size, periodic, {}});
-}
-
 /// Without adhesion.
 ExitCode press(const processing::PipelineResult& processed, const Arguments& arguments) {
     const auto progress = progress_line();
@@ -78,8 +56,8 @@ ExitCode press(const processing::PipelineResult& processed, const Arguments& arg
                                            arguments.common.workers(), progress);
     const auto& [file, problem, contact, stiffness, quantities, alerts] = solved;
     if (progress) fmt::print(stderr, "\n");
-    write_maps(arguments.output, problem.grid, problem.edges == half_space::Edges::periodic, contact.pressures,
-               contact.gaps);
+    arguments.maps.write(problem.grid, problem.edges == half_space::Edges::periodic, file,
+                         {{"", {"", contact.pressures, contact.gaps}}}, arguments.common.json);
     if (arguments.common.json) {
         print_json(answers::to_json(solved, processed.records));
         return ExitCode::done;
@@ -99,7 +77,8 @@ ExitCode attract(const processing::PipelineResult& processed, const Arguments& a
     const auto solved = answers::adhesive_contact(arguments.surface.path, processed.measurement, arguments, arguments,
                                                   arguments.common.workers());
     const auto& state = solved.state;
-    write_maps(arguments.output, solved.grid, true, solved.cell.pressures(), solved.cell.gaps());
+    arguments.maps.write(solved.grid, true, solved.file, {{"", {"", solved.cell.pressures(), solved.cell.gaps()}}},
+                         arguments.common.json);
     if (arguments.common.json) {
         print_json(answers::to_json(solved, processed.records));
         return ExitCode::done;
@@ -114,7 +93,7 @@ ExitCode attract(const processing::PipelineResult& processed, const Arguments& a
 }
 
 ExitCode run(const Arguments& arguments) {
-    require_map_ending(arguments.output);
+    arguments.maps.require_ending();
     arguments.require_complete();
     const auto processed = arguments.surface.processed(arguments.common.workers());
     return arguments.given() ? attract(processed, arguments) : press(processed, arguments);
@@ -131,13 +110,19 @@ Action declare(Options& options) {
         .quantity(non_negative(dimension::pressure));
     options.add("--displacement", arguments->displacement, "approach from first touch, such as \"5 nm\"")
         .quantity(dimension::length);
+    options
+        .add("--stage-stiffness", arguments->stage_stiffness,
+             "of a stage that is displaced, such as \"10 N/m\"; with adhesion")
+        .quantity(positive(dimension::stiffness));
     options.add("--mean-gap", arguments->mean_gap, "mean gap over the map").quantity(positive(dimension::length));
     options.flag("--free", arguments->free, "nothing touches beyond the map; without it the map repeats itself");
     options.add("--hardness", arguments->hardness, "pressure at which the body flows")
         .quantity(positive(dimension::pressure));
     options.add("--tolerance", arguments->tolerance, "of the duality gap").positive().default_shown();
-    options.add("-o,--output", arguments->output,
-                "write OUT_pressure.npy [Pa] and OUT_gap.npy [m] as OUT.npy or OUT.csv says");
+    options.add(
+        "-o,--output", arguments->maps.output,
+        "write OUT_pressure.npy [Pa] and OUT_gap.npy [m] as OUT.npy or OUT.csv says; figure OUT.svg, .pdf or .png");
+    arguments->maps.figure.add_to(options);
     options.example(
         "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"1 GPa\" --pressure \"10 MPa\"",
         "area, gap and stiffness under a mean pressure");
@@ -150,6 +135,9 @@ Action declare(Options& options) {
     options.example(
         "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"2 MPa\" --w \"50 mJ/m2\" --range \"20 nm\" --pressure \"1 kPa\"",
         "with adhesion, coming from far");
+    options.example(
+        "setae contact solve map.npy --size \"1 um x 1 um\" --unit m --contact-modulus \"2 MPa\" --w \"50 mJ/m2\" --range \"20 nm\" --displacement \"-5 nm\" --stage-stiffness \"0.1 N/m\"",
+        "with adhesion on a soft stage, 5 nm short of first touch");
     return action(options, arguments, explanation, run);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -33,6 +34,7 @@ constexpr const char* explanation =
 struct Arguments : answers::SweepRequest {
     Common common;
     ContactSurface surface;
+    ContactMaps states;
     std::string output;
     FigureOption figure;
 };
@@ -69,8 +71,23 @@ answers::SweepAnswer sweep(const topography::Measurement& measurement, const Arg
                                    });
 }
 
-ExitCode run(const Arguments& arguments) {
+void write_states(const answers::SweepAnswer& answer, const Arguments& arguments) {
+    std::vector<ContactMaps::State> states;
+    for (const auto& maps : answer.maps) {
+        auto words = maps.name;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        states.push_back({maps.name, {words, maps.pressures, maps.gaps}});
+    }
+    auto maps = arguments.states;
+    maps.figure = arguments.figure;
+    maps.write(answer.grid, true, answer.file, states, arguments.common.json);
+}
+
+ExitCode run(const Arguments& given) {
+    auto arguments = given;
+    arguments.maps = !arguments.states.output.empty();
     require_table_or_figure(arguments.output);
+    arguments.states.require_ending();
     arguments.require_complete();
     const auto processed = arguments.surface.processed(arguments.common.workers());
     const auto answer = sweep(processed.measurement, arguments);
@@ -78,6 +95,7 @@ ExitCode run(const Arguments& arguments) {
         arguments.output, answer.steps,
         [&] { return file_figures::sweep_figure(answer.steps, answer.file, arguments.figure.look()); },
         arguments.common.json);
+    write_states(answer, arguments);
     arguments.finish();
     if (arguments.common.json) {
         print_json(answers::to_json(answer, processed.records));
@@ -110,6 +128,10 @@ Action declare(Options& options) {
     options.add(
         "--restart", arguments->restart,
         "file written every 20 steps; where it exists the sweep goes on from there, to the same bytes; removed at the end");
+    options.add(
+        "--maps", arguments->states.output,
+        "pressures [Pa] and gaps [m] point by point where it is first pressed, turns, is first drawn, and is drawn most: "
+        "OUT_turn_pressure.npy … as OUT.npy or OUT.csv says; figure OUT.svg, .pdf or .png");
     options.add("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example(

@@ -89,14 +89,35 @@ public:
     [[nodiscard]] const Array2D& gaps() const { return here_.gaps; }
     [[nodiscard]] Array2D pressures() const { return here_.stiff - tension_; }
     [[nodiscard]] double conformal_energy() const { return conformal_energy_; }
+    [[nodiscard]] double touching_gap() const { return highest_ - mean_height_; }
+    /// 1/k(0): what the mean of the body gives by itself, nothing where it is blocked or not counted [m/Pa].
+    [[nodiscard]] double mean_compliance() const {
+        return elastic_.mean_displacement() == MeanDisplacement::finite
+                   ? 1.0 / half_space::stiffness(0.0, elastic_.body())
+                   : 0.0;
+    }
+    [[nodiscard]] AdhesiveControl displaced(double displacement, std::optional<double> stage_stiffness) const {
+        if (stage_stiffness && !(*stage_stiffness > 0.0))
+            throw InvalidArgument(fmt::format("stiffness of the stage is {} Pa/m, expected > 0", *stage_stiffness));
+        const double gap = touching_gap() - displacement,
+                     compliance = mean_compliance() + (stage_stiffness ? 1.0 / *stage_stiffness : 0.0);
+        if (compliance > 0.0) return Stage{.position = gap, .stiffness = 1.0 / compliance};
+        if (!(gap >= 0.0))
+            throw InvalidArgument(fmt::format("a displacement of {} m: full contact is reached at {} m, expected less",
+                                              displacement, touching_gap()));
+        return HeldGap{gap};
+    }
+    [[nodiscard]] double displacement(const AdhesiveState& state) const {
+        return touching_gap() - state.mean_gap - state.tension * mean_compliance();
+    }
     [[nodiscard]] double felt_gap() const {
         const double reach = law_.law == AttractionLaw::dugdale ? 0.9 : 2.5;
-        return highest_ - mean_height_ + reach * law_.range;
+        return touching_gap() + reach * law_.range;
     }
     [[nodiscard]] double far_gap() const {
         const double reach = law_.law == AttractionLaw::lennard_jones ? 15.0 : 5.0;
         const double longest = std::max(grid().nx > 1 ? grid().size_x : 0.0, grid().ny > 1 ? grid().size_y : 0.0);
-        return std::max(highest_ - mean_height_ + reach * law_.range,
+        return std::max(touching_gap() + reach * law_.range,
                         1.4 * std::sqrt(law_.work_of_adhesion * longest / elastic_.body().contact_modulus));
     }
 
@@ -460,6 +481,11 @@ const Array2D& AdhesiveCell::gaps() const { return work_->gaps(); }
 Array2D AdhesiveCell::pressures() const { return work_->pressures(); }
 double AdhesiveCell::felt_gap() const { return work_->felt_gap(); }
 double AdhesiveCell::conformal_energy() const { return work_->conformal_energy(); }
+double AdhesiveCell::touching_gap() const { return work_->touching_gap(); }
+AdhesiveControl AdhesiveCell::displaced(double displacement, std::optional<double> stage_stiffness) const {
+    return work_->displaced(displacement, stage_stiffness);
+}
+double AdhesiveCell::displacement(const AdhesiveState& state) const { return work_->displacement(state); }
 double AdhesiveCell::far_gap() const { return work_->far_gap(); }
 void AdhesiveCell::begin_at(double mean_gap) { work_->begin_at(mean_gap); }
 void AdhesiveCell::begin_with(const ArrayView2D& gaps) { work_->begin_with(gaps); }

@@ -37,6 +37,7 @@ std::vector<Quantity> adhesive_quantities(const AdhesiveCell& cell, const Adhesi
             number("largest_patch", "", area.largest_patch, "m2"),
             number("mean_pressure", "p", -state.tension, "Pa"),
             number("mean_gap", "g", state.mean_gap, "m"),
+            number("displacement", "", cell.displacement(state), "m"),
             number("stored_energy_per_area", "U_el/A0", state.elastic_energy, "J/m2"),
             number("adhesive_energy_per_area", "U_ad/A0", state.adhesive_energy, "J/m2"),
             number("full_contact_energy", "e", cell.conformal_energy(), "J/m2")};

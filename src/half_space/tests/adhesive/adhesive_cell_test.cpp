@@ -8,6 +8,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/half_space/adhesive_loop.hpp"
+#include "setae/half_space/hard_wall.hpp"
 #include "setae/half_space/loop_checkpoint.hpp"
 #include "setae/spectra/self_affine.hpp"
 #include "setae/synthesis/random_surface.hpp"
@@ -57,6 +58,34 @@ TEST(AdhesiveCell, KnowsTheEnergyOfFullContact) {
     // the tension that would open the trough: σ − k a = 1/ρ − (E* q/2) a
     const double q = 2.0 * pi / 64.0;
     EXPECT_NEAR(closed.tension, 0.5 - 0.5 * q * std::sqrt(8.0 * 0.3 / q), 1e-12);
+}
+
+// Attracted by hardly anything a displacement is that of the hard wall, of a half-space and of a layer.
+TEST(AdhesiveCell, DisplacedIsPressedAsAHardWall) {
+    const Array2D heights = rough(64, 0.3, 3);
+    const Grid grid{64, 64, 64.0, 64.0};
+    const Interaction weak{.work_of_adhesion = 1e-6, .range = 0.1};
+    for (const Body& soft : {body, Body{1.0, Layer{.thickness = 20.0, .poisson_ratio = 0.4}}}) {
+        AdhesiveCell cell(heights, grid, soft, weak, {.tolerance = 1e-2});
+        const double displacement = 0.6 * cell.touching_gap();
+        const auto state = from_far(cell, cell.displaced(displacement));
+        const auto wall =
+            solve({.grid = grid, .body = soft, .heights = heights, .control = Displacement{displacement}});
+        EXPECT_TRUE(state.converged);
+        EXPECT_NEAR(-state.tension / wall.mean_pressure, 1.0, 1e-3);
+        EXPECT_NEAR(state.mean_gap / wall.mean_gap, 1.0, 1e-3);
+        EXPECT_NEAR(cell.displacement(state) / displacement, 1.0, 1e-9);
+    }
+}
+
+TEST(AdhesiveCell, DisplacedByAStageGivesWayAsItsSpring) {
+    auto cell = patch(rough(64, 0.2, 3));
+    const double displacement = 0.5, spring = 0.01;  // of one mode of the cell
+    const auto state = from_far(cell, cell.displaced(displacement, spring));
+    EXPECT_TRUE(state.converged);
+    EXPECT_NEAR(cell.displacement(state), displacement + state.tension / spring, 1e-9 * cell.touching_gap());
+    EXPECT_THROW((void)cell.displaced(displacement, 0.0), InvalidArgument);
+    EXPECT_THROW((void)cell.displaced(1.01 * cell.touching_gap()), InvalidArgument);
 }
 
 TEST(AdhesiveCell, FarAwayIsAttractedAsAFlat) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -9,11 +10,12 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/file_figures/comparison_figure.hpp"
+#include "setae/file_figures/contact_map_figure.hpp"
 #include "setae/file_figures/contour_figure.hpp"
-#include "setae/file_figures/predicted_loop_figure.hpp"
 #include "setae/file_figures/level_figure.hpp"
 #include "setae/file_figures/parameter_figure.hpp"
 #include "setae/file_figures/persson_figure.hpp"
+#include "setae/file_figures/predicted_loop_figure.hpp"
 #include "setae/file_figures/scale_figure.hpp"
 #include "setae/file_figures/spectrum_figure.hpp"
 
@@ -163,6 +165,35 @@ TEST(LevelFigure, ShowsLinesOverTheirLength) {
     EXPECT_EQ(drawn.figure.columns, 2);
     EXPECT_EQ(drawn.figure.panels[0].y.unit, "nm");
     EXPECT_FALSE(drawn.figure.panels[0].map);
+}
+
+TEST(ContactMapFigure, ShowsPressureBesideGapOfEveryState) {
+    Array2D pressures = Array2D::Zero(300, 200), gaps = Array2D::Constant(300, 200, 5e-9);
+    pressures.topRows(30) = 2e6;
+    pressures(200, 100) = 1e9;  // one point does not set the colours
+    const std::array size{3e-6, 2e-6};
+    const auto one = contact_map_figure({{"", pressures, gaps}}, size, "a/map.npy", {});
+    ASSERT_EQ(one.figure.panels.size(), 2u);
+    const auto& map = one.figure.panels[0].map.value();
+    EXPECT_EQ(map.values_axis.unit, "MPa");
+    EXPECT_EQ(map.values_axis.to, 2.0);
+    EXPECT_EQ(map.width, 3.0);
+    EXPECT_NEAR(*one.figure.panels[1].map->values_axis.from, 5.0, 1e-12);  // nm, all alike
+    EXPECT_GT(*one.figure.panels[1].map->values_axis.to, 5.0);
+    const auto several =
+        contact_map_figure({{"turn", pressures, gaps}, {"greatest tension", pressures, gaps}}, size, "map.npy", {});
+    ASSERT_EQ(several.figure.panels.size(), 4u);
+    EXPECT_EQ(several.figure.panels[3].shows, "greatest tension");
+    EXPECT_EQ(several.figure.columns, 2);
+    EXPECT_THROW((void)contact_map_figure({}, size, "map.npy", {}), InvalidArgument);
+}
+
+TEST(ContactMapFigure, OfALineIsDrawnAlongIt) {
+    const Array2D pressures = Array2D::Constant(1, 50, 1e3), gaps = Array2D::Zero(1, 50);
+    const auto drawn = contact_map_figure({{"", pressures, gaps}}, {1.0, 5e-6}, "line.txt", {});
+    ASSERT_EQ(drawn.figure.panels.size(), 2u);
+    EXPECT_FALSE(drawn.figure.panels[0].map);
+    EXPECT_NEAR(drawn.figure.panels[0].series.at(0).x[49], 4.9, 1e-12);
 }
 
 TEST(ParameterFigure, SlopeIsCarriedByShorterWavesThanHeight) {

@@ -22,8 +22,9 @@ struct AdhesiveContactAnswer {
     std::vector<Alert> alerts;
 };
 
-/// request: its control is a pressure or a mean gap; the cell repeats itself.
-/// @throws InvalidArgument for a displacement, a hardness or free edges; otherwise as hard_wall() and
+/// request: its control is a pressure, a mean gap or a displacement, of the body or of a stage with a stiffness; the
+/// cell repeats itself.
+/// @throws InvalidArgument for a hardness, free edges or a stage that is not displaced; otherwise as hard_wall() and
 /// half_space::AdhesiveCell.
 [[nodiscard]] AdhesiveContactAnswer adhesive_contact(const std::string& file,
                                                      const topography::Measurement& measurement,

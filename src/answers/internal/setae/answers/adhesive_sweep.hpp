@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setae/answers/contact_problem.hpp"
+#include "setae/answers/sweep_maps.hpp"
 #include "setae/half_space/adhesive_loop.hpp"
 #include "setae/parallel/for_each.hpp"
 
@@ -17,6 +18,7 @@ struct SweepRequest : BodyRequest, InteractionRequest {
     std::string to_gap;           ///< where it turns; empty: full contact
     std::string to_pressure;      ///< or there, where that comes first
     std::string restart;          ///< file a stopped sweep goes on from
+    bool maps = false;            ///< whether states are kept point by point; not with a restart file
 
     /// @throws InvalidArgument for what is missing or malformed, before heights are read.
     void require_complete() const;
@@ -40,6 +42,7 @@ struct SweepAnswer {
     half_space::AdhesiveLoop loop;
     Table steps;  ///< half_space::loop_table()
     std::vector<Quantity> quantities;
+    std::vector<SweepMaps> maps;  ///< where wanted
     std::vector<Alert> alerts;
 };
 
@@ -49,7 +52,7 @@ struct SweepAnswer {
                                          const SweepRequest& request, parallel::Threads threads = {},
                                          const std::function<bool(const SweepProgress&)>& progress = {});
 
-/// Quantities by name, "status", "steps" with a list for each column, the attraction, "file", "processing" and
+/// Quantities by name, "status", "steps" with a list for each column, "maps" where they are kept, the attraction, "file", "processing" and
 /// "alerts".
 [[nodiscard]] output::Json to_json(const SweepAnswer& answer, const std::vector<processing::StepRecord>& processing);
 

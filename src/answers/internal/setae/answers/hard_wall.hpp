@@ -13,6 +13,7 @@ namespace setae::answers {
 /// What `setae contact solve` is told beside the surface; see docs/theory/half-space.md.
 struct HardWallRequest : BodyRequest {
     std::string pressure, displacement, mean_gap;  ///< one of them
+    std::string stage_stiffness;                   ///< "10 N/m" of a stage that is displaced; with adhesion
     std::string hardness;                          ///< "1 GPa"
     bool free = false;                             ///< nothing touches beyond the map
     double tolerance = 1e-8;                       ///< of the duality gap

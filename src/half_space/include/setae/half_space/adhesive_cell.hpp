@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "setae/core/arrays.hpp"
@@ -86,8 +87,16 @@ public:
     /// more than where they end), and beyond where a flat cell would still jump, 1.4 √(w L/E*).
     [[nodiscard]] double far_gap() const;
 
-    /// Mean gap [m] at which the highest point of the body undeformed is felt.
+    /// Mean gap [m] at which the highest point of the body undeformed is felt …
     [[nodiscard]] double felt_gap() const;
+    /// … and at which it touches, max h − ⟨h⟩.
+    [[nodiscard]] double touching_gap() const;
+    /// Holds the displacement δ [m], as half_space::Displacement has it, or a stage at δ on a spring of stiffness
+    /// k_m [Pa/m] per area: ⟨g⟩ = max h − ⟨h⟩ − δ − T/k, 1/k = 1/k_m + 1/k(0).
+    /// @throws InvalidArgument where a gap that is held would be below 0.
+    [[nodiscard]] AdhesiveControl displaced(double displacement, std::optional<double> stage_stiffness = {}) const;
+    /// δ of the body in a state.
+    [[nodiscard]] double displacement(const AdhesiveState& state) const;
 
     /// The state from which all others are reached: the body undeformed at a mean gap. Not in equilibrium.
     void begin_at(double mean_gap);
