@@ -259,7 +259,7 @@ void bind_sweep(nb::module_& module) {
         .def("quantities", [](const Sweep& sweep) { return texts_of(sweep.quantities); })
         .def_prop_ro("maps",
                      [](nb::handle self) {
-                         nb::dict maps;
+                         nb::typed<nb::dict, nb::str, nb::typed<nb::tuple, nb::object, nb::object>> maps;
                          for (const auto& state : nb::cast<const Sweep&>(self).maps)
                              maps[state.name.c_str()] =
                                  nb::make_tuple(map_of(state.pressures, self), map_of(state.gaps, self));

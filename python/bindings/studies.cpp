@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
+#include "setae/answers/patch_survey.hpp"
 #include "setae/answers/run_time.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/output/budget.hpp"
@@ -14,6 +15,7 @@
 #include "setae/output/next_measurement_output.hpp"
 #include "setae/output/screen.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/parallel/cancellation.hpp"
 #include "setae/report/report.hpp"
 #include "setae/study/hysteresis.hpp"
 #include "setae/study/next_measurement.hpp"
@@ -57,6 +59,32 @@ Run run(const std::string& file, const std::string& output, const std::optional<
     return done;
 }
 
+void bind_patches(nb::module_& module) {
+    using Request = answers::PatchSurveyRequest;
+    nb::class_<Request>(module, "PatchSurveyRequest")
+        .def(nb::init<>())
+        .def_rw("energy_shares", &Request::energy_shares)
+        .def_rw("points", &Request::points)
+        .def_rw("points_a_wave", &Request::points_a_wave)
+        .def_rw("squared_ratios", &Request::squared_ratios)
+        .def_rw("waves_a_side", &Request::waves_a_side)
+        .def_rw("hurst_exponent", &Request::hurst_exponent)
+        .def_rw("law", &Request::law)
+        .def_rw("seeds", &Request::seeds)
+        .def_rw("seed", &Request::seed)
+        .def_rw("loops", &Request::loops);
+    module.def(
+        "conform",
+        [](const Run& study, const Request& request) {
+            return unlocked([&](const std::atomic<bool>& cancelled) {
+                const parallel::CancellationScope scope(cancelled);
+                return output::as_text(answers::to_json(study ? answers::patch_survey(study->result, request)
+                                                              : answers::patch_survey(request)));
+            });
+        },
+        nb::arg("study").none(), nb::arg("request"), "as `setae lab conform --json` prints it");
+}
+
 void bind_figures(nb::module_& module) {
     nb::class_<Figure>(module, "StudyFigure")
         .def_prop_ro("identifier", [](const Figure& f) { return f.figure->identifier; })
@@ -80,6 +108,7 @@ void bind_figures(nb::module_& module) {
 }  // namespace
 
 void bind_studies(nb::module_& module) {
+    bind_patches(module);
     bind_figures(module);
     nb::class_<Study>(module, "StudyRun")
         .def("json", [](const Study& study) { return output::as_text(output::to_json(study.result)); })
@@ -102,7 +131,8 @@ void bind_studies(nb::module_& module) {
             [](const Study& study, int trials, std::uint64_t seed, int threads) {
                 return unlocked([&](const auto& cancelled) {
                     std::optional<hysteresis::TrialOptions> options;
-                    if (trials > 0) options = {.runs = trials, .seed = seed, .threads = {threads}, .cancelled = &cancelled};
+                    if (trials > 0)
+                        options = {.runs = trials, .seed = seed, .threads = {threads}, .cancelled = &cancelled};
                     const auto& known = study.result.hysteresis;
                     return output::as_text(output::to_json(
                         known && !options ? *known : study::hysteresis_of(study.result, options, {threads})));

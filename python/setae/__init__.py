@@ -39,7 +39,7 @@ from ._schema import schema
 from ._scan import Info, Processing, Scan, Step, channels, info, lengths, read, scan
 from ._setae import limit_threads, steps, version
 from ._spectra import Parameters, PowerSpectrum, Surface, parameters, power_spectrum, surface
-from ._study import Figure, Study, StudyResult, study
+from ._study import Figure, Study, StudyResult, conform, study
 from ._synthesis import Synthesis, Tip, synthesize, tip
 from ._texture import Texture, texture
 
@@ -99,6 +99,7 @@ __all__ = [
     "channels",
     "check",
     "check_container",
+    "conform",
     "contact",
     "contact_compare",
     "contact_line",

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import os
 import pathlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from . import _setae
-from ._options import Path, path
+from ._options import Path, filled, path
 from ._quantities import Answer, Quantity
 
 
@@ -108,6 +108,10 @@ class StudyResult(Answer):
         """Hysteresis of every pair, W_ret, pull-off and loss, and the law that says the measured ones, as ``setae predict --json`` prints it."""
         return Answer(self.handle.predict(trials, seed, threads))
 
+    def conform(self, **patches: Any) -> Answer:
+        """Random patches with the spectra and U_el/(A W) of the study's pairs: whether a soft body conforms to them; ``patches`` as of :func:`conform`."""
+        return conform(self, **patches)
+
     def report(self, file: Path | None = None) -> str:
         """The report, one page of HTML that needs no network; written to ``file`` where one is named."""
         page = self.handle.report(f"setae study {self.file}")
@@ -140,6 +144,48 @@ class Study:
         folder = (path(cache) if cache is not None else "") if keep else None
         run = _setae.run_study(self.file, "" if output is None else path(output), folder)
         return StudyResult.of(run, self.file)
+
+
+def conform(
+    of: StudyResult | None = None,
+    *,
+    energy_shares: Sequence[float] | None = None,
+    points: Sequence[int] | None = None,
+    points_a_wave: Sequence[float] | None = None,
+    squared_ratios: Sequence[float] | None = None,
+    waves_a_side: float | None = None,
+    hurst_exponent: float | None = None,
+    law: str | None = None,
+    seeds: int | None = None,
+    seed: int | None = None,
+    loops: bool = False,
+) -> Answer:
+    """Does a soft body conform to all waves of a rough one? Random patches solved with adhesion, as ``setae lab conform --json`` prints it.
+
+    of: a study, whose pairs' U_el/(A W) and spectra the patches have; else ``energy_shares`` says U_el/(A W) of the patches.
+    points: of a patch along a side.  points_a_wave: of the shortest wave.  squared_ratios: w dx/(E* ρ²), at most 1, which sets the range.
+    waves_a_side: of the longest wave.  hurst_exponent: of the band, where no study says it.  law: as of :func:`contact`.
+    seeds: patches of each kind, seed: of the first.  loops: whole loops, too, minutes in place of seconds.
+
+    >>> import setae
+    >>> found = setae.conform(energy_shares=[0.05], points=[64], points_a_wave=[8], seeds=2)
+    >>> found["rows"][0]["area_from_far"]["value"]
+    1.0
+    """
+    request = filled(
+        _setae.PatchSurveyRequest(),
+        energy_shares=energy_shares,
+        points=points,
+        points_a_wave=points_a_wave,
+        squared_ratios=squared_ratios,
+        waves_a_side=waves_a_side,
+        hurst_exponent=hurst_exponent,
+        law=law,
+        seeds=seeds,
+        seed=seed,
+        loops=loops,
+    )
+    return Answer(_setae.conform(None if of is None else of.handle, request))
 
 
 def study(file: Path) -> Study:

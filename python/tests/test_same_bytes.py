@@ -51,6 +51,7 @@ FUNCTIONS = {
     "jkr summary": "`setae.replicates`; its figure and tables by the program alone",
     "synthesize": "`setae.synthesize`",
     "study": "`setae.study(…).run()`; `--next` is `StudyResult.next_measurements`",
+    "lab conform": "`setae.conform`, `StudyResult.conform`; its table and figure by the program alone",
     "predict": "`setae.study(…).run().predict()`; its tables and figures by the program alone",
     "schema": "`setae.schema`",
 }
@@ -61,7 +62,6 @@ GAPS = {
     "lab loops": "as lab make",
     "lab closure": "hours of studies; by the program",
     "lab contours": "as lab closure",
-    "lab conform": "as lab closure",
     "lab area": "as lab closure",
     "lab foil": "as lab closure",
     "lab causes": "as lab closure",
@@ -258,10 +258,12 @@ def test_contact_sweep(printed):
     assert on_a_stage.json() == printed("contact", "sweep", "coarse.nc", *typed, "--stage-stiffness", "0.1 N/m", "--to-pressure", "1 kPa")
     kept = setae.contact_sweep("coarse.nc", **asked, to_pressure="1 kPa", maps=True)
     assert kept.json() == printed("contact", "sweep", "coarse.nc", *typed, "--to-pressure", "1 kPa", "--maps", "states.npy")
-    assert [state["name"] for state in kept.data["maps"]] == list(kept.maps) and not swept.maps
+    assert kept.maps and not swept.maps
+    steps = {state["name"]: state["step"] for state in kept.data["maps"]}
     pressures, gaps = kept.maps["turn"]
     assert numpy.array_equal(gaps, numpy.load("states_turn_gap.npy")) and pressures.shape == (16, 16)
-    assert pressures.mean() == pytest.approx(-kept["tension"][kept.data["maps"][1]["step"]])
+    assert list(steps) == list(kept.maps)
+    assert pressures.mean() == pytest.approx(-kept["tension"][steps["turn"]])
     with pytest.raises(TypeError, match="W_int"):
         setae.contact_sweep("coarse.nc", contact_modulus="1 MPa", range="400 nm")
 
@@ -381,6 +383,19 @@ def test_study(printed, tmp_path):
     assert "study.json" in mine.write() and pathlib.Path("results/study.json").read_text() == theirs
     assert mine.next_measurements().json() == printed("study", "study.toml", "--output", "results", "--next")
     assert mine.predict().json() == printed("predict", "study.toml")
+
+
+def test_conform(printed):
+    asked = ("--energy-share", "0.05,0.4", "--points", 64, "--shortest-wave", 8, "--seeds", 2)
+    found = setae.conform(energy_shares=[0.05, 0.4], points=[64], points_a_wave=[8], seeds=2)
+    assert found.json() == printed("lab", "conform", *asked)
+    published = ROOT / "examples/nanodiamond/published.toml"
+    small = {"points": [64], "points_a_wave": [8], "waves_a_side": 2, "squared_ratios": [1], "seeds": 1}
+    of_pairs = setae.study(published).run(output="published").conform(**small)
+    typed = ("--points", 64, "--shortest-wave", 8, "--waves", 2, "--squared-ratio", 1, "--seeds", 1)
+    assert of_pairs.json() == printed("lab", "conform", published, *typed)
+    with pytest.raises(TypeError, match="energy_share"):
+        setae.conform(energy_share=[0.1])
 
 
 def test_surface_has_the_numbers_of_params():
