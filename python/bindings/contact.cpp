@@ -10,9 +10,11 @@
 #include "setae/answers/adhesive_sweep.hpp"
 #include "setae/answers/contact_comparison.hpp"
 #include "setae/answers/contact_front.hpp"
+#include "setae/answers/contact_line.hpp"
 #include "setae/answers/hard_wall.hpp"
 #include "setae/answers/made_surface.hpp"
 #include "setae/answers/persson_contact.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/half_space/hard_wall.hpp"
 #include "setae/processing/pipeline.hpp"
@@ -33,6 +35,7 @@ struct Sweep {
     std::vector<Quantity> quantities;
     std::string json;
     std::vector<answers::SweepMaps> maps;
+    Table edge;  ///< of a front, where it is kept
 };
 
 std::string texts_of(const std::vector<Quantity>& quantities) {
@@ -175,7 +178,7 @@ Sweep swept(const Item& item, const answers::SweepRequest& request, const answer
     };
     auto answer = answers::adhesive_sweep(item.path, prepared.measurement, request, {}, go_on);
     auto json = output::as_text(answers::to_json(answer, prepared.records));
-    return {std::move(answer.steps), std::move(answer.quantities), std::move(json), std::move(answer.maps)};
+    return {std::move(answer.steps), std::move(answer.quantities), std::move(json), std::move(answer.maps), {}};
 }
 
 Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::MadeSurfaceRequest made,
@@ -198,7 +201,7 @@ Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::
     };
     auto answer = answers::contact_front(item.path, surfaces, request, {}, go_on);
     auto json = output::as_text(answers::to_json(answer, records));
-    return {std::move(answer.steps), std::move(answer.quantities), std::move(json)};
+    return {std::move(answer.steps), std::move(answer.quantities), std::move(json), {}, std::move(answer.edge)};
 }
 
 void bind_made_surface(nb::module_& module) {
@@ -265,6 +268,9 @@ void bind_sweep(nb::module_& module) {
                                  nb::make_tuple(map_of(state.pressures, self), map_of(state.gaps, self));
                          return maps;
                      })
+        .def_prop_ro("edge", [](nb::handle self) { return columns(nb::cast<const Sweep&>(self).edge, self); })
+        .def("save_edge", [](const Sweep& sweep,
+                             const std::string& file) { bytes::write_whole_file(file, answers::edge_csv(sweep.edge)); })
         .def_ro("json", &Sweep::json);
     module.def(
         "contact_sweep",
@@ -288,7 +294,8 @@ void bind_front(nb::module_& module) {
         .def_rw("shortest_wavelength", &Request::shortest_wavelength)
         .def_rw("model", &Request::model)
         .def_rw("method", &Request::method)
-        .def_rw("steps", &Request::steps);
+        .def_rw("steps", &Request::steps)
+        .def_rw("duration", &Request::duration);
     module.def(
         "contact_front",
         [](const Item& item, const Request& asked, const answers::MadeSurfaceRequest& made, int realisations) {

@@ -138,7 +138,10 @@ void bind_line(nb::module_& module) {
         .def_rw("ring_width", &Request::ring_width)
         .def_rw("threshold", &Request::threshold)
         .def_rw("smallest_mode", &Request::smallest_mode)
-        .def_rw("largest_mode", &Request::largest_mode);
+        .def_rw("largest_mode", &Request::largest_mode)
+        .def_rw("sphere_radius", &Request::sphere_radius)
+        .def_rw("contact_modulus", &Request::contact_modulus)
+        .def_rw("displacement", &Request::displacement);
     nb::class_<Edge>(module, "Edge")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Edge&>(self).frames, self); })
         .def_prop_ro("units", [](const Edge& edge) { return units(edge.frames); })
@@ -149,8 +152,7 @@ void bind_line(nb::module_& module) {
         "contact_line",
         [](const std::vector<std::string>& files, const Request& asked) {
             return unlocked([&](const auto&) {
-                auto recorded = answers::recorded_edge(files, asked).line;
-                const auto answer = answers::contact_line_answer(std::move(recorded), asked);
+                const auto answer = answers::contact_line_answer(answers::recorded_edge(files, asked), asked);
                 const auto& kept = answer.recorded;
                 return Edge{answers::as_table(answer), contact_line::as_table(kept.line, kept.frames),
                             answers::line_csv(kept), output::as_text(answers::to_json(answer))};

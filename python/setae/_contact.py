@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from . import _setae
 from ._columns import Columns
-from ._options import Text, filled
+from ._errors import InvalidArgument
+from ._options import Path, Text, filled, path
 from ._quantities import Answer, Quantity, quantity_from
 from ._scan import Measured, items
 from ._spectra import analysis_of, shared_options
@@ -193,8 +194,22 @@ def contact_sweep(
     return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))), swept.maps)
 
 
+@dataclass(frozen=True, eq=False, repr=False)
 class ContactFront(_ContactLoop):
-    """A soft sphere on a rough surface and back, a row a step, as ``setae contact front --json`` says it; ``quantities``: works, jumps, losses."""
+    """A soft sphere on a rough surface and back, a row a step, as ``setae contact front --json`` says it; ``quantities``: works, jumps, losses.
+
+    ``edge``: where a duration was given "time", "frame", "displacement", "force", "radius_1" … while it touches; ``save_edge("edge.csv")`` writes
+    what :func:`contact_line` reads.
+    """
+
+    edge: Mapping[str, Array] = field(default_factory=dict)
+    handle: Any = None
+
+    def save_edge(self, file: Path) -> None:
+        """Writes the edge as a table."""
+        if not self.edge:
+            raise InvalidArgument("no edge was kept; expected a duration")
+        self.handle.save_edge(path(file))
 
 
 def contact_front(
@@ -210,6 +225,7 @@ def contact_front(
     shortest_wavelength: Text | None = None,
     realisations: int = 1,
     steps: int = 500,
+    duration: Text | None = None,
     model: str = "constant_toughness",
     method: str = "trust_region",
     pixels: int | str | None = None,
@@ -224,6 +240,7 @@ def contact_front(
     W_int: what conforming gains, an area.  to_force or to_displacement: where the loop turns.  stage_stiffness: of a stage that is moved; dead_load: the force is; else the
     sphere's displacement is held.  shortest_wavelength: that counts, four pixels without it.  pixels, cell, surface, seed: a surface made from a spectrum or a study, as of
     :func:`contact`; of ``realisations`` such surfaces, seeds one after the other, ``quantities`` are means with ±.
+    duration: of the way there, "100 s", keeps the edge at every step.
 
     >>> import numpy, setae
     >>> x = numpy.arange(64) / 64
@@ -245,9 +262,10 @@ def contact_front(
         model=model,
         method=method,
         steps=steps,
+        duration=duration,
     )
     found: Any = _setae.contact_front(one(measurement, size, unit), request, made_surface(pixels, cell, surface, seed), realisations)
-    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))))
+    return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), found.edge, found)
 
 
 class PerssonContact(Columns):

@@ -159,6 +159,9 @@ def contact_line(
     threshold: float = 3.0,
     smallest_mode: int = 3,
     largest_mode: int = 0,
+    radius: Text | None = None,
+    contact_modulus: Text | None = None,
+    displacement: Path | None = None,
     **recording: Any,
 ) -> ContactLine:
     """How rough the edge of a contact is and how it moves: roughness exponent, speeds, jumps, arrests, voids inside.
@@ -167,9 +170,14 @@ def contact_line(
     "time", "radius_1" … "radius_N".  angles: places along the edge, else one every 2 px.  smallest_void: in px².
     ring_width: of the cells that speeds are told of, "5 um".  threshold: a jump is faster than the mean by it, an arrest slower.
     smallest_mode, largest_mode: of the roughness; 0: a quarter of the places.
+    radius, contact_modulus: of the sphere and the bodies, "1 mm", "1 MPa": what the edge works against, "release_rate"; displacement: a table of
+    "time" and "displacement", or that of the edge's own table.
     """
     request = filled(
         _setae.LineRequest(),
+        sphere_radius=radius,
+        contact_modulus=contact_modulus,
+        displacement=None if displacement is None else path(displacement),
         angles=angles,
         smallest_void=smallest_void,
         ring_width=ring_width,

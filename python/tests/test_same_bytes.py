@@ -64,6 +64,7 @@ GAPS = {
     "lab contours": "as lab closure",
     "lab area": "as lab closure",
     "lab foil": "as lab closure",
+    "lab recording": "as lab make",
     "lab causes": "as lab closure",
     "lab next": "as lab closure",
     "study init": "writes a draft for an editor",

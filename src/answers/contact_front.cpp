@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "setae/answers/columns.hpp"
 #include "setae/answers/made_surface.hpp"
 #include "setae/contact/jkr.hpp"
+#include "setae/contact_line/line_table.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/uncertain_text.hpp"
@@ -124,6 +126,50 @@ Plan plan_of(const std::string& file, const HeightMap& map, const FrontRequest& 
     return plan;
 }
 
+/// Keeps the edge of a front while it touches, on the way there and back in so many seconds each.
+class KeptEdge {
+public:
+    explicit KeptEdge(double duration, double furthest) : duration_(duration), furthest_(furthest) {}
+
+    void look(const crack_front::FrontStep& step, const crack_front::CircularFront& front) {
+        if (!(duration_ > 0.0) || !step.state.in_contact) return;
+        const double way = step.position / furthest_, time = duration_ * (step.approaching ? way : 2.0 - way);
+        if (!times_.empty() && !(time > times_.back())) return;
+        times_.push_back(time);
+        displacements_.push_back(step.state.displacement);
+        forces_.push_back(step.state.force);
+        edges_.push_back(front.edge());
+    }
+    void give(FrontRun& run) const {
+        constexpr Index most_angles = 512;
+        if (edges_.empty()) return;
+        const auto array = [](const std::vector<double>& values) -> Array1D {
+            return Eigen::Map<const Array1D>(values.data(), std::ssize(values));
+        };
+        contact_line::ContactLine line{.time = array(times_),
+                                       .radius = Array2D(std::ssize(edges_), edges_.front().size())};
+        for (Index i = 0; i < line.frames(); ++i) line.radius.row(i) = edges_[static_cast<std::size_t>(i)].transpose();
+        run.edge = contact_line::at_fewer_angles(line, std::min(most_angles, line.angles()));
+        run.displacement = array(displacements_);
+        run.force = array(forces_);
+    }
+
+private:
+    double duration_, furthest_;
+    std::vector<double> times_, displacements_, forces_;
+    std::vector<Array1D> edges_;
+};
+
+/// contact_line::as_table() of a run, with what held it.
+Table edge_table(const FrontRun& run) {
+    std::vector<long> numbers(static_cast<std::size_t>(run.edge.frames()));
+    std::iota(numbers.begin(), numbers.end(), 1L);
+    auto table = contact_line::as_table(run.edge, numbers);
+    table.columns.insert(table.columns.begin() + 2,
+                         {Column{"displacement", "m", run.displacement}, Column{"force", "N", run.force}});
+    return table;
+}
+
 FrontRun run_of(const HeightMap& map, const Plan& plan, parallel::Threads threads,
                 const std::function<bool(const crack_front::FrontStep&)>& progress) {
     const auto& contact = plan.contact;
@@ -137,8 +183,15 @@ FrontRun run_of(const HeightMap& map, const Plan& plan, parallel::Threads thread
                                                                   contact.work_of_adhesion, contact.contact_modulus),
                                      plan.request.options());
     auto path = plan.path;
-    path.progress = progress;
+    KeptEdge edge(
+        plan.request.duration.empty() ? 0.0 : parse_quantity(plan.request.duration, positive(dimension::time)),
+        path.furthest);
+    path.progress = [&](const crack_front::FrontStep& step) {
+        edge.look(step, front);
+        return progress(step);
+    };
     run.loop = crack_front::front_loop(front, path);
+    edge.give(run);
     for (const auto& step : run.loop.steps) run.contact_radius = std::max(run.contact_radius, step.state.area_radius);
     const double radius = std::max(run.contact_radius, plan.shortest);
     run.validity = crack_front::validity_of(intensity, contact.work_of_adhesion, 2.0 * pi * radius,
@@ -291,6 +344,7 @@ FrontAnswer contact_front(const std::string& file, const std::vector<topography:
                        .shortest_wavelength = plan.shortest,
                        .runs = std::vector<FrontRun>(maps.size()),
                        .steps = {},
+                       .edge = {},
                        .quantities = {},
                        .alerts = {}};
     std::atomic<std::size_t> steps = 0;
@@ -303,6 +357,7 @@ FrontAnswer contact_front(const std::string& file, const std::vector<topography:
         answer.runs[i] = run_of(*maps[i], plan, one ? threads : parallel::Threads{1}, step_done);
     });
     answer.steps = crack_front::loop_table(answer.runs.front().loop, plan.path.drive);
+    if (answer.runs.front().edge.frames() > 0) answer.edge = edge_table(answer.runs.front());
     answer.quantities = quantities_of(answer);
     answer.alerts = alerts_of(answer, *maps.front());
     return answer;

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/answers/contact_line.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "setae/contact/elasticity.hpp"
 #include "setae/contact_line/line_table.hpp"
+#include "setae/contact_line/local_release_rate.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/table_file.hpp"
@@ -31,6 +36,65 @@ LineMotion motion_of(contact_line::Passage passage, double threshold) {
         if_defined([&] { return contact_line::power_law_tail(contact_line::relative_speeds(found.passage)); });
     found.jump_tail = if_defined([&] { return contact_line::power_law_tail(areas_of(found.jumps)); });
     return found;
+}
+
+/// At the times of the edge, where a release rate is wanted.
+std::optional<Array1D> displacement_of(const RecordedEdge& edge, const LineRequest& request) {
+    const bool wanted = !request.sphere_radius.empty() || !request.contact_modulus.empty();
+    if (!wanted && request.displacement.empty()) return std::nullopt;
+    if (request.sphere_radius.empty() || request.contact_modulus.empty())
+        throw InvalidArgument("a release rate takes --radius of the sphere and --contact-modulus; expected both");
+    if (request.displacement.empty()) {
+        if (!edge.displacement)
+            throw InvalidArgument(
+                "a release rate takes the displacement of the sphere; expected --displacement, a table of time and "
+                "displacement, or a column of that name beside the edge");
+        return edge.displacement;
+    }
+    const auto table = tables::read_table(request.displacement);
+    const auto &time = table.at("time"), &displacement = table.at("displacement"), &times = edge.line.line.time;
+    const Index n = time.size();
+    for (Index i = 1; i < n; ++i)
+        if (!(time[i] > time[i - 1]))
+            throw InvalidArgument(fmt::format("{}: time {} s after {} s; expected increasing times",
+                                              request.displacement, time[i], time[i - 1]));
+    if (n < 2 || times.minCoeff() < time[0] || times.maxCoeff() > time[n - 1])
+        throw InvalidArgument(fmt::format("{}: times from {} to {} s, the edge has {} to {} s; expected all of them",
+                                          request.displacement, n > 0 ? time[0] : undefined,
+                                          n > 0 ? time[n - 1] : undefined, times.minCoeff(), times.maxCoeff()));
+    return times.unaryExpr([&](double t) {
+        const auto after = std::clamp<Index>(std::upper_bound(time.begin(), time.end(), t) - time.begin(), 1, n - 1);
+        const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
+        return (1.0 - share) * displacement[after - 1] + share * displacement[after];
+    });
+}
+
+std::optional<ReleaseRate> release_rate(const Array2D& rates) {
+    if (rates.rows() == 0) return std::nullopt;
+    const Array1D means = rates.rowwise().mean();
+    const double variance = (rates.colwise() - means).square().mean();
+    return ReleaseRate{.frames = rates.rows(), .mean = means.mean(), .scatter = std::sqrt(variance)};
+}
+
+void add_release_rate(LineAnswer& answer, const Array1D& displacement, const LineRequest& request) {
+    const contact::SphereOnFlat sphere{parse_quantity(request.sphere_radius, positive(dimension::length)),
+                                       parse_quantity(request.contact_modulus, positive(dimension::pressure))};
+    const auto& line = answer.recorded.line;
+    const Index largest = request.largest_mode > 0 ? request.largest_mode
+                          : line.place_error > 0.0 ? line.angles() / 4
+                                                   : 0;
+    const Array2D rates = contact_line::local_release_rate(line, displacement, sphere, largest);
+    Index widest = 0;
+    answer.shape.mean_radius.maxCoeff(&widest);
+    answer.advancing_rate = release_rate(rates.topRows(widest));
+    answer.receding_rate = release_rate(rates.bottomRows(line.frames() - 1 - widest));
+}
+
+output::Json rate_json(const std::optional<ReleaseRate>& rate) {
+    if (!rate) return nullptr;
+    return {{"frames", rate->frames},
+            {"mean", {{"value", rate->mean}, {"unit", "J/m2"}}},
+            {"scatter", {{"value", rate->scatter}, {"unit", "J/m2"}}}};
 }
 
 output::Json tail_json(const std::optional<contact_line::PowerLawTail>& tail, const char* quantity, const char* symbol,
@@ -105,23 +169,31 @@ imaging::RecordedLine recorded_line(const Table& table) {
 
 RecordedEdge recorded_edge(const std::vector<std::string>& files, const LineRequest& request,
                            parallel::Threads threads) {
-    if (files.size() == 1 && files[0].ends_with(".csv")) return {recorded_line(tables::read_table(files[0])), {}};
+    if (files.size() == 1 && files[0].ends_with(".csv")) {
+        const auto table = tables::read_table(files[0]);
+        const auto* displacement = table.find("displacement");
+        return {recorded_line(table), {}, displacement ? std::optional(displacement->values) : std::nullopt};
+    }
     const auto options = request.radius_options(threads);
     const imaging::FrameSource source(files, request.frame_options());
     auto radii = imaging::measure_contact_radii(source, options);
     auto line = imaging::measure_contact_line(source, radii, request.line_options(threads));
-    return {std::move(line), std::move(radii)};
+    return {std::move(line), std::move(radii), {}};
 }
 
 std::string line_csv(const imaging::RecordedLine& recorded) {
-    const auto table = contact_line::as_table(recorded.line, recorded.frames);
+    return edge_csv(contact_line::as_table(recorded.line, recorded.frames));
+}
+
+std::string edge_csv(const Table& table) {
     std::string text;
     for (const auto& [key, value] : table.metadata) text += fmt::format("# {}: {}\n", key, value);
     return text + tables::as_csv(table);
 }
 
-LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest& request) {
-    LineAnswer answer{.recorded = std::move(recorded)};
+LineAnswer contact_line_answer(RecordedEdge edge, const LineRequest& request) {
+    const auto displacement = displacement_of(edge, request);
+    LineAnswer answer{.recorded = std::move(edge.line)};
     const auto& line = answer.recorded.line;
     const double width =
         request.ring_width.empty() ? 0.0 : parse_quantity(request.ring_width, positive(dimension::length));
@@ -144,6 +216,7 @@ LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest
     answer.receding = motion(contact_line::Direction::receding);
     if (!answer.advancing && !answer.receding)
         answer.notes.push_back(line.frames() < 2 ? "one frame: nothing moves" : "motion: " + reason);
+    if (displacement) add_release_rate(answer, *displacement, request);
     return answer;
 }
 
@@ -177,6 +250,9 @@ output::Json to_json(const LineAnswer& answer) {
     json["roughness"] = roughness_json(answer.roughness);
     json["advancing"] = motion_json(answer.advancing);
     json["receding"] = motion_json(answer.receding);
+    if (answer.advancing_rate || answer.receding_rate)
+        json["release_rate"] = {{"advancing", rate_json(answer.advancing_rate)},
+                                {"receding", rate_json(answer.receding_rate)}};
     const auto table = as_table(answer);
     for (const auto& column : table.columns)
         if (column.name != "frame")

@@ -13,6 +13,8 @@
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
 #include "setae/answers/contact_front.hpp"
+#include "setae/answers/contact_line.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
@@ -38,6 +40,7 @@ struct Arguments : answers::FrontRequest {
     int realisations = 1;
     std::string output;
     FigureOption figure;
+    std::string save_line;
 };
 
 /// A line on a terminal: how far on the way.
@@ -61,6 +64,8 @@ private:
 ExitCode run(const Arguments& arguments) {
     require_table_or_figure(arguments.output);
     arguments.require_complete();
+    if (arguments.save_line.empty() != arguments.duration.empty())
+        throw InvalidArgument("--save-line and --duration go together: an edge needs times");
     const auto threads = arguments.common.workers();
     auto surfaces = arguments.surface.realisations(arguments.realisations, threads);
     std::vector<topography::Measurement> maps;
@@ -74,6 +79,7 @@ ExitCode run(const Arguments& arguments) {
         arguments.output, answer.steps,
         [&] { return file_figures::front_figure(answer.steps, answer.contact, answer.file, arguments.figure.look()); },
         arguments.common.json);
+    if (!arguments.save_line.empty()) bytes::write_whole_file(arguments.save_line, answers::edge_csv(answer.edge));
     if (arguments.common.json) {
         print_json(answers::to_json(answer, surfaces.front().records));
         return ExitCode::done;
@@ -112,6 +118,12 @@ Action declare(Options& options) {
              "surfaces that are made, from --seed on; results are means with ±")
         .positive();
     options.add("--steps", arguments->steps, "on the way there; halved where the edge jumps").positive();
+    options
+        .add("--duration", arguments->duration,
+             "of the way there, such as \"100 s\": times of the edge that --save-line writes")
+        .quantity(positive(dimension::time));
+    options.add("--save-line", arguments->save_line,
+                "write the edge itself while it touches, r at every angle and time, OUT.csv for `setae jkr line`");
     options.add("--model", arguments->model, "how the energy follows the edge")
         .one_of({"constant_toughness", "variational", "energy_release_rate", "stress_intensity", "mean_circle"})
         .default_shown();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,7 +15,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
-#include "setae/answers/contact_line.hpp"
+#include "setae/answers/line_comparison.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/layout.hpp"
@@ -32,6 +33,7 @@ constexpr const char* explanation =
     "speed        of each cell (a ring at an angle): its width over the time the edge takes; the mean is distance over time\n"
     "jumps        cells that hang together and are faster than --threshold times the mean speed; arrests: slower than 1/threshold\n"
     "tails        p(x) ~ x^-tau beyond where that fits best; distance: Kolmogorov's                 Clauset et al. (2009)\n"
+    "release rate G = G_J(r, d) (1 + 1/r sum |n| r_n exp(in theta)), G_J = E*(d - r^2/R)^2/(2 pi r)        Gao, Rice (1987)\n"
     "voids        pixels inside the edge that are as bright as the outside\n"
     "a table of --save-line, or of a simulation with columns time, radius_1 ... radius_N, is read in place of pictures\n"
     "docs/guides/contact-line.md\n";
@@ -39,14 +41,14 @@ constexpr const char* explanation =
 struct Arguments : answers::LineRequest {
     Common common;
     std::vector<std::string> frames;
-    std::string output, save_line;
+    std::string output, save_line, beside;
     FigureOption figure;
 };
 
-imaging::RecordedLine recorded(const Arguments& arguments) {
+answers::RecordedEdge recorded(const Arguments& arguments) {
     auto edge = answers::recorded_edge(arguments.frames, arguments, arguments.common.workers());
     if (edge.radii) tell(*edge.radii);
-    return std::move(edge.line);
+    return edge;
 }
 
 /// Whether the numbers of a tail may be of its law: 1.36/√n is passed by one law in twenty.
@@ -68,6 +70,13 @@ std::string motion_text(const char* direction, const std::optional<answers::Line
     return text;
 }
 
+std::string rate_text(const char* direction, const std::optional<answers::ReleaseRate>& rate) {
+    if (!rate) return {};
+    return fmt::format("energy release rate {} {}, it scatters along the edge by {}, {:.2g} of it", direction,
+                       format_value(rate->mean, "J/m2", 3), format_value(rate->scatter, "J/m2", 3),
+                       rate->scatter / rate->mean);
+}
+
 std::string as_text(const answers::LineAnswer& answer) {
     const auto width = output_size().width;
     const auto& recorded = answer.recorded;
@@ -82,6 +91,8 @@ std::string as_text(const answers::LineAnswer& answer) {
                         format_value(std::sqrt(answer.shape.deviation.square().mean()), "m", 3)));
     add(motion_text("receding", answer.receding));
     add(motion_text("advancing", answer.advancing));
+    add(rate_text("receding", answer.receding_rate));
+    add(rate_text("advancing", answer.advancing_rate));
     std::size_t voids = 0;
     for (const auto& holes : recorded.voids) voids += holes.empty() ? 0 : 1;
     if (voids > 0) add(fmt::format("voids inside the contact in {} of {} frames", voids, recorded.frames.size()));
@@ -89,6 +100,20 @@ std::string as_text(const answers::LineAnswer& answer) {
     add(fmt::format("{} frames, {} places each, {}", recorded.frames.size(), recorded.line.angles(),
                     error > 0.0 ? fmt::format("± {} a place", format_value(error, "m", 2)) : "their error not stated"));
     return text;
+}
+
+std::string comparison_text(const answers::LineAnswer& answer, const answers::LineComparison& comparison,
+                            const Arguments& arguments) {
+    const auto width = output_size().width;
+    const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+    const auto difference = comparison.difference
+                                ? fmt::format("the edges differ by {} rms in {} frames",
+                                              format_value(*comparison.difference, "m", 3), comparison.frames)
+                                : std::string("the edges share no times");
+    return wrapped(difference, width) + "\n\n" +
+           tables::as_text_within(
+               answers::comparison_table(answer, comparison, name(arguments.frames.front()), name(arguments.beside)),
+               width);
 }
 
 Array1D jump_areas(const std::optional<answers::LineMotion>& motion) {
@@ -116,8 +141,16 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.save_line.empty()) bytes::write_whole_file(arguments.save_line, answers::line_csv(kept));
     write_table_or_figure(
         arguments.output, answers::as_table(answer), [&] { return figure(answer, arguments); }, arguments.common.json);
-    if (arguments.common.json) print_json(answers::to_json(answer));
-    else print(as_text(answer));
+    if (!arguments.beside.empty()) {
+        const auto comparison =
+            answers::beside(answer, answers::recorded_edge({arguments.beside}, arguments), arguments);
+        if (arguments.common.json) print_json(answers::to_json(answer, comparison));
+        else print(comparison_text(answer, comparison, arguments));
+    } else if (arguments.common.json) {
+        print_json(answers::to_json(answer));
+    } else {
+        print(as_text(answer));
+    }
     for (const auto& frame : kept.left_out) complain(frame);
     for (const auto& note : answer.notes) complain(note);
     return kept.left_out.empty() ? ExitCode::done : ExitCode::some_failed;
@@ -145,6 +178,20 @@ Action declare(Options& options) {
     options.add("--smallest-mode", arguments->smallest_mode, "of the roughness; 1 is the centre, 2 an ellipse")
         .default_shown();
     options.add("--largest-mode", arguments->largest_mode, "of the roughness; default a quarter of the places");
+    options
+        .add("--radius", arguments->sphere_radius,
+             "of the sphere, such as \"1 mm\": with --contact-modulus, what the edge works against")
+        .quantity(positive(dimension::length));
+    options.add("--contact-modulus", arguments->contact_modulus, "E* of both bodies, such as \"1 MPa\"")
+        .quantity(positive(dimension::pressure));
+    options
+        .add("--displacement", arguments->displacement,
+             "of the sphere, a table of time and displacement; default: that beside the edge")
+        .of_inputs();
+    options
+        .add("--beside", arguments->beside,
+             "table of another edge of this contact, such as a simulated one: both side by side")
+        .of_inputs();
     options.add("--save-line", arguments->save_line, "write the edge itself, r at every angle and time, OUT.csv");
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
@@ -153,6 +200,9 @@ Action declare(Options& options) {
     options.example("setae jkr line stack.tif --um-per-px 1.82 --fps 10 --save-line edge.csv -o frames.csv",
                     "with the edge of every frame as a table");
     options.example("setae jkr line edge.csv --ring-width \"5 um\"", "again, with other cells");
+    options.example(
+        "setae jkr line recording.avi --pixel \"1.82 um\" --fps 10 --radius \"1 mm\" --contact-modulus \"1 MPa\" --displacement stage.csv",
+        "and what the edge works against, place by place");
     return action(options, arguments, explanation, run);
 }
 

@@ -48,6 +48,7 @@ namespace lab_area_command { Action declare(Options&); }
 namespace lab_loops_command { Action declare(Options&); }
 namespace lab_contours_command { Action declare(Options&); }
 namespace lab_foil_command { Action declare(Options&); }
+namespace lab_recording_command { Action declare(Options&); }
 namespace schema_command { Action declare(Options&); }
 namespace cache_command { Action declare(Options&); }
 namespace completion_command { Action declare(Options&); }
@@ -130,6 +131,8 @@ constexpr Command table[] = {
     {"lab", "loops", "fit many noisy loops that are known: bias and coverage of every fit", lab_loops_command::declare},
     {"lab", "contours", "trace contours in rendered micrographs of known curves: errors, heights, spectra, overhangs",
      lab_contours_command::declare},
+    {"lab", "recording", "render the edge of a contact as a camera records it: a recording whose truth is known",
+     lab_recording_command::declare},
     {"lab", "foil", "what the silhouette of a foil shows of a surface with a given spectrum",
      lab_foil_command::declare},
     {"", "schema", "what each verb's JSON holds: names, types, units and meanings as JSON Schema",

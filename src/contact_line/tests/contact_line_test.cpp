@@ -32,6 +32,34 @@ TEST(LineShape, DeviationIsWithoutCentreAndEllipse) {
     EXPECT_NEAR(shape.area[0], pi * (9.0 + 0.5 * (0.09 + 0.04 + 0.0001)), 1e-12);
 }
 
+TEST(ContactLine, AtFewerAnglesKeepsItsWaves) {
+    const auto wavy = [](double angle, double) {
+        return 3.0 + 0.2 * std::cos(angle) + 0.05 * std::sin(7.0 * angle) + 0.04 * std::cos(15.0 * angle);
+    };
+    const auto fine = line_of(once, 96, wavy), coarse = line_of(once, 32, wavy);
+    const auto thinned = at_fewer_angles(fine, 32);
+    EXPECT_LT((thinned.radius - coarse.radius).abs().maxCoeff(), 1e-14);
+    EXPECT_LT((at_fewer_angles(fine, 96).radius - fine.radius).abs().maxCoeff(), 1e-14);
+    // waves that they cannot hold are left out, not folded
+    const auto finer =
+        line_of(once, 96, [&](double angle, double t) { return wavy(angle, t) + 0.1 * std::cos(20.0 * angle); });
+    EXPECT_LT((at_fewer_angles(finer, 32).radius - coarse.radius).abs().maxCoeff(), 1e-14);
+    EXPECT_THROW((void)at_fewer_angles(fine, 97), InvalidArgument);
+    EXPECT_THROW((void)at_fewer_angles(fine, 15), InvalidArgument);
+}
+
+TEST(ContactLine, AtOtherTimesLiesBetweenItsFrames) {
+    const Array1D times{{1.0, 2.0, 4.0}};
+    const auto line = line_of(times, 16, [](double angle, double t) { return 5.0 + t * t + std::cos(angle); });
+    const Array1D wanted{{1.0, 1.5, 3.0, 4.0}};
+    const auto found = at_times(line, wanted);
+    EXPECT_NEAR(found.radius(0, 0), 7.0, 1e-14);
+    EXPECT_NEAR(found.radius(1, 0), 8.5, 1e-14);
+    EXPECT_NEAR(found.radius(2, 0), 16.0, 1e-14);
+    EXPECT_NEAR(found.radius(3, 0), 22.0, 1e-14);
+    EXPECT_THROW((void)at_times(line, Array1D{{4.1}}), InvalidArgument);
+}
+
 TEST(ContactLine, OutsideItsDomainIsRefusedWithTheFrame) {
     auto line = line_of(Array1D::LinSpaced(3, 0.0, 2.0), 16, [](double, double) { return 1.0; });
     EXPECT_NO_THROW(require_valid(line));

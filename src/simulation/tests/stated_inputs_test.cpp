@@ -217,7 +217,8 @@ TEST(Calibrations, DivideWhatInstrumentsState) {
     compare("loops/A_E07.csv", 2, *c.displacement, 5e-5);
     compare("loops/A_E07.csv", 3, *c.contact_radius, 5e-6);
     const auto map = [](const fs::path& folder) {
-        return std::get<topography::HeightMap>(formats::read((folder / "A/afm_1.txt").string(), 0, {}));
+        const auto measurement = formats::read((folder / "A/afm_1.txt").string(), 0, {});
+        return std::get<topography::HeightMap>(measurement);
     };
     const auto found = map(stated), truth = map(exact);
     EXPECT_NEAR(found.size[0] * c.afm.lateral->value, truth.size[0], 1e-8 * truth.size[0]);

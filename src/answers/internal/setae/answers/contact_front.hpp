@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setae/answers/contact_problem.hpp"
+#include "setae/contact_line/contact_line.hpp"
 #include "setae/crack_front/front_loop.hpp"
 #include "setae/crack_front/pinning.hpp"
 #include "setae/parallel/for_each.hpp"
@@ -22,7 +23,8 @@ struct FrontRequest {
     std::string shortest_wavelength;                        ///< that counts; empty: four pixels
     std::string model = "constant_toughness";
     std::string method = "trust_region";
-    int steps = 500;  ///< on the way there
+    int steps = 500;       ///< on the way there
+    std::string duration;  ///< "100 s" of the way there, at one speed; empty: no edge is kept
 
     /// @throws InvalidArgument for what is missing, malformed or contradicts itself, before heights are read.
     void require_complete() const;
@@ -38,6 +40,8 @@ struct FrontRun {
     double contact_radius = 0.0;  ///< √(A/π) where it turns [m]
     std::optional<crack_front::BranchWorks> works;
     std::string reason;  ///< why there are none
+    contact_line::ContactLine edge;    ///< where it is kept, while there is contact: at up to 512 angles …
+    Array1D displacement, force;       ///< … and with these at each time [m], [N]
 
     /// k of W_ret − W_appr = 2k U_el/A; NaN without works.
     [[nodiscard]] double pinning_coefficient() const;
@@ -50,6 +54,7 @@ struct FrontAnswer {
     double shortest_wavelength = 0.0;  ///< [m]
     std::vector<FrontRun> runs;
     Table steps;                       ///< crack_front::loop_table() of the first
+    Table edge;  ///< of the first, where it is kept: contact_line::as_table() with "displacement" and "force"
     std::vector<Quantity> quantities;  ///< means over the surfaces, ± of their mean where there are several
     std::vector<Alert> alerts;
 };

@@ -21,6 +21,8 @@ struct LineRequest : RadiusRequest {
     std::string ring_width;                    ///< "2 um"; empty: the program's choice
     double threshold = 3.0;                    ///< of jumps and arrests, against the mean speed
     long smallest_mode = 3, largest_mode = 0;  ///< of the roughness
+    std::string sphere_radius, contact_modulus;  ///< "1 mm", "1 MPa": of the release rate, which takes both
+    std::string displacement;                    ///< table of "time" and "displacement"; empty: the edge's own
 
     [[nodiscard]] imaging::LineOptions line_options(parallel::Threads threads = {}) const;
 };
@@ -32,6 +34,14 @@ struct LineMotion {
     std::optional<contact_line::PowerLawTail> speed_tail, jump_tail;  ///< of v/⟨v⟩; of areas
 };
 
+/// What the edge works against on the way there or back: contact_line::local_release_rate() of the frames before or
+/// after the widest contact.
+struct ReleaseRate {
+    Index frames = 0;
+    double mean = 0.0;     ///< over frames and angles [J/m²]
+    double scatter = 0.0;  ///< root of the mean variance along the edge [J/m²]
+};
+
 /// All that is found of an edge. No roughness, or no motion in either direction, has its reason in `notes`; a tail of
 /// too few numbers is left out.
 struct LineAnswer {
@@ -39,6 +49,7 @@ struct LineAnswer {
     contact_line::LineShape shape;
     std::optional<contact_line::LineRoughness> roughness;
     std::optional<LineMotion> advancing, receding;
+    std::optional<ReleaseRate> advancing_rate, receding_rate;
     std::vector<std::string> notes;
 };
 
@@ -50,17 +61,21 @@ struct LineAnswer {
 struct RecordedEdge {
     imaging::RecordedLine line;
     std::optional<imaging::ContactRadii> radii;
+    std::optional<Array1D> displacement;  ///< at the line's times [m], where a table has it
 };
 
 /// Of pictures, or of one table that recorded_line() reads, "….csv". @throws as reading them does.
 [[nodiscard]] RecordedEdge recorded_edge(const std::vector<std::string>& files, const LineRequest& request,
                                          parallel::Threads threads = {});
 
-/// What recorded_line() reads: contact_line::as_table() as CSV below "# place_error: …".
+/// A table of contact_line::as_table() as CSV below "# place_error: …", which recorded_line() reads.
+[[nodiscard]] std::string edge_csv(const Table& table);
+/// The same of a recording.
 [[nodiscard]] std::string line_csv(const imaging::RecordedLine& recorded);
 
-/// @throws InvalidArgument for a band of modes or a threshold outside their domain.
-[[nodiscard]] LineAnswer contact_line_answer(imaging::RecordedLine recorded, const LineRequest& request);
+/// @throws InvalidArgument for a band of modes or a threshold outside their domain, and for a release rate without
+/// sphere, modulus or displacements.
+[[nodiscard]] LineAnswer contact_line_answer(RecordedEdge recorded, const LineRequest& request);
 
 /// Areas of clusters [m²].
 [[nodiscard]] Array1D areas_of(const std::vector<contact_line::Cluster>& clusters);

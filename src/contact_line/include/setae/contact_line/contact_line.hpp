@@ -22,6 +22,14 @@ struct ContactLine {
 /// message says which frame.
 void require_valid(const ContactLine& line);
 
+/// The edge at fewer angles, by its waves that these can hold. angles: 16 to those it has.
+/// @throws InvalidArgument as require_valid, and for other angles.
+[[nodiscard]] ContactLine at_fewer_angles(const ContactLine& line, Index angles);
+
+/// The edge at other times within its own [s], in a straight line between frames.
+/// @throws InvalidArgument as require_valid, and for a time before the first frame or after the last.
+[[nodiscard]] ContactLine at_times(const ContactLine& line, const ArrayView1D& times);
+
 /// Geometry of the edge in every frame.
 struct LineShape {
     Array1D mean_radius;  ///< ⟨r⟩ over angles [m]

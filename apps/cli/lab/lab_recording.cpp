@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/contact_line/line_table.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
+#include "setae/output/json.hpp"
+#include "setae/simulation/recording.hpp"
+#include "setae/tables/table_file.hpp"
+
+namespace setae::cli::lab_recording_command {
+namespace {
+
+constexpr const char* explanation =
+    "the edge of a contact, simulated (`setae contact front --save-line`) or found (`setae jkr line --save-line`), as a camera records it\n"
+    "  I = inside + contrast/2 (1 + erf(d/(sqrt 2 blur))) + noise, d the distance from the edge, in 256 levels\n"
+    "what `setae jkr line` finds in it is to be held against the edge: docs/guides/contact-line.md\n";
+
+struct Arguments : simulation::RecordingOptions {
+    Common common;
+    std::string edge, pixel, output;
+};
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.pixel.empty()) throw InvalidArgument("a recording needs --pixel, such as \"1 um\"");
+    if (!arguments.output.ends_with(".tif") && !arguments.output.ends_with(".tiff"))
+        throw InvalidArgument("a recording is a TIFF stack; expected -o OUT.tif");
+    simulation::RecordingOptions options = arguments;
+    options.pixel_size = parse_quantity(arguments.pixel, positive(dimension::length));
+    options.threads = arguments.common.workers();
+    const auto edge = contact_line::line_of(tables::read_table(arguments.edge));
+    const auto shape = simulation::write_recording(arguments.output, edge, options);
+    if (arguments.common.json)
+        print_json({{"file", arguments.output},
+                    {"frames", shape.frames},
+                    {"size", {shape.width, shape.height}},
+                    {"pixel_size", {{"value", options.pixel_size}, {"unit", "m"}}},
+                    {"frame_rate", {{"value", options.frame_rate}, {"unit", "1/s"}}}});
+    else print(fmt::format("{}: {} frames of {} x {} px\n", arguments.output, shape.frames, shape.width, shape.height));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("edge", arguments->edge, "table of the edge: time, radius_1 … radius_N").of_inputs();
+    options.add("--pixel", arguments->pixel, "size of a pixel, such as \"1 um\"").quantity(positive(dimension::length));
+    options.add("--fps", arguments->frame_rate, "frames a second").positive().default_shown();
+    options.add("--inside", arguments->inside, "grey level of the contact").default_shown();
+    options.add("--contrast", arguments->contrast, "grey levels that the outside has more").default_shown();
+    options.add("--blur", arguments->blur, "of the edge, one standard deviation [px]").positive().default_shown();
+    options.add("--noise", arguments->noise, "of a pixel, one standard deviation [levels]").default_shown();
+    options.add("--seed", arguments->seed, "of the noise").default_shown();
+    options.add("-o,--output", arguments->output, "OUT.tif");
+    options.example("setae lab recording edge.csv --pixel \"0.5 um\" --fps 5 -o recording.tif",
+                    "then: setae jkr line recording.tif");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::lab_recording_command
