@@ -42,6 +42,15 @@ double mean_inside(const topography::HeightMap& map, const std::array<double, 2>
     return n > 0 ? sum / static_cast<double>(n) : 0.0;
 }
 
+double mean_square_fade(const topography::HeightMap& map, const std::array<double, 2>& centre, double radius,
+                        double edge) {
+    double sum = 0.0;
+    for (Index i = 0; i < map.heights.rows(); ++i)
+        for (Index j = 0; j < map.heights.cols(); ++j)
+            sum += std::pow(fade(distance_from(map, centre, i, j), radius, edge), 2);
+    return sum / static_cast<double>(map.heights.size());
+}
+
 void check(const topography::HeightMap& map, const MapOnFront& options, double largest_radius) {
     topography::validate(map);
     if (const Index undefined = map.heights.isNaN().count(); undefined > 0)
@@ -105,6 +114,7 @@ MapModes modes_of(const topography::HeightMap& map, const MapOnFront& options, d
     fourier::transform_map(nx, ny, load, consume, threads);
     MapModes modes;
     modes.mean = mean + sum / points;
+    if (!map.periodic) modes.seen = mean_square_fade(map, options.centre, largest_radius, edge);
     const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
         to.insert(to.end(), from.begin(), from.end());
     };
@@ -124,7 +134,7 @@ ModeEnergy energy_of(const MapModes& modes, double contact_modulus) {
         variance += power;
         stored += std::hypot(modes.qx[m], modes.qy[m]) * power;
     }
-    return {.stored_energy = 0.25 * contact_modulus * stored,
+    return {.stored_energy = 0.25 * contact_modulus * stored / modes.seen,
             .mean_wavelength = stored > 0.0 ? 2.0 * pi * variance / stored : 0.0};
 }
 

@@ -14,6 +14,7 @@ namespace setae::crack_front {
 struct MapModes {
     std::vector<double> qx, qy, real, imaginary;
     double mean = 0.0;
+    double seen = 1.0;  ///< mean square of what the map was faded with: its waves' power over that of the surface
 
     [[nodiscard]] std::size_t count() const { return qx.size(); }
 };
@@ -22,7 +23,8 @@ struct MapModes {
 [[nodiscard]] MapModes modes_of(const topography::HeightMap& map, const MapOnFront& options, double largest_radius,
                                 parallel::Threads threads);
 
-/// U_el/A = (E*/4) Σ|q||h_q|² [J/m²] and 2π Σ|h_q|²/Σ|q||h_q|² [m] of all modes.
+/// U_el/A = (E*/4) Σ|q||h_q|² [J/m²] and 2π Σ|h_q|²/Σ|q||h_q|² [m] of all modes; of a map that was faded out, of the
+/// surface that it shows.
 struct ModeEnergy {
     double stored_energy = 0.0, mean_wavelength = 0.0;
 };

@@ -135,6 +135,26 @@ TEST(StressIntensity, OfAMapThatEndsFadesBeyondTheFront) {
     EXPECT_LT((periodic.values - ends.values).leftCols(30).square().mean(), 0.01 * rms * rms);
 }
 
+// Of the surface that the map shows, not of what is left of it behind the fade
+TEST(StressIntensity, OfAMapThatEndsStoresAsItsSurface) {
+    constexpr int seeds = 6;
+    double mean = 0.0, squares = 0.0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        auto map = rough(128, seed, 8.0, 16.0);
+        const auto stored = [&] {
+            return stress_intensity_on_rays(map, {1.0, 8.0, {64.0, 64.0}}, 80, {41, 0.0, 1.0}).stored_energy;
+        };
+        const double whole = stored();
+        map.periodic = false;
+        const double ratio = stored() / whole;
+        mean += ratio / seeds;
+        squares += ratio * ratio / seeds;
+    }
+    const double error = std::sqrt((squares - mean * mean) / (seeds - 1));
+    EXPECT_LT(error, 0.1);
+    EXPECT_NEAR(mean, 1.0, 3.0 * error);
+}
+
 TEST(StressIntensity, OfWorksOnRaysIsTheMapItself) {
     auto map = wave(64, 2, 1);
     map.heights += 3.0;
