@@ -281,6 +281,15 @@ def test_contact_front(printed):
     assert several.json() == printed("contact", "front", "rougher/truth.csv", *typed, *made)
     with pytest.raises(setae.InvalidArgument, match="--to-force"):
         setae.contact_front("coarse.nc", radius="1 mm", contact_modulus="1 MPa", W_int="50 mJ/m2")
+    with pytest.raises(setae.InvalidArgument, match="duration"):
+        front.save_edge("edge.csv")
+    kept = setae.contact_front("coarse.nc", **asked, shortest_wavelength="4 um", duration="10 s")
+    kept.save_edge("edge.csv")
+    sphere = {"radius": asked["radius"], "contact_modulus": asked["contact_modulus"]}
+    line = setae.contact_line("edge.csv", **sphere)
+    assert line.json() == printed("jkr", "line", "edge.csv", "--radius", "10 um", "--contact-modulus", "100 kPa")
+    assert numpy.array_equal(line["time"], kept.edge["time"])
+    assert line.data["release_rate"]["receding"]["mean"]["value"] == pytest.approx(0.05, rel=0.05)
 
 
 def test_persson(printed):

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "setae/contact/elasticity.hpp"
+#include "setae/contact/jkr.hpp"
 #include "setae/contact_line/line_table.hpp"
 #include "setae/contact_line/local_release_rate.hpp"
 #include "setae/core/errors.hpp"
@@ -69,11 +70,36 @@ std::optional<Array1D> displacement_of(const RecordedEdge& edge, const LineReque
     });
 }
 
-std::optional<ReleaseRate> release_rate(const Array2D& rates) {
+/// Variance of G along the edge by white noise of its places, in each frame: of the modes of r, each of variance σ²/N,
+/// G takes (∂G_J/∂r + (G_J/r) |n|)² up to the largest that it is told, and (∂G_J/∂r)² of the others.
+Array1D noise_variance(const contact_line::ContactLine& line, const Array1D& mean_radius, const Array1D& displacement,
+                       const contact::SphereOnFlat& sphere, Index largest_mode) {
+    const Index n = line.angles(), last = largest_mode > 0 ? std::min(largest_mode, n / 2) : n / 2;
+    const double of_mode = line.place_error * line.place_error / static_cast<double>(n);
+    return Array1D::NullaryExpr(line.frames(), [&](Index i) {
+        constexpr double step = 1e-5;
+        const auto rate = [&](double r) {
+            return contact::jkr::energy_release_rate_at_displacement(r, displacement[i], sphere);
+        };
+        const double r = mean_radius[i], bend = rate(r) / r,
+                     slope = (rate(r * (1.0 + step)) - rate(r * (1.0 - step))) / (2.0 * step * r);
+        double sum = 0.0;
+        for (Index k = 1; k <= n / 2; ++k) {
+            const double answer = slope + (k <= last ? bend * static_cast<double>(k) : 0.0);
+            sum += (2 * k == n ? 1.0 : 2.0) * answer * answer;
+        }
+        return of_mode * sum;
+    });
+}
+
+std::optional<ReleaseRate> release_rate(const Array2D& rates, const Array1D& noise) {
     if (rates.rows() == 0) return std::nullopt;
     const Array1D means = rates.rowwise().mean();
     const double variance = (rates.colwise() - means).square().mean();
-    return ReleaseRate{.frames = rates.rows(), .mean = means.mean(), .scatter = std::sqrt(variance)};
+    return ReleaseRate{.frames = rates.rows(),
+                       .mean = means.mean(),
+                       .scatter = std::sqrt(std::max(0.0, variance - noise.mean())),
+                       .noise = std::sqrt(noise.mean())};
 }
 
 void add_release_rate(LineAnswer& answer, const Array1D& displacement, const LineRequest& request) {
@@ -86,15 +112,19 @@ void add_release_rate(LineAnswer& answer, const Array1D& displacement, const Lin
     const Array2D rates = contact_line::local_release_rate(line, displacement, sphere, largest);
     Index widest = 0;
     answer.shape.mean_radius.maxCoeff(&widest);
-    answer.advancing_rate = release_rate(rates.topRows(widest));
-    answer.receding_rate = release_rate(rates.bottomRows(line.frames() - 1 - widest));
+    const Index after = line.frames() - 1 - widest;
+    const Array1D noise = noise_variance(line, answer.shape.mean_radius, displacement, sphere, largest);
+    answer.advancing_rate = release_rate(rates.topRows(widest), noise.head(widest));
+    answer.receding_rate = release_rate(rates.bottomRows(after), noise.tail(after));
 }
 
 output::Json rate_json(const std::optional<ReleaseRate>& rate) {
     if (!rate) return nullptr;
     return {{"frames", rate->frames},
             {"mean", {{"value", rate->mean}, {"unit", "J/m2"}}},
-            {"scatter", {{"value", rate->scatter}, {"unit", "J/m2"}}}};
+            {"scatter", {{"value", rate->scatter}, {"unit", "J/m2"}}},
+            {"noise", {{"value", rate->noise}, {"unit", "J/m2"}}},
+            {"energy_share", rate->energy_share()}};
 }
 
 output::Json tail_json(const std::optional<contact_line::PowerLawTail>& tail, const char* quantity, const char* symbol,

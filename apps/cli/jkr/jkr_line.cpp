@@ -34,6 +34,7 @@ constexpr const char* explanation =
     "jumps        cells that hang together and are faster than --threshold times the mean speed; arrests: slower than 1/threshold\n"
     "tails        p(x) ~ x^-tau beyond where that fits best; distance: Kolmogorov's                 Clauset et al. (2009)\n"
     "release rate G = G_J(r, d) (1 + 1/r sum |n| r_n exp(in theta)), G_J = E*(d - r^2/R)^2/(2 pi r)        Gao, Rice (1987)\n"
+    "             roughness makes it scatter by 2 sqrt(U_el/AW) of itself                                    docs/theory/crack-front.md\n"
     "voids        pixels inside the edge that are as bright as the outside\n"
     "a table of --save-line, or of a simulation with columns time, radius_1 ... radius_N, is read in place of pictures\n"
     "docs/guides/contact-line.md\n";
@@ -72,9 +73,9 @@ std::string motion_text(const char* direction, const std::optional<answers::Line
 
 std::string rate_text(const char* direction, const std::optional<answers::ReleaseRate>& rate) {
     if (!rate) return {};
-    return fmt::format("energy release rate {} {}, it scatters along the edge by {}, {:.2g} of it", direction,
-                       format_value(rate->mean, "J/m2", 3), format_value(rate->scatter, "J/m2", 3),
-                       rate->scatter / rate->mean);
+    return fmt::format(
+        "energy release rate {} {}, it scatters along the edge by {}: roughness of U_el/AW = {:.3g} does that",
+        direction, format_value(rate->mean, "J/m2", 3), format_value(rate->scatter, "J/m2", 3), rate->energy_share());
 }
 
 std::string as_text(const answers::LineAnswer& answer) {

@@ -39,7 +39,11 @@ struct LineMotion {
 struct ReleaseRate {
     Index frames = 0;
     double mean = 0.0;     ///< over frames and angles [J/m²]
-    double scatter = 0.0;  ///< root of the mean variance along the edge [J/m²]
+    double scatter = 0.0;  ///< root of the mean variance along the edge, less what the noise of places makes [J/m²]
+    double noise = 0.0;    ///< that [J/m²]
+
+    /// U_el/AW of roughness that makes such a scatter, (scatter/mean)²/4: std(w_R)/w = 2√(U_el/AW).
+    [[nodiscard]] double energy_share() const { return 0.25 * (scatter / mean) * (scatter / mean); }
 };
 
 /// All that is found of an edge. No roughness, or no motion in either direction, has its reason in `notes`; a tail of
