@@ -255,6 +255,7 @@ void bind_sweep(nb::module_& module) {
     request.def_rw("stage_stiffness", &Request::stage_stiffness)
         .def_rw("to_gap", &Request::to_gap)
         .def_rw("to_pressure", &Request::to_pressure)
+        .def_rw("largest_move", &Request::largest_move)
         .def_rw("maps", &Request::maps);
     nb::class_<Sweep>(module, "Sweep")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Sweep&>(self).steps, self); })

@@ -150,6 +150,7 @@ def contact_sweep(
     stage_stiffness: Text | None = None,
     to_gap: Text | None = None,
     to_pressure: Text | None = None,
+    largest_move: float = 1.0,
     maps: bool = False,
     layer: Text | None = None,
     bonded: bool = False,
@@ -166,6 +167,7 @@ def contact_sweep(
 
     W_int, range, law, the body, and what a surface is made from: as of :func:`contact`.  stage_stiffness: of a stage that is moved, "10 N/m"; else the mean gap is.
     to_gap, to_pressure: where it turns; without them at full contact.  A cell has a loss of its own, even a flat one.
+    largest_move: of any gap in a step, in ranges: 2 takes two thirds of the time, works change by up to 1 %.
     maps: keep the states point by point where it is first pressed, "approach_zero_load", turns, "turn", is first drawn, "separation_zero_load",
     and is drawn most, "greatest_tension".
 
@@ -184,6 +186,7 @@ def contact_sweep(
         stage_stiffness=stage_stiffness,
         to_gap=to_gap,
         to_pressure=to_pressure,
+        largest_move=largest_move,
         maps=maps,
         layer=layer,
         bonded=bonded,

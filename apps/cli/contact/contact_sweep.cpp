@@ -125,6 +125,11 @@ Action declare(Options& options) {
         .quantity(non_negative(dimension::length));
     options.add("--to-pressure", arguments->to_pressure, "turn where the mean pressure reaches this")
         .quantity(positive(dimension::pressure));
+    options
+        .add("--largest-move", arguments->largest_move,
+             "of any gap in a step, in ranges: 2 takes two thirds of the time, works change by up to 1 %")
+        .positive()
+        .default_shown();
     options.add(
         "--restart", arguments->restart,
         "file written every 20 steps; where it exists the sweep goes on from there, to the same bytes; removed at the end");

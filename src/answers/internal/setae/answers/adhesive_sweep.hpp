@@ -17,6 +17,7 @@ struct SweepRequest : BodyRequest, InteractionRequest {
     std::string stage_stiffness;  ///< "10 N/m"; empty: the mean gap is moved
     std::string to_gap;           ///< where it turns; empty: full contact
     std::string to_pressure;      ///< or there, where that comes first
+    double largest_move = 1.0;    ///< of any gap in a step, over the range
     std::string restart;          ///< file a stopped sweep goes on from
     bool maps = false;            ///< whether states are kept point by point; not with a restart file
 
