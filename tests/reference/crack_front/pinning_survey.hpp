@@ -25,4 +25,12 @@ struct Result {
 
 Result run(const Case& which, double step = 0.5);
 
+/// The same surface in two bands of √band each: a front through all its waves at once, and two after each other. The
+/// works of the finer band are those that the coarser one has on approach and on retraction.
+struct BandsResult {
+    Result together, apart;
+    double fine_share = 0.0;  ///< of U_el in the finer band
+};
+BandsResult run_in_bands(const Case& which, double step = 0.5);
+
 }  // namespace pinning_survey

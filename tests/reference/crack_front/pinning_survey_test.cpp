@@ -20,4 +20,12 @@ TEST(PinningSurvey, ALongFrontLosesTwiceKTimesTheStoredEnergy) {
     EXPECT_NEAR(strong.pinning_coefficient, 2.02, 0.4);
 }
 
+TEST(PinningSurvey, TwoBandsAfterEachOtherLoseAboutWhatTheyDoTogether) {
+    const auto result = pinning_survey::run_in_bands({.energy_share = 0.1, .way = 256, .width = 512}, 1.0);
+    EXPECT_TRUE(result.together.converged && result.apart.converged);
+    EXPECT_GT(result.fine_share, 0.2);
+    EXPECT_LT(result.fine_share, 0.5);
+    EXPECT_NEAR(result.apart.pinning_coefficient / result.together.pinning_coefficient, 1.0, 0.35);
+}
+
 }  // namespace pinning_survey_test
