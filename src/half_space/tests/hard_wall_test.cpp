@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -110,6 +111,28 @@ TEST(HardWall, OnOneWaveConvergesWithThePixelSquared) {
         EXPECT_GT(order(&HardWallContact::mean_gap, wave.mean_gap()), 1.5);
         EXPECT_GT(order(&HardWallContact::stored_energy, wave.energy()), 1.5);
     }
+}
+
+// h = Δ cos cos, two crests a square of side λ: full contact at p* = √2 π E* Δ/λ, and Hertz on each crest, of curvature
+// Δ (2π/λ)², under little (Johnson, Greenwood, Higginson, Int. J. Mech. Sci. 27 (1985) 383)
+TEST(HardWall, OfAnEggBoxIsHertzBelowAndFullAbove) {
+    constexpr Index n = 256;
+    constexpr double height = 0.01, full = std::numbers::sqrt2 * pi * height;
+    const Array2D heights = Array2D::NullaryExpr(n, n, [](Index i, Index j) {
+        return height * std::cos(2.0 * pi * static_cast<double>(i) / n) *
+               std::cos(2.0 * pi * static_cast<double>(j) / n);
+    });
+    const auto at = [&](double pressure) {
+        return solve(
+            {.grid = {n, n, 1.0, 1.0}, .body = {1.0, {}}, .heights = heights, .control = MeanPressure{pressure}});
+    };
+    EXPECT_EQ(at(1.001 * full).area.fraction, 1.0);
+    const double nearly = at(0.98 * full).area.fraction;
+    EXPECT_LT(nearly, 1.0);
+    EXPECT_GT(nearly, 0.9);
+    constexpr double light = 0.01 * full, crest_radius = 1.0 / (height * 4.0 * pi * pi);
+    const double a = std::cbrt(0.75 * 0.5 * light * crest_radius);
+    EXPECT_NEAR(at(light).area.corrected_fraction / (2.0 * pi * a * a), 1.0, 0.03);
 }
 
 TEST(HardWall, OfASphereIsHertz) {

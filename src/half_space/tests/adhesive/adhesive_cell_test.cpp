@@ -60,6 +60,21 @@ TEST(AdhesiveCell, KnowsTheEnergyOfFullContact) {
     EXPECT_NEAR(closed.tension, 0.5 - 0.5 * q * std::sqrt(8.0 * 0.3 / q), 1e-12);
 }
 
+// e = (k/8) Δ² of h = Δ cos cos, k = E* q/2, q = √2 2π/λ; the troughs open at σ − k Δ
+TEST(AdhesiveCell, KnowsTheEnergyOfAnEggBox) {
+    constexpr Index n = 64;
+    const double q = std::sqrt(2.0) * 2.0 * pi / n, k = 0.5 * q, height = std::sqrt(8.0 * 0.3 / k);
+    const Array2D heights = Array2D::NullaryExpr(n, n, [&](Index i, Index j) {
+        return height * std::cos(2.0 * pi * static_cast<double>(i) / n) *
+               std::cos(2.0 * pi * static_cast<double>(j) / n);
+    });
+    auto cell = patch(heights);
+    EXPECT_NEAR(cell.conformal_energy(), 0.3, 1e-12);
+    const auto closed = cell.solve(HeldGap{0.0});
+    EXPECT_NEAR(closed.energy(), 0.3 - 1.0, 1e-12);
+    EXPECT_NEAR(closed.tension, 1.0 / 1.5 - k * height, 1e-12);
+}
+
 // Attracted by hardly anything a displacement is that of the hard wall, of a half-space and of a layer.
 TEST(AdhesiveCell, DisplacedIsPressedAsAHardWall) {
     const Array2D heights = rough(64, 0.3, 3);

@@ -19,6 +19,7 @@ struct SphereCell {
     double range = 0.0;  ///< ρ
     AttractionLaw law = AttractionLaw::exponential;
     double depth = 0.1;  ///< displacement where it turns
+    Array2D roughness;   ///< added to the paraboloid; empty: none
 };
 
 struct SphereLoop {
@@ -46,8 +47,9 @@ inline SphereLoop approach_and_part(const SphereCell& sphere) {
     constexpr double modulus = 0.75, lattice_sum = 3.9002649;
     const double pixel = sphere.side / static_cast<double>(sphere.points), area = sphere.side * sphere.side;
     const auto at = [&](Index i) { return pixel * static_cast<double>(i - sphere.points / 2); };
-    const Array2D heights = Array2D::NullaryExpr(
-        sphere.points, sphere.points, [&](Index i, Index j) { return -0.5 * (at(i) * at(i) + at(j) * at(j)); });
+    Array2D heights = Array2D::NullaryExpr(sphere.points, sphere.points,
+                                           [&](Index i, Index j) { return -0.5 * (at(i) * at(i) + at(j) * at(j)); });
+    if (sphere.roughness.size() > 0) heights += sphere.roughness;
     AdhesiveCell cell(heights, {sphere.points, sphere.points, sphere.side, sphere.side}, {.contact_modulus = modulus},
                       {1.0 / pi, sphere.range, sphere.law});
     const auto loop = adhesive_loop(cell, {.turn = -heights.mean() - sphere.depth,
