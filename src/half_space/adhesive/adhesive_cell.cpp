@@ -11,6 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/summation.hpp"
+#include "setae/core/units.hpp"
 
 namespace setae::half_space {
 namespace {
@@ -103,8 +104,8 @@ public:
                      compliance = mean_compliance() + (stage_stiffness ? 1.0 / *stage_stiffness : 0.0);
         if (compliance > 0.0) return Stage{.position = gap, .stiffness = 1.0 / compliance};
         if (!(gap >= 0.0))
-            throw InvalidArgument(fmt::format("a displacement of {} m: full contact is reached at {} m, expected less",
-                                              displacement, touching_gap()));
+            throw InvalidArgument(fmt::format("a displacement of {}: full contact is reached at {}, expected less",
+                                              format_value(displacement, "m"), format_value(touching_gap(), "m")));
         return HeldGap{gap};
     }
     [[nodiscard]] double displacement(const AdhesiveState& state) const {
