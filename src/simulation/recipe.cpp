@@ -80,6 +80,9 @@ LoopRecipe read_loops(TomlReader& reader) {
                                                           {"opening", RetractionLaw::opening},
                                                           {"reversible", RetractionLaw::reversible}})
                     .value_or(loops.law);
+    loops.contact =
+        reader.choice<PlantedContact>("contact", {{"full", PlantedContact::full}, {"patches", PlantedContact::patches}})
+            .value_or(loops.contact);
     take(reader, "opening_work", dimension::surface_energy, loops.opening_work);
     if (loops.law == RetractionLaw::opening && !(loops.opening_work > 0.0))
         reader.fail("retraction", "opening needs opening_work, such as \"80 mJ/m2\"");

@@ -5,7 +5,7 @@
 
 #include "data_files.hpp"
 #include "name_hash.hpp"
-#include "setae/adhesion/work_of_adhesion.hpp"
+#include "setae/adhesion/partial_contact.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/hysteresis/retraction_model.hpp"
@@ -64,6 +64,26 @@ double departure(const Recipe& recipe, const std::string& surface, const std::st
            scatter.surface * normal("surface " + surface) + scatter.elastomer * normal("elastomer " + elastomer);
 }
 
+/// The contact of a pair, W_app without scatter in it: full as (7) has it, or what simulated patches touch, gain and
+/// store.
+hysteresis::PairState contact_state(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer,
+                                    double contact_modulus) {
+    hysteresis::PairState state{.area_ratio = surface.area_ratio,
+                                .stored_energy = contact_modulus * surface.parameters.elastic_energy_per_modulus,
+                                .work_of_adhesion = recipe.work_of_adhesion,
+                                .surface_energy = elastomer.surface_energy.value,
+                                .work_approach = 0.0,
+                                .tip_factor = elastomer.tip_factor};
+    const double gain = state.conforming_gain();
+    state.work_approach = gain - state.stored_energy;
+    if (recipe.loops->contact == PlantedContact::full || !(gain > 0.0)) return state;
+    const auto contact = adhesion::unloaded_contact(state.stored_energy / gain);
+    state.contact_fraction = contact.area_fraction;
+    state.stored_energy = std::max(0.0, contact.area_fraction - contact.gain) * gain;
+    state.work_approach = contact.gain * gain;
+    return state;
+}
+
 RoughPair rough_pair(const Recipe& recipe, const std::string& name, const SurfaceTruth& surface,
                      const ElastomerRecipe& elastomer) {
     const LoopRecipe& loops = *recipe.loops;
@@ -71,29 +91,22 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const Surfac
         .specimen = {.radius = elastomer.sphere_radius.value, .contact_modulus = contact_modulus(recipe, elastomer)},
         .refusal = {}};
     hysteresis::HystereticSphere& specimen = pair.specimen;
-    const double stored_energy = specimen.contact_modulus * surface.parameters.elastic_energy_per_modulus;
-    const auto balance = adhesion::modified_balance(recipe.work_of_adhesion, elastomer.surface_energy.value,
-                                                    {.area_ratio = surface.area_ratio, .stored_energy = stored_energy});
-    const double work = balance.raw + departure(recipe, name, elastomer.name);
+    auto state = contact_state(recipe, surface, elastomer, specimen.contact_modulus);
+    const double work = state.work_approach + departure(recipe, name, elastomer.name);
     if (!(work > 0.0)) {
         pair.refusal = fmt::format(
-            "(7) gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
+            "{} gives W_app = {:.3g} mJ/m2, so the bodies would not conform; take a softer elastomer, a smoother "
             "surface or a larger work of adhesion",
-            1e3 * work);
+            loops.contact == PlantedContact::full ? "(7)" : "contact by patches", 1e3 * work);
         return pair;
     }
     specimen.work_approach = specimen.work_retraction = work;
     if (loops.law == RetractionLaw::loss) {
-        lose(pair, loops, loops.loss_factor * recipe.work_of_adhesion * surface.area_ratio);
+        lose(pair, loops, loops.loss_factor * recipe.work_of_adhesion * state.true_contact());
         specimen.work_retraction *= elastomer.tip_factor;
     } else {
         const hysteresis::RetractionModel model{law_of(loops.law), elastomer.tip_factor > 1.0};
-        const hysteresis::PairState state{.area_ratio = surface.area_ratio,
-                                          .stored_energy = stored_energy,
-                                          .work_of_adhesion = recipe.work_of_adhesion,
-                                          .surface_energy = elastomer.surface_energy.value,
-                                          .work_approach = work,
-                                          .tip_factor = elastomer.tip_factor};
+        state.work_approach = work;
         const auto line = hysteresis::retraction_line(model, state, {});
         specimen.work_retraction = std::max(work, line.slope * loops.opening_work + line.constant);
     }

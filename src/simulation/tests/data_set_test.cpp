@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "setae/adhesion/partial_contact.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/channel.hpp"
@@ -110,6 +111,33 @@ TEST(PlantedLoops, FollowBalanceSevenAndLoseWhatIsAsked) {
     EXPECT_NEAR(loops[0].truth.energy_loss() / (1.2 * 0.037 * r * loops[0].truth.largest_contact_area()), 1.0, 1e-9);
     EXPECT_EQ(loops[2].specimen.work_retraction, 0.040);
     EXPECT_EQ(loops[3].stage, "after");
+}
+
+// Where little is stored both are alike; a stiff body touches in part, gains more than (7) and opens less
+TEST(PlantedLoops, TouchInPartWhereARecipeSaysSo) {
+    Recipe recipe = recipe_of(small_recipe, "partial");
+    recipe.loops->reference_work.reset();
+    recipe.surfaces.resize(1);
+    recipe.loops->law = RetractionLaw::opening;
+    recipe.loops->opening_work = 0.12;
+    const SurfaceTruth surface = surface_truth(recipe.surfaces[0].surface);
+    const double r = surface.area_ratio, gain = 0.037 * r - 0.025 * (r - 1.0);
+    const auto planted = [&](double energy_share, PlantedContact contact) {
+        recipe.loops->contact = contact;
+        auto& elastomer = recipe.elastomers[0];
+        const double wanted = energy_share * gain / surface.parameters.elastic_energy_per_modulus;
+        elastomer.youngs_modulus.value = wanted * (1.0 - std::pow(elastomer.poisson_ratio, 2));
+        return planted_loops(recipe, {surface})[0].specimen;
+    };
+    const auto soft = planted(0.1, PlantedContact::full), soft_in_part = planted(0.1, PlantedContact::patches);
+    EXPECT_NEAR(soft_in_part.work_approach / soft.work_approach, 1.0, 1e-6);
+    EXPECT_NEAR(soft_in_part.work_retraction / soft.work_retraction, 1.0, 1e-6);
+    const auto stiff = planted(0.7, PlantedContact::full), stiff_in_part = planted(0.7, PlantedContact::patches);
+    const auto contact = adhesion::unloaded_contact(0.7);
+    EXPECT_NEAR(stiff.work_approach / gain, 0.3, 1e-3);
+    EXPECT_NEAR(stiff_in_part.work_approach / gain, contact.gain, 1e-3);
+    EXPECT_NEAR(stiff_in_part.work_retraction, 0.12 * contact.area_fraction * r, 1e-4);
+    EXPECT_NEAR(stiff.work_retraction, 0.12 * r, 1e-9);
 }
 
 // Surfaces alike and elastomers alike, so that the whole difference is what was drawn.

@@ -100,6 +100,12 @@ enum class RetractionLaw {
     reversible,  ///< W_ret = W_app
 };
 
+/// What the soft body touches.
+enum class PlantedContact {
+    full,     ///< everywhere, as (7) supposes
+    patches,  ///< what simulated patches touch under no load: adhesion::unloaded_contact
+};
+
 /// What happens to pairs of surface and elastomer without a loop: W_app <= 0, or jumps that alone lose more than
 /// E_loss.
 enum class NonconformingPairs {
@@ -119,6 +125,7 @@ struct LoopRecipe {
     LoadingProtocol protocol;
     LoopArtefacts artefacts;  ///< the key is the recipe's
     RetractionLaw law = RetractionLaw::loss;
+    PlantedContact contact = PlantedContact::full;
     double loss_factor = 1.0;   ///< f
     double opening_work = 0.0;  ///< W_x of the law `opening` [J/m²]
     WorkScatter work_scatter;
