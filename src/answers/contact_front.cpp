@@ -16,6 +16,7 @@
 #include "setae/contact_line/line_table.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/sample_mean.hpp"
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/core/words.hpp"
@@ -210,17 +211,11 @@ Estimate mean_of(const std::vector<FrontRun>& runs, const std::function<double(c
     for (const auto& run : runs)
         if (const double value = number(run); std::isfinite(value)) values.push_back(value);
     if (values.empty()) return {.value = undefined};
-    const auto n = static_cast<double>(values.size());
-    double mean = 0.0, squares = 0.0;
-    for (const double value : values) mean += value / n;
-    for (const double value : values) squares += (value - mean) * (value - mean);
-    Estimate result{.value = mean};
+    const auto mean = sample_mean(Eigen::Map<const Array1D>(values.data(), std::ssize(values)),
+                                  fmt::format("mean over {} surfaces", values.size()));
     constexpr double rounding = 1e-12;  // surfaces that are made alike store alike
-    if (values.size() < 2 || std::sqrt(squares) <= rounding * std::abs(mean)) return result;
-    result.standard_error = std::sqrt(squares / (n * (n - 1.0)));
-    result.degrees_of_freedom = n - 1.0;
-    result.method = fmt::format("mean over {} surfaces", values.size());
-    return result;
+    if (mean.standard_error <= rounding * std::abs(mean.value)) return {.value = mean.value};
+    return mean;
 }
 
 /// What a loop is read for.

@@ -6,23 +6,14 @@
 
 #include "branch.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/sample_mean.hpp"
 
 namespace setae::loops {
 namespace {
 
-/// Mean of values with the standard error that their scatter tells.
-Estimate mean_of(const Array1D& values, const char* method) {
-    const auto n = static_cast<double>(values.size());
-    const double mean = values.mean();
-    return {.value = mean,
-            .standard_error = std::sqrt((values - mean).square().sum() / (n * (n - 1.0))),
-            .method = method,
-            .degrees_of_freedom = n - 1.0};
-}
-
 Change change_of(const Array1D& values, Index ends) {
-    return {mean_of(values.head(ends), "scatter of the first samples"),
-            mean_of(values.tail(ends), "scatter of the last samples")};
+    return {sample_mean(values.head(ends), "scatter of the first samples"),
+            sample_mean(values.tail(ends), "scatter of the last samples")};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/resampling.hpp"
+#include "setae/core/sample_mean.hpp"
 #include "setae/core/statistics.hpp"
 
 namespace setae::statistics_test {
@@ -23,6 +24,19 @@ TEST(FExceedance, AgreesWithItsClosedForms) {
     EXPECT_NEAR(f_exceedance(t * t, 1.0, 7.0), 0.05, 1e-12);
     EXPECT_EQ(f_exceedance(0.0, 3.0, 4.0), 1.0);
     EXPECT_THROW((void)f_exceedance(-1.0, 3.0, 4.0), InvalidArgument);
+}
+
+TEST(SampleMean, HasTheErrorThatItsScatterTells) {
+    // of 1, 2, 3, 4: 5/2 ± √(5/12)
+    const auto mean = sample_mean(Array1D::LinSpaced(4, 1.0, 4.0), "samples");
+    EXPECT_DOUBLE_EQ(mean.value, 2.5);
+    EXPECT_DOUBLE_EQ(mean.standard_error, std::sqrt(5.0 / 12.0));
+    EXPECT_EQ(mean.degrees_of_freedom, 3.0);
+    EXPECT_EQ(mean.method, "samples");
+    const auto alone = sample_mean(Array1D::Constant(1, 7.0), "samples");
+    EXPECT_EQ(alone.value, 7.0);
+    EXPECT_FALSE(alone.uncertain());
+    EXPECT_FALSE(alone.degrees_of_freedom);
 }
 
 TEST(StudentTQuantile, AgreesWithItsClosedForms) {

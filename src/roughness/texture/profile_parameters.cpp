@@ -10,6 +10,7 @@
 #include "profile_lines.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/sample_mean.hpp"
 #include "setae/texture/height_parameters.hpp"
 #include "setae/topography/line_scans.hpp"
 #include "spatial_parameters.hpp"
@@ -31,16 +32,7 @@ Array1D values_of(const std::vector<Stretch>& sections, const std::function<doub
     return values;
 }
 
-/// Mean over sections with the standard error that their spread tells.
-Estimate mean_of(const Array1D& values) {
-    const auto n = static_cast<double>(values.size());
-    Estimate estimate{.value = values.mean()};
-    if (values.size() < 2) return estimate;
-    estimate.standard_error = std::sqrt((values - estimate.value).square().sum() / (n * (n - 1.0)));
-    estimate.method = "sections";
-    estimate.degrees_of_freedom = n - 1.0;
-    return estimate;
-}
+Estimate mean_over_sections(const Array1D& values) { return sample_mean(values, "sections"); }
 
 double line_size(const MeasurementView& line) {
     const auto* scan = line.as<topography::LineScan>();
@@ -155,17 +147,17 @@ std::vector<TextureParameter> profile_parameters(const MeasurementView& line, co
                        bandwidth(line, options.filters, options.kind, threads), undefined_alerts(line),
                        whole.heights.defined, letter_of(options.kind));
     const auto add = [&](std::string_view symbol, const std::function<double(const Stretch&)>& value) {
-        rows.add(symbol,
-                 options.averages == Averages::sections ? mean_of(values_of(parts, value)) : Estimate{value(whole)});
+        rows.add(symbol, options.averages == Averages::sections ? mean_over_sections(values_of(parts, value))
+                                                                : Estimate{value(whole)});
     };
     add("Rq", [](const Stretch& s) { return s.heights.Sq; });
     add("Rsk", [](const Stretch& s) { return s.heights.Ssk; });
     add("Rku", [](const Stretch& s) { return s.heights.Sku; });
     add("Ra", [](const Stretch& s) { return s.heights.Sa; });
     rows.add("Rt", {whole.heights.Sz});
-    rows.add("Rp", mean_of(values_of(parts, [](const Stretch& s) { return s.heights.Sp; })));
-    rows.add("Rv", mean_of(values_of(parts, [](const Stretch& s) { return s.heights.Sv; })));
-    rows.add("Rz", mean_of(section_heights));
+    rows.add("Rp", mean_over_sections(values_of(parts, [](const Stretch& s) { return s.heights.Sp; })));
+    rows.add("Rv", mean_over_sections(values_of(parts, [](const Stretch& s) { return s.heights.Sv; })));
+    rows.add("Rz", mean_over_sections(section_heights));
     rows.add("Rzx", {section_heights.maxCoeff()});
     add("RSm", [](const Stretch& s) { return s.elements.RSm; });
     add("RSmq", [](const Stretch& s) { return s.elements.RSmq; });
