@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -48,13 +50,14 @@ std::string number_of(const std::optional<double>& value, const char* unit) {
 
 /// What is said of one edge, in a text.
 struct Statement {
-    const char* quantity;
+    std::string quantity;
     std::function<std::string(const LineAnswer&)> text;
 };
 
-Statement of_motion(const char* quantity, std::optional<LineMotion> LineAnswer::*motion,
+Statement of_motion(std::string quantity, std::optional<LineMotion> LineAnswer::*motion,
                     const std::function<std::string(const LineMotion&)>& text) {
-    return {quantity, [=](const LineAnswer& answer) { return answer.*motion ? text(*(answer.*motion)) : "–"; }};
+    return {std::move(quantity),
+            [=](const LineAnswer& answer) { return answer.*motion ? text(*(answer.*motion)) : "–"; }};
 }
 
 std::string tail_text(const std::optional<contact_line::PowerLawTail>& tail) {
@@ -71,21 +74,16 @@ std::vector<Statement> statements() {
          [](const LineAnswer& a) { return number_of(std::sqrt(a.shape.deviation.square().mean()), "m"); }}};
     for (const auto& [direction, motion] :
          {std::pair{"receding", &LineAnswer::receding}, {"advancing", &LineAnswer::advancing}}) {
-        const auto add = [&, motion = motion](const char* what,
-                                              const std::function<std::string(const LineMotion&)>& text) {
-            list.push_back(of_motion(what, motion, text));
+        const auto add = [&, direction = direction, motion = motion](
+                             const char* what, const std::function<std::string(const LineMotion&)>& text) {
+            list.push_back(of_motion(fmt::format("{}: {}", direction, what), motion, text));
         };
-        const bool back = std::string(direction) == "receding";
-        add(back ? "receding: mean speed" : "advancing: mean speed",
-            [](const LineMotion& m) { return number_of(m.passage.mean_speed, "m/s"); });
-        add(back ? "receding: jumps" : "advancing: jumps",
-            [](const LineMotion& m) { return fmt::format("{}", m.jumps.size()); });
-        add(back ? "receding: largest jump" : "advancing: largest jump",
+        add("mean speed", [](const LineMotion& m) { return number_of(m.passage.mean_speed, "m/s"); });
+        add("jumps", [](const LineMotion& m) { return fmt::format("{}", m.jumps.size()); });
+        add("largest jump",
             [](const LineMotion& m) { return m.jumps.empty() ? "–" : number_of(m.jumps.front().area, "m2"); });
-        add(back ? "receding: exponent of jumps" : "advancing: exponent of jumps",
-            [](const LineMotion& m) { return tail_text(m.jump_tail); });
-        add(back ? "receding: arrests" : "advancing: arrests",
-            [](const LineMotion& m) { return fmt::format("{}", m.arrests.size()); });
+        add("exponent of jumps", [](const LineMotion& m) { return tail_text(m.jump_tail); });
+        add("arrests", [](const LineMotion& m) { return fmt::format("{}", m.arrests.size()); });
     }
     for (const auto& [what, rate] : {std::pair{"receding: release rate", &LineAnswer::receding_rate},
                                      {"advancing: release rate", &LineAnswer::advancing_rate}})
@@ -125,7 +123,7 @@ tables::TidyTable comparison_table(const LineAnswer& answer, const LineCompariso
     for (const auto& statement : statements()) {
         auto mine = statement.text(answer), theirs = statement.text(comparison.other);
         if (mine == "–" && theirs == "–") continue;
-        table.rows.push_back({std::string(statement.quantity), std::move(mine), std::move(theirs)});
+        table.rows.push_back({statement.quantity, std::move(mine), std::move(theirs)});
     }
     return table;
 }

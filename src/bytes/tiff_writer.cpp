@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/bytes/tiff_writer.hpp"
 
-#include <cstdarg>
 #include <memory>
 #include <vector>
 
