@@ -2,7 +2,6 @@
 #include "hold_growth.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "branch.hpp"
 #include "setae/core/constants.hpp"
