@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,8 +13,6 @@
 
 namespace setae::hysteresis {
 namespace {
-
-using contact::jkr::State;
 
 void require_positive(double value, const char* name, const char* unit) {
     if (!(value > 0.0 && std::isfinite(value)))
@@ -36,29 +33,6 @@ void require_valid(const HystereticSphere& sphere, const Pressing& pressing) {
         throw InvalidArgument(fmt::format("machine stiffness must be > 0 N/m, infinite for fixed grips, got {}",
                                           pressing.machine_stiffness));
 }
-
-/// States one after the other, as columns.
-class Course {
-public:
-    void add(const State& state, double branch) {
-        displacement_.push_back(state.displacement);
-        force_.push_back(state.force);
-        contact_radius_.push_back(state.contact_radius);
-        branch_.push_back(branch);
-    }
-
-    [[nodiscard]] Table table() const {
-        return {.columns = {column("displacement", "m", displacement_), column("force", "N", force_),
-                            column("contact_radius", "m", contact_radius_), column("branch", "1", branch_)},
-                .metadata = {}};
-    }
-
-private:
-    static Column column(const char* name, const char* unit, const std::vector<double>& values) {
-        return {name, unit, Array1D::Map(values.data(), static_cast<Index>(values.size()))};
-    }
-    std::vector<double> displacement_, force_, contact_radius_, branch_;
-};
 
 }  // namespace
 
@@ -101,25 +75,6 @@ double work_retraction_for_loss(HystereticSphere sphere, const Pressing& pressin
     // the edge alone then loses all of it, and the jump apart adds
     const double upper = lower + energy_loss / least.largest_contact_area();
     return numerics::bracketed_root(excess, lower, upper, 50);
-}
-
-Table loop_course(const HystereticSphere& sphere, const Pressing& pressing, int points) {
-    constexpr int fewest = 8;
-    if (points < fewest)
-        throw InvalidArgument(fmt::format("a loop of {} points a branch; expected {} or more", points, fewest));
-    const auto loop = sphere_loop(sphere, pressing);
-    const Machine machine(pressing.machine_stiffness);
-    Course course;
-    const auto along = [&](double from, double to, const contact::jkr::Contact& contact, double branch) {
-        for (int i = 0; i < points; ++i)
-            course.add(equilibrium(from + (to - from) * i / (points - 1), contact), branch);
-    };
-    const double largest = loop.turning_point.contact_radius;
-    course.add({}, 0.0);
-    along(loop.after_jump_in.contact_radius, largest, sphere.approach(), 0.0);
-    along(largest, loop.parting.contact_radius, sphere.retraction(), 1.0);
-    course.add({.force = 0.0, .displacement = machine.motor(loop.parting), .contact_radius = 0.0}, 1.0);
-    return course.table();
 }
 
 }  // namespace setae::hysteresis

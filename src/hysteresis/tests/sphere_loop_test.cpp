@@ -8,6 +8,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/hysteresis/loop_course.hpp"
 
 namespace setae::hysteresis {
 namespace {
@@ -44,8 +45,8 @@ TEST(SphereLoop, CourseEnclosesTheLoss) {
     for (const double stiffness : {30.0, std::numeric_limits<double>::infinity()}) {
         const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = stiffness};
         const double loss = sphere_loop(rough, pressing).energy_loss();
-        const double coarse = area_of(loop_course(rough, pressing, 100)) / loss - 1.0;
-        const double fine = area_of(loop_course(rough, pressing, 400)) / loss - 1.0;
+        const double coarse = area_of(loop_course(rough, pressing, {}, 100)) / loss - 1.0;
+        const double fine = area_of(loop_course(rough, pressing, {}, 400)) / loss - 1.0;
         EXPECT_LT(std::abs(fine), 2e-5) << stiffness;
         EXPECT_NEAR(coarse / fine, 16.0, 1.0) << "second order of the trapezoids";
     }
@@ -73,7 +74,7 @@ TEST(SphereLoop, RefusesWhatNoLoopHas) {
     EXPECT_THROW((void)sphere_loop(repelled, {.maximum_force = 1e-3}), InvalidArgument);
     EXPECT_THROW((void)sphere_loop(smooth, {.maximum_force = -1.0}), InvalidArgument);
     EXPECT_THROW((void)sphere_loop(smooth, {.maximum_force = 1e-3, .machine_stiffness = 0.0}), InvalidArgument);
-    EXPECT_THROW((void)loop_course(smooth, {.maximum_force = 1e-3}, 2), InvalidArgument);
+    EXPECT_THROW((void)loop_course(smooth, {.maximum_force = 1e-3}, {}, 2), InvalidArgument);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "axes.hpp"
 #include "setae/core/words.hpp"
+#include "setae/hysteresis/loop_course.hpp"
 
 namespace setae::file_figures {
 namespace {

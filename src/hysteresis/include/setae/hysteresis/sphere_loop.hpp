@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "setae/contact/jkr.hpp"
-#include "setae/core/table.hpp"
 
 namespace setae::hysteresis {
 
@@ -35,8 +34,10 @@ struct SphereLoop {
     double jump_in_loss = 0.0;    ///< [J]
     double edge_loss = 0.0;       ///< (W_ret − W_app) π a_max² [J]
     double jump_out_loss = 0.0;   ///< [J]
+    double speed_loss = 0.0;      ///< what an edge needs beyond W_ret because it moves [J]; 0 of one that does not mind
 
-    [[nodiscard]] double energy_loss() const { return jump_in_loss + edge_loss + jump_out_loss; }  ///< ∮ F dδ [J]
+    /// ∮ F dδ [J]
+    [[nodiscard]] double energy_loss() const { return jump_in_loss + edge_loss + jump_out_loss + speed_loss; }
     [[nodiscard]] double largest_contact_area() const;                                             ///< π a_max² [m²]
 };
 
@@ -57,11 +58,5 @@ struct SphereLoop {
 /// W_ret [J/m²] with which the loop loses a given energy [J]; sphere.work_retraction is not looked at.
 /// @throws InvalidArgument as sphere_loop(), and for a loss below that with W_ret = W_app, which the message names.
 [[nodiscard]] double work_retraction_for_loss(HystereticSphere sphere, const Pressing& pressing, double energy_loss);
-
-/// The loop as a curve: displacement δ [m], force [N], contact_radius [m], branch (0 approach, 1 retraction), in the
-/// order of time, `points` of them on each branch, jumps as vertical lines at fixed displacement of the motor. The area
-/// it encloses is energy_loss() as far as the points are dense.
-/// @throws InvalidArgument as sphere_loop(), and for fewer than 8 points.
-[[nodiscard]] Table loop_course(const HystereticSphere& sphere, const Pressing& pressing, int points = 200);
 
 }  // namespace setae::hysteresis
