@@ -104,6 +104,19 @@ study::StatedBodies LoopBodies::without_radius(const Table& loop) const {
     return bodies;
 }
 
+namespace {
+
+/// "0.1:20s": share and time.
+contact::RelaxationTerm relaxation_term(const std::string& text) {
+    const auto colon = text.find(':');
+    if (colon == std::string::npos)
+        throw InvalidArgument(fmt::format("relaxation '{}': expected SHARE:TIME such as 0.1:20s", text));
+    return {parse_quantity(text.substr(0, colon), non_negative(dimension::none)),
+            parse_quantity(text.substr(colon + 1), positive(dimension::time))};
+}
+
+}  // namespace
+
 loops::AnalysisOptions LoopSettings::options(const Table& loop) const {
     loops::AnalysisOptions options;
     options.samples_dropped = samples_dropped;
@@ -116,6 +129,7 @@ loops::AnalysisOptions LoopSettings::options(const Table& loop) const {
     options.true_area_ratio = area_ratio;
     options.segments.baseline_share = baseline_share;
     for (const auto& edit : segments) loops::add_segment_edit(options.segments.edits, edit);
+    for (const auto& term : relaxation) options.relaxation.push_back(relaxation_term(term));
     if (!displacement_drift.empty())
         options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::length / dimension::time);
     if (const auto stiffness = stiffness_of(*this, loop)) {

@@ -91,8 +91,8 @@ Table loop_course(const HystereticSphere& sphere, const Pressing& pressing, cons
             .metadata = {}};
 }
 
-ContactHistory contact_history(const HystereticSphere& sphere, const Pressing& pressing, const Drive& drive,
-                               const std::optional<MovingEdge>& edge, int points) {
+contact::ContactHistory contact_history(const HystereticSphere& sphere, const Pressing& pressing, const Drive& drive,
+                                        const std::optional<MovingEdge>& edge, int points) {
     require_valid(drive);
     const auto loop = states_of(sphere, pressing, edge, points);
     const Machine machine(pressing.machine_stiffness);
@@ -116,7 +116,7 @@ ContactHistory contact_history(const HystereticSphere& sphere, const Pressing& p
         add(leaving(held), held);
     }
     for (const auto& state : loop.retraction) add(leaving(state), state);
-    ContactHistory history{.turn = turn};
+    contact::ContactHistory history{.turn = turn};
     const auto n = static_cast<Index>(time.size());
     history.time = Array1D::Map(time.data(), n);
     history.displacement = history.contact_radius = Array1D(n);

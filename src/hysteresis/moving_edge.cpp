@@ -15,12 +15,12 @@ namespace {
 
 void require_valid(const MovingEdge& edge) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-    if (!positive(edge.reference_speed) || !positive(edge.exponent) || !positive(edge.motor_speed) ||
+    if (!positive(edge.law.reference_speed) || !positive(edge.law.exponent) || !positive(edge.motor_speed) ||
         !(edge.reading_time >= 0.0 && std::isfinite(edge.reading_time)))
         throw InvalidArgument(
             fmt::format("a moving edge with v0 {} m/s, n {}, pulled at {} m/s and read over {} s; expected speeds and "
                         "exponent above 0, and a time from 0",
-                        edge.reference_speed, edge.exponent, edge.motor_speed, edge.reading_time));
+                        edge.law.reference_speed, edge.law.exponent, edge.motor_speed, edge.reading_time));
 }
 
 /// One sphere in one machine, with its edge.
@@ -46,18 +46,18 @@ public:
     [[nodiscard]] double threshold() const { return threshold_; }
     /// G at v = v0 exp(log_speed).
     [[nodiscard]] double rate(double log_speed) const {
-        return threshold_ * (1.0 + std::exp(edge_.exponent * log_speed));
+        return threshold_ * (1.0 + std::exp(edge_.law.exponent * log_speed));
     }
     /// 2π a G da = E* s² da.
     [[nodiscard]] double work_per_radius(double opening) const { return modulus_ * opening * opening; }
 
     /// ln v/v0 at the end of a step to a < before: m(a, G(v)) + V da/v = m before. The left side falls as v grows.
     [[nodiscard]] double log_speed_after(double a, double step, double motor_before, double start) const {
-        const double ratio = edge_.motor_speed * step / edge_.reference_speed;
+        const double ratio = edge_.motor_speed * step / edge_.law.reference_speed;
         const auto residual = [&](double x) { return motor(a, opening(a, rate(x))) - motor_before + ratio * std::exp(-x); };
         const auto slope = [&](double x) {
-            const double fast = std::exp(edge_.exponent * x);
-            return -0.5 * opening(a, rate(x)) * (1.0 + 2.0 * a * modulus_ * compliance_) * edge_.exponent * fast /
+            const double fast = std::exp(edge_.law.exponent * x);
+            return -0.5 * opening(a, rate(x)) * (1.0 + 2.0 * a * modulus_ * compliance_) * edge_.law.exponent * fast /
                        (1.0 + fast) -
                    ratio * std::exp(-x);
         };

@@ -46,14 +46,16 @@ void require_valid(const PairState& state) {
 }  // namespace
 
 std::string RetractionModel::name() const {
-    if (!crack_tip) return text_of(law).name;
-    return law == Law::reversible ? "crack_tip" : fmt::format("crack_tip_{}", text_of(law).name);
+    if (tip == Tip::none) return text_of(law).name;
+    const std::string tip_name = tip == Tip::reference ? "crack_tip" : "crack_speed";
+    return law == Law::reversible ? tip_name : fmt::format("{}_{}", tip_name, text_of(law).name);
 }
 
 std::string RetractionModel::formula() const {
     const std::string works = text_of(law).works;
-    if (!crack_tip) return works;
-    return works.find(" + ") == std::string::npos ? "φ " + works : fmt::format("φ ({})", works);
+    if (tip == Tip::none) return works;
+    const std::string factor = tip == Tip::reference ? "φ" : "φ(v)";
+    return works.find(" + ") == std::string::npos ? factor + " " + works : fmt::format("{} ({})", factor, works);
 }
 
 bool RetractionModel::fitted() const {
@@ -66,10 +68,10 @@ ModelParameter RetractionModel::parameter() const {
     return {"W_x", "work_per_true_area", "J/m2"};
 }
 
-std::vector<RetractionModel> retraction_models() {
+std::vector<RetractionModel> retraction_models(const std::vector<Tip>& tips) {
     std::vector<RetractionModel> models;
-    for (const bool crack_tip : {false, true})
-        for (const Law law : laws) models.push_back({law, crack_tip});
+    for (const Tip tip : tips)
+        for (const Law law : laws) models.push_back({law, tip});
     return models;
 }
 
@@ -80,7 +82,7 @@ double PairState::conforming_gain() const {
 RetractionLine retraction_line(const RetractionModel& model, const PairState& state,
                                const std::vector<double>& band_shares) {
     require_valid(state);
-    const double phi = model.crack_tip ? state.tip_factor : 1.0;
+    const double phi = model.tip == Tip::none ? 1.0 : state.tip_factor;
     const auto adds = [&](double excess) { return RetractionLine{0.0, phi * (state.work_approach + excess)}; };
     const auto fits = [&](double slope, double constant) { return RetractionLine{phi * slope, phi * constant}; };
     switch (model.law) {

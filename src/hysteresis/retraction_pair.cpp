@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -35,7 +36,11 @@ enum Input : std::size_t {
     radius,
     contact_area,
     machine_stiffness,
-    input_count
+    speed_factor_input,
+    reference_speed,
+    exponent,
+    rest_factor,
+    input_count  // behind them share and time of each term of the relaxation
 };
 
 /// Of the area, so that laws have a contact to speak of where simulated patches have next to none.
@@ -55,6 +60,16 @@ public:
         inputs_[radius] = or_zero(pair.radius);
         inputs_[contact_area] = or_zero(pair.contact_area);
         inputs_[machine_stiffness] = or_zero(pair.machine_stiffness);
+        inputs_[speed_factor_input] = pair.speed_factor ? pair.speed_factor->factor : TracedValue(1.0);
+        if (pair.edge_speed) {
+            inputs_[reference_speed] = pair.edge_speed->reference_speed;
+            inputs_[exponent] = pair.edge_speed->exponent;
+            inputs_[rest_factor] = pair.edge_speed->rest_factor;
+        }
+        for (const auto& term : pair.relaxation) {
+            inputs_.push_back(term.share);
+            inputs_.push_back(term.time);
+        }
         const Estimate factor{.value = 1.0, .standard_error = pinning_uncertainty(pair.energy_share())};
         inputs_[pinning_factor] = {factor, simulated_pinning_input};
         inputs_[patches] = {Estimate{.value = 0.0, .standard_error = 1.0}, adhesion::simulated_patches_input};
@@ -76,7 +91,7 @@ public:
                         .work_of_adhesion = in[work_of_adhesion],
                         .surface_energy = in[surface_energy],
                         .work_approach = 0.0,
-                        .tip_factor = in[tip_factor],
+                        .tip_factor = 1.0,
                         .pinning_factor = in[pinning_factor],
                         .jumps_per_area = 0.0};
         const double gain = state.conforming_gain();
@@ -90,10 +105,11 @@ public:
         return state;
     }
 
-    /// The same as a law needs it.
+    /// The same as a law needs it; of a tip that minds its speed φ where W_ret was read.
     [[nodiscard]] PairState state(const RetractionModel& model, const SpectralParameters& p,
                                   const std::vector<double>& in) const {
         auto at = state(p, in);
+        if (model.tip != Tip::none) at.tip_factor = in[model.tip == Tip::speed ? speed_factor_input : tip_factor];
         const bool counts_jumps = model.law == Law::conformal_loss || model.law == Law::fitted_conformal_loss;
         if (counts_jumps) at.jumps_per_area = jumps_per_area(at, in);
         return at;
@@ -108,14 +124,32 @@ public:
                                          const std::vector<double>& in) const {
         const auto at = state(model, p, in);
         const auto line = retraction_line(model, at, pair_.band_shares);
-        return std::max(at.work_approach, line.slope * in[parameter] + line.constant + in[scatter]);
+        double work = line.slope * in[parameter] + line.constant;
+        if (model.tip == Tip::speed) work = at_speed(work / at.tip_factor, at.tip_factor);
+        return std::max(at.work_approach, work + in[scatter]);
+    }
+
+    /// What roughness asks for times the factor of the speed at which the edge then recedes.
+    [[nodiscard]] double at_speed(double of_roughness, double factor_as_read) const {
+        return of_roughness * pair_.speed_factor->at(factor_as_read, of_roughness);
+    }
+
+    /// W_ret at rest: what the edge of the loop needs before its speed adds to it.
+    [[nodiscard]] double work_at_rest(const RetractionModel& model, const SpectralParameters& p,
+                                      const std::vector<double>& in) const {
+        const double work = work_retraction(model, p, in);
+        if (model.tip != Tip::speed) return work;
+        const auto at = state(model, p, in);
+        const auto line = retraction_line(model, at, pair_.band_shares);
+        const double of_roughness = (line.slope * in[parameter] + line.constant) / at.tip_factor;
+        return in[rest_factor] * work / pair_.speed_factor->at(at.tip_factor, of_roughness);
     }
 
     [[nodiscard]] HystereticSphere sphere(const RetractionModel& model, const SpectralParameters& p,
                                           const std::vector<double>& in) const {
         const double least = 1e-6 * in[work_of_adhesion];  // of W_app, for derivatives of a pair that hardly conforms
         HystereticSphere sphere{in[radius], in[contact_modulus], std::max(least, state(p, in).work_approach), 0.0};
-        sphere.work_retraction = std::max(sphere.work_approach, work_retraction(model, p, in));
+        sphere.work_retraction = std::max(sphere.work_approach, work_at_rest(model, p, in));
         return sphere;
     }
 
@@ -124,6 +158,30 @@ public:
         return sphere(model, pair_.rough.parameters, values());
     }
     [[nodiscard]] Pressing pressing(const Contact& contact) const { return pressing(contact, values()); }
+
+    /// What time does to the loop by a model.
+    [[nodiscard]] ViscousBody body(const RetractionModel& model, const std::vector<double>& in) const {
+        ViscousBody body;
+        if (model.tip == Tip::speed) body.edge = EdgeSpeed{in[reference_speed], in[exponent]};
+        for (std::size_t i = input_count; pair_.drive && i < in.size(); i += 2)
+            body.relaxation.push_back({std::max(0.0, in[i]), in[i + 1]});
+        return body;
+    }
+    [[nodiscard]] ViscousBody body(const RetractionModel& model) const { return body(model, values()); }
+
+    [[nodiscard]] SphereLoop loop(const RetractionModel& model, const HystereticSphere& of,
+                                  const std::vector<double>& in) {
+        const auto pressed = pressing(of.approach(), in);
+        const auto viscous = body(model, in);
+        if (!viscous.edge && viscous.relaxation.empty()) return sphere_loop(of, pressed);
+        std::vector<double> key{of.radius,          of.contact_modulus,    of.work_approach,
+                                of.work_retraction, pressed.maximum_force, pressed.machine_stiffness};
+        if (viscous.edge) key.insert(key.end(), {viscous.edge->reference_speed, viscous.edge->exponent});
+        for (const auto& term : viscous.relaxation) key.insert(key.end(), {term.share, term.time});
+        const auto [place, is_new] = viscous_loops_.try_emplace(std::move(key));
+        if (is_new) place->second = sphere_loop(of, pressed, *pair_.drive, viscous);
+        return place->second;
+    }
 
     [[nodiscard]] Pressing pressing(const Contact& contact, const std::vector<double>& in) const {
         auto pressing = pair_.pressing.value_or(Pressing{});
@@ -170,9 +228,19 @@ private:
 
     const RetractionPair& pair_;
     std::vector<TracedValue> inputs_;
+    std::map<std::vector<double>, SphereLoop> viscous_loops_;  // each is asked for several of its numbers
 };
 
 }  // namespace
+
+const std::array<EnergyShares::Named, EnergyShares::count>& EnergyShares::all() {
+    static constexpr std::array<Named, count> shares{{{"jump in", &EnergyShares::jump_in},
+                                                      {"jump out", &EnergyShares::jump_out},
+                                                      {"crack tip", &EnergyShares::crack_tip},
+                                                      {"roughness", &EnergyShares::roughness},
+                                                      {"bulk", &EnergyShares::bulk}}};
+    return shares;
+}
 
 double RetractionPair::energy_share() const {
     const auto& p = rough.parameters;
@@ -184,7 +252,10 @@ double RetractionPair::energy_share() const {
 }
 
 std::string RetractionPair::lacks(const RetractionModel& model) const {
-    if (model.crack_tip && !tip_factor) return "no smooth reference on " + soft.name;
+    if (model.tip == Tip::reference && !tip_factor) return "no smooth reference on " + soft.name;
+    if (model.tip == Tip::speed && !edge_speed) return "no law of the edge's speed on " + soft.name;
+    if (model.tip == Tip::speed && !speed_factor)
+        return fmt::format("no sphere, machine speed or contact area of {} on {}", soft.name, rough.name);
     if (model.law == Law::pinning_by_bands && band_shares.empty()) return "no spectrum of " + rough.name;
     return "";
 }
@@ -234,16 +305,18 @@ std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& 
     PredictedRetraction result;
     result.sphere = functions.sphere(model);
     result.pressing = functions.pressing(result.sphere.approach());
+    if (pair.drive) result.edge = functions.body(model).moving_edge(*pair.drive);
     const auto of_loop = [&](auto number) {
         return functions.traced([&](const SpectralParameters& p, const std::vector<double>& in) {
             const auto sphere = functions.sphere(model, p, in);
-            return number(sphere_loop(sphere, functions.pressing(sphere.approach(), in)), sphere, in);
+            return number(functions.loop(model, sphere, in), sphere, in);
         });
     };
     using In = std::vector<double>;
     const auto tip_loss = [&](const SphereLoop& loop, const HystereticSphere& sphere, const In& in) {
-        const double share = model.crack_tip ? std::max(0.0, 1.0 - 1.0 / in[tip_factor]) : 0.0;
-        return std::min(loop.edge_loss, share * sphere.work_retraction * loop.largest_contact_area());
+        const double factor = model.tip == Tip::none ? 1.0 : in[model.tip == Tip::speed ? rest_factor : tip_factor];
+        const double share = std::max(0.0, 1.0 - 1.0 / factor);
+        return loop.speed_loss + std::min(loop.edge_loss, share * sphere.work_retraction * loop.largest_contact_area());
     };
     result.work_approach = work_approach;
     result.work_retraction = predicted_retraction(fitted, pair);
@@ -260,8 +333,9 @@ std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& 
         of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.jump_out_loss; });
     shares.crack_tip = of_loop(tip_loss);
     shares.roughness = of_loop([&](const SphereLoop& loop, const HystereticSphere& sphere, const In& in) {
-        return loop.edge_loss - tip_loss(loop, sphere, in);
+        return loop.edge_loss + loop.speed_loss - tip_loss(loop, sphere, in);
     });
+    shares.bulk = of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.bulk_loss; });
     return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "alerts.hpp"
 #include "attempt.hpp"
+#include "bulk_relaxation.hpp"
 #include "contact_analysis.hpp"
 #include "cycle_analysis.hpp"
 #include "records/baseline.hpp"
@@ -64,8 +65,10 @@ PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const 
     return record;
 }
 
-LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
-                     const std::string& subject) {
+namespace {
+
+LoopAnalysis analyse_elastic(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
+                             const std::string& subject) {
     const RecordFaults faults = record_faults(recorded);
     const PreparedRecord record = prepared(recorded, faults, options);
     const Segments& segments = record.segments;
@@ -85,6 +88,29 @@ LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, con
     analysis.corrected = record.level;
     analysis.corrected.force -= segments.before.force;
     analysis.alerts = alerts_of(analysis, record.level, bodies, options.limits, subject);
+    return analysis;
+}
+
+}  // namespace
+
+LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
+                     const std::string& subject) {
+    auto analysis = analyse_elastic(recorded, bodies, options, subject);
+    if (options.relaxation.empty()) return analysis;
+    constexpr int rounds = 2;  // E* of loading, on which F₁ rests, moves by the share of a share
+    std::optional<BulkRelaxation> relaxation;
+    for (int round = 0; round < rounds; ++round) {
+        const auto bulk = bulk_force(analysis, bodies, options.relaxation);
+        Loop elastic = recorded;
+        elastic.force.segment(bulk.first, bulk.force.size()) -= bulk.force;
+        analysis = analyse_elastic(elastic, bodies, options, subject);
+        relaxation = bulk.relaxation;
+    }
+    analysis.bulk = relaxation;
+    if (auto& loop = analysis.loop.value) {
+        loop->energy += relaxation->energy_loss;
+        loop->without_drift += relaxation->energy_loss;
+    }
     return analysis;
 }
 

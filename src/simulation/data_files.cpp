@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "setae/bytes/toml_text.hpp"
@@ -34,7 +35,9 @@ Json to_json(const hysteresis::HystereticSphere& specimen, const hysteresis::Sph
             {"energy_loss", truth.energy_loss()},
             {"jump_in_loss", truth.jump_in_loss},
             {"pinning_loss", truth.edge_loss},
-            {"jump_out_loss", truth.jump_out_loss}};
+            {"jump_out_loss", truth.jump_out_loss},
+            {"speed_loss", truth.speed_loss},
+            {"bulk_loss", truth.bulk_loss}};
 }
 
 struct StudyLines {
@@ -93,6 +96,12 @@ void add_elastomer(StudyLines& lines, const Recipe& recipe, const ElastomerRecip
     if (!radius.input.empty()) lines.add("sphere_radius = {}", bytes::toml_quoted(radius.input));
     else if (radius.told.uncertain()) lines.add("sphere_radius = \"{}\"", told_text(radius));
     else lines.add("sphere_radius = \"{} m\"", radius.value);
+    if (!elastomer.body.relaxation.empty()) {
+        std::vector<std::string> terms;
+        for (const auto& term : elastomer.body.relaxation)
+            terms.push_back(fmt::format("{{ share = {}, time = \"{} s\" }}", term.share, term.time));
+        lines.add("relaxation = [{}]", fmt::join(terms, ", "));
+    }
     if (std::any_of(loops.begin(), loops.end(),
                     [&](const PlantedLoop& loop) { return !loop.measured && loop.elastomer == elastomer.name; }))
         lines.add("preload = \"{} N\"", recipe.loops->protocol.maximum_force);

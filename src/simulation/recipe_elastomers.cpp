@@ -28,6 +28,36 @@ StatedQuantity read_modulus(TomlReader& reader, const std::string& table, bool t
     return modulus;
 }
 
+double required(TomlReader& reader, const char* key, const Expected& expected, const char* example) {
+    const auto given = reader.quantity(key, expected);
+    if (!given) reader.fail(key, fmt::format("missing; expected {}", example));
+    return *given;
+}
+
+hysteresis::EdgeSpeed read_edge_speed(TomlReader reader) {
+    hysteresis::EdgeSpeed law{required(reader, "reference_speed", positive(dimension::length / dimension::time), "\"1 um/s\""),
+                              required(reader, "exponent", positive(dimension::none), "0.6")};
+    reader.finish();
+    return law;
+}
+
+contact::RelaxationTerm read_relaxation(TomlReader reader) {
+    contact::RelaxationTerm term{required(reader, "share", non_negative(dimension::none), "0.1"),
+                                    required(reader, "time", positive(dimension::time), "\"20 s\"")};
+    reader.finish();
+    return term;
+}
+
+void read_body(TomlReader& reader, ElastomerRecipe& elastomer) {
+    reader.table("crack_speed", [&](TomlReader inner) {
+        if (elastomer.tip_factor > 1.0)
+            reader.fail("crack_speed", "beside tip_factor; expected one of them: both are the crack tip's loss");
+        elastomer.body.edge = read_edge_speed(std::move(inner));
+    });
+    reader.each_table("relaxation",
+                      [&](TomlReader inner) { elastomer.body.relaxation.push_back(read_relaxation(std::move(inner))); });
+}
+
 }  // namespace
 
 ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const RangeDraws& ranges,
@@ -50,6 +80,7 @@ ElastomerRecipe read_elastomer(const std::string& name, TomlReader reader, const
         if (!(*factor >= 1.0)) reader.fail("tip_factor", fmt::format("{}, expected 1 or more", *factor));
         elastomer.tip_factor = *factor;
     }
+    read_body(reader, elastomer);
     reader.finish();
     return elastomer;
 }

@@ -21,6 +21,7 @@ namespace {
 
 using hysteresis::Law;
 using hysteresis::RetractionModel;
+using hysteresis::Tip;
 using simulation::Recipe;
 using simulation::RetractionLaw;
 using tables::TidyTable;
@@ -31,6 +32,22 @@ RetractionLaw planted_as(Law law) {
         case Law::conformal_loss: return RetractionLaw::loss;
         case Law::opening_work: return RetractionLaw::opening;
         default: return RetractionLaw::reversible;
+    }
+}
+
+/// What the crack tips of elastomers lose: what the recipe says of this kind, else smaller from one to the next.
+void plant_tip(std::vector<simulation::ElastomerRecipe>& elastomers, Tip tip) {
+    const bool told = std::ranges::any_of(elastomers, [&](const auto& e) {
+        return tip == Tip::reference ? e.tip_factor > 1.0 : e.body.edge.has_value();
+    });
+    double factor = 1.5, speed = 1e-6;
+    for (auto& elastomer : elastomers) {
+        if (tip != Tip::reference) elastomer.tip_factor = 1.0;
+        else if (!told) elastomer.tip_factor = factor;
+        if (tip != Tip::speed) elastomer.body.edge.reset();
+        else if (!told) elastomer.body.edge = hysteresis::EdgeSpeed{.reference_speed = speed, .exponent = 0.6};
+        factor = std::max(1.1, factor - 0.1);
+        speed *= 2.0;
     }
 }
 
@@ -84,9 +101,9 @@ LawSummary summary_of(const std::vector<const LawRecovery*>& list) {
 
 std::vector<RetractionModel> plantable_laws() {
     std::vector<RetractionModel> laws;
-    for (const bool crack_tip : {false, true})
+    for (const Tip tip : {Tip::none, Tip::reference, Tip::speed})
         for (const Law law : {Law::reversible, Law::pinning, Law::conformal_loss, Law::opening_work})
-            laws.push_back({law, crack_tip});
+            laws.push_back({law, tip});
     return laws;
 }
 
@@ -116,16 +133,10 @@ Recipe with_law(Recipe recipe, const RetractionModel& law) {
     if (law.law == Law::opening_work && !(loops.opening_work > 0.0))
         loops.opening_work = over_intrinsic * recipe.work_of_adhesion;
     if (law.law == Law::conformal_loss) loops.loss_factor = 1.0;
-    if (law.crack_tip && !loops.reference_work)
+    if (law.tip != Tip::none && !loops.reference_work)
         throw InvalidArgument(
             fmt::format("{} needs a smooth reference; expected reference_work in the recipe's [loops]", law.name()));
-    const bool told = std::ranges::any_of(recipe.elastomers, [](const auto& e) { return e.tip_factor > 1.0; });
-    double factor = 1.5;
-    for (auto& elastomer : recipe.elastomers) {
-        if (!law.crack_tip) elastomer.tip_factor = 1.0;
-        else if (!told) elastomer.tip_factor = factor;
-        factor = std::max(1.1, factor - 0.1);
-    }
+    plant_tip(recipe.elastomers, law.tip);
     return recipe;
 }
 

@@ -77,8 +77,8 @@ void print_models(const study::LoopModels& models) {
         text += fmt::format(
             "  G(v) = G0 (1 + (v/v0)^n)     G0 {} mJ/m², v0 {} µm/s, n {}, E* {} MPa; {} frames, speeds over a factor "
             "{:.3g}\n",
-            cell(models.crack_speed->threshold, 1e3), cell(models.crack_speed->reference_speed, 1e6),
-            cell(models.crack_speed->exponent, 1.0), cell(models.crack_speed->contact_modulus, 1e-6),
+            cell(models.crack_speed->threshold, 1e-3), cell(models.crack_speed->reference_speed, 1e-6),
+            cell(models.crack_speed->exponent, 1.0), cell(models.crack_speed->contact_modulus, 1e6),
             models.crack_speed->n, models.crack_speed->speed_ratio);
     for (const auto& failure : models.failures) text += "  " + failure + '\n';
     print(text);
@@ -90,8 +90,8 @@ void print_shared(const loops::GlobalFit& fit) {
         {"loop", "E* [MPa]", "W [mJ/m²]", "E* alone [MPa]", "W alone [mJ/m²]", "n"},
         {}};
     for (const auto& branch : fit.branches)
-        table.rows.push_back({branch.name, cell(branch.contact_modulus, 1e-6), cell(branch.work_of_adhesion, 1e3),
-                              cell(branch.separate.contact_modulus, 1e-6), cell(branch.separate.work_of_adhesion, 1e3),
+        table.rows.push_back({branch.name, cell(branch.contact_modulus, 1e6), cell(branch.work_of_adhesion, 1e-3),
+                              cell(branch.separate.contact_modulus, 1e6), cell(branch.separate.work_of_adhesion, 1e-3),
                               fmt::format("{}", branch.n)});
     print(tables::as_text_within(table, output_size().width) +
           fmt::format("  do they share it? F = {:.3g}, p = {:.2g} (small: they differ)\n", fit.sharing.f_ratio,

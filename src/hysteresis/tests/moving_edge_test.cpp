@@ -18,7 +18,7 @@ namespace {
 constexpr double fixed_grips = std::numeric_limits<double>::infinity();
 constexpr HystereticSphere sphere{
     .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.04, .work_retraction = 0.06};
-constexpr MovingEdge rubber{.reference_speed = 1e-6, .exponent = 0.6, .motor_speed = 60e-9, .reading_time = 3.0};
+constexpr MovingEdge rubber{.law = {.reference_speed = 1e-6, .exponent = 0.6}, .motor_speed = 60e-9, .reading_time = 3.0};
 
 /// The same edge by Runge and Kutta's method in time, under fixed grips.
 Recession by_time(const HystereticSphere& of, const Pressing& pressing, const MovingEdge& edge) {
@@ -30,7 +30,7 @@ Recession by_time(const HystereticSphere& of, const Pressing& pressing, const Mo
     };
     const auto receding = [&](double a, double depth) {
         const double excess = rate(a, depth) / of.work_retraction - 1.0;
-        return excess > 0.0 ? edge.reference_speed * std::pow(excess, 1.0 / edge.exponent) : 0.0;
+        return excess > 0.0 ? edge.law.reference_speed * std::pow(excess, 1.0 / edge.law.exponent) : 0.0;
     };
     double a = loop.turning_point.contact_radius, depth = loop.unpinned.displacement;
     const double gone = 1e-3 * a, step = 1e-3;
@@ -54,7 +54,7 @@ TEST(MovingEdge, DoesWhatItsEquationsDoInTime) {
     const Pressing pressing{.maximum_force = 1e-3};
     for (const double speed : {0.3e-6, 1e-6, 10e-6}) {
         auto edge = rubber;
-        edge.reference_speed = speed;
+        edge.law.reference_speed = speed;
         const auto found = recession(sphere, pressing, edge), expected = by_time(sphere, pressing, edge);
         EXPECT_NEAR(found.smallest_force / expected.smallest_force, 1.0, 1e-4) << speed;
         EXPECT_NEAR(found.edge_work / expected.edge_work, 1.0, 1e-3) << speed;
@@ -64,7 +64,7 @@ TEST(MovingEdge, DoesWhatItsEquationsDoInTime) {
 
 TEST(MovingEdge, ThatDoesNotMindItsSpeedIsTheRestingOne) {
     auto edge = rubber;
-    edge.reference_speed = 1e6;
+    edge.law.reference_speed = 1e6;
     for (const double stiffness : {60.0, fixed_grips}) {
         const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = stiffness};
         const auto resting = sphere_loop(sphere, pressing), moving = sphere_loop(sphere, pressing, edge);
@@ -115,7 +115,7 @@ TEST(MovingEdge, RefusesWhatIsNone) {
         return std::string();
     };
     auto edge = rubber;
-    edge.reference_speed = 0.0;
+    edge.law.reference_speed = 0.0;
     EXPECT_NE(refused(edge).find("v0 0 m/s"), std::string::npos);
     edge = rubber;
     edge.motor_speed = -1.0;

@@ -95,7 +95,7 @@ TEST(Ranking, PlantedLawComesOutFirstWithItsParameter) {
 
 TEST(Ranking, WithMuchNoiseSeveralAreNotToldApart) {
     const Study study;
-    const auto ranking = study.ranked(study.planted({Law::opening_work, false}, 0.06, 0.4, 3), 0.4);
+    const auto ranking = study.ranked(study.planted({Law::opening_work, Tip::none}, 0.06, 0.4, 3), 0.4);
     EXPECT_GT(ranking.not_told_apart().size(), 1U);
     EXPECT_EQ(ranking.not_told_apart().front(), &ranking.models.front());
     for (const auto* score : ranking.not_told_apart())
@@ -105,9 +105,9 @@ TEST(Ranking, WithMuchNoiseSeveralAreNotToldApart) {
 TEST(LawTrials, PlantedLawsAreFoundOrNotToldApart) {
     const Study study;
     constexpr double noise = 0.03;
-    auto models = study.models(study.planted({Law::opening_work, false}, 0.06, noise, 3), noise);
+    auto models = study.models(study.planted({Law::opening_work, Tip::none}, 0.06, noise, 3), noise);
     std::erase_if(models, [](const ModelPoints& of) {
-        return of.model.crack_tip || of.model.law == Law::pinning_by_bands || of.model.law == Law::fitted_pinning;
+        return of.model.tip == Tip::reference || of.model.law == Law::pinning_by_bands || of.model.law == Law::fitted_pinning;
     });
     const auto ranking = rank_models(models);
     const auto trials = law_trials(models, ranking, {.runs = 4, .seed = 5, .threads = {1}, .cancelled = nullptr});
@@ -126,7 +126,7 @@ TEST(LawTrials, PlantedLawsAreFoundOrNotToldApart) {
 
 TEST(Ranking, OfTooFewPairsSaysSo) {
     const Study study;
-    ModelPoints few{{Law::reversible, false}, {}};
+    ModelPoints few{{Law::reversible, Tip::none}, {}};
     for (std::size_t i = 0; i < 5; ++i)
         few.points.push_back(
             retraction_point(few.model, study.pairs()[i], {{.value = 0.05, .standard_error = 0.001}, {}}));
@@ -142,7 +142,7 @@ TEST(RetractionPair, ConformalLossCountsTheJumps) {
     auto pair = study.pairs()[1];
     pair.radius = TracedValue(1.25e-3);
     pair.pressing = Pressing{.maximum_force = 1e-3};
-    const FittedModel conformal{.model = {Law::conformal_loss, false}, .parameter = {}, .scatter = {}};
+    const FittedModel conformal{.model = {Law::conformal_loss, Tip::none}, .parameter = {}, .scatter = {}};
     const auto loop = predicted_retraction_loop(conformal, pair);
     ASSERT_TRUE(loop);
     const double area = pi * loop->contact_radius.value * loop->contact_radius.value;
@@ -160,7 +160,7 @@ TEST(RetractionPair, ASoftMachineTakesMoreOfTheLossInJumps) {
     auto pair = study.pairs()[1];
     pair.radius = TracedValue(1.25e-3);
     pair.pressing = Pressing{.maximum_force = 1e-3};
-    const FittedModel conformal{.model = {Law::conformal_loss, false}, .parameter = {}, .scatter = {}};
+    const FittedModel conformal{.model = {Law::conformal_loss, Tip::none}, .parameter = {}, .scatter = {}};
     const auto stiff = predicted_retraction_loop(conformal, pair);
     pair.machine_stiffness = TracedValue({.value = 50.0, .standard_error = 5.0}, "k_m");
     const auto soft = predicted_retraction_loop(conformal, pair);
@@ -182,7 +182,7 @@ TEST(RetractionPair, ErrorsAreThoseOfItsInputs) {
     pair.work_of_adhesion = TracedValue({.value = 0.037, .standard_error = 0.001}, "W_int");
     pair.soft.contact_modulus = TracedValue({.value = 0.8e6, .standard_error = 0.02e6}, "E*");
     // W_ret = φ (W_int r − γ1 (r − 1) − E*u)
-    const auto found = predicted_retraction({.model = {Law::reversible, true}, .parameter = {}, .scatter = {}}, pair);
+    const auto found = predicted_retraction({.model = {Law::reversible, Tip::reference}, .parameter = {}, .scatter = {}}, pair);
     const double r = pair.rough.parameters.area_ratio(), u = pair.rough.parameters.elastic_energy_per_modulus;
     const double expected = 1.4 * std::hypot(r * 0.001, u * 0.02e6);
     EXPECT_NEAR(found.standard_error() / expected, 1.0, 1e-9);
@@ -213,7 +213,7 @@ TEST(RetractionPair, OfPartialContactIsThatOfTheContactThereIs) {
     EXPECT_NEAR(retraction_by(Law::fitted_pinning, 0.7, pair), (0.1985 + 1.4 * (0.56 - 0.1985)) * gain, 1e-9);
     // of patches the area is known to 0.0255: W_ret by the opening work to that share of it
     const auto opening =
-        predicted_retraction({.model = {Law::opening_work, false}, .parameter = 0.08, .scatter = {}}, pair);
+        predicted_retraction({.model = {Law::opening_work, Tip::none}, .parameter = 0.08, .scatter = {}}, pair);
     EXPECT_NEAR(opening.standard_error() / opening.value, 0.0255 / 0.56, 1e-3);
 }
 
@@ -232,16 +232,16 @@ TEST(RetractionPair, CrackTipTakesItsShareOfTheEdge) {
     auto pair = study.pairs()[5];
     pair.radius = TracedValue(1.25e-3);
     pair.pressing = Pressing{.maximum_force = 1e-3};
-    const auto loop = predicted_retraction_loop({.model = {Law::pinning, true}, .parameter = {}, .scatter = {}}, pair);
+    const auto loop = predicted_retraction_loop({.model = {Law::pinning, Tip::reference}, .parameter = {}, .scatter = {}}, pair);
     ASSERT_TRUE(loop);
     const double area = pi * loop->contact_radius.value * loop->contact_radius.value;
     EXPECT_NEAR(loop->shares.crack_tip.value / ((1.0 - 1.0 / 1.4) * loop->work_retraction.value * area), 1.0, 1e-9);
 }
 
 TEST(RetractionModel, RefusesWhatNoPairHas) {
-    EXPECT_THROW((void)retraction_line({Law::pinning, false}, {.area_ratio = 0.9, .work_of_adhesion = 0.04}, {}),
+    EXPECT_THROW((void)retraction_line({Law::pinning, Tip::none}, {.area_ratio = 0.9, .work_of_adhesion = 0.04}, {}),
                  InvalidArgument);
-    EXPECT_THROW((void)retraction_line({Law::pinning, false}, {.work_of_adhesion = 0.0}, {}), InvalidArgument);
+    EXPECT_THROW((void)retraction_line({Law::pinning, Tip::none}, {.work_of_adhesion = 0.0}, {}), InvalidArgument);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::Study
         return drawn;
     }
     const auto& pressing = pair.loop->pressing;
-    const Course course(hysteresis::loop_course(pair.loop->sphere, pressing));
+    const Course course(hysteresis::loop_course(pair.loop->sphere, pressing, pair.loop->edge));
     LoopPanels panels(course.displacement, course.force, course.contact_radius);
     std::size_t records = 0;
     for (const auto& e : result.experiments) {
@@ -95,7 +95,7 @@ StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::Study
     }
     bool first = true;
     for (const auto& sphere : spheres_beside(*pair.loop)) {
-        const Course beside(hysteresis::loop_course(sphere, pressing));
+        const Course beside(hysteresis::loop_course(sphere, pressing, pair.loop->edge));
         panels.add("W_ret ± its standard error", beside.displacement, beside.force, beside.contact_radius,
                    {.mark = Mark::line, .colour = 0, .dash = 1, .line_width = 0.8, .opacity = 0.7, .in_legend = first});
         first = false;

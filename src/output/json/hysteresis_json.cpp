@@ -43,6 +43,7 @@ Json shares_json(const EnergyShares& shares) {
     share("jump_out", "E_out", shares.jump_out);
     share("crack_tip", "E_tip", shares.crack_tip);
     share("roughness", "E_rough", shares.roughness);
+    share("bulk", "E_bulk", shares.bulk);
     return json;
 }
 

@@ -61,6 +61,7 @@ DataTable losses(const study::Hysteresis& h, const Json& study) {
          {"jump out", "J"},
          {"crack tip", "J"},
          {"roughness", "J"},
+         {"bulk", "J"},
          {"unexplained", "J"}},
         {}};
     for (std::size_t i = 0; i < h.pairs.size(); ++i) {
@@ -71,7 +72,7 @@ DataTable losses(const study::Hysteresis& h, const Json& study) {
                               TextCell{h.pairs[i].decomposition->of_works ? "works" : "loop"}, quantity("energy_loss"),
                               quantity("energy_loss_shares/jump_in"), quantity("energy_loss_shares/jump_out"),
                               quantity("energy_loss_shares/crack_tip"), quantity("energy_loss_shares/roughness"),
-                              quantity("unexplained")});
+                              quantity("energy_loss_shares/bulk"), quantity("unexplained")});
     }
     return table;
 }

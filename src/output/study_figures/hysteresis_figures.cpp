@@ -2,7 +2,6 @@
 #include "setae/study_figures/hysteresis_figures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -19,6 +18,7 @@ namespace {
 
 using figures::Mark;
 using figures::Panel;
+using hysteresis::EnergyShares;
 using study::PairHysteresis;
 
 constexpr double milli = 1e-3;
@@ -66,15 +66,6 @@ figures::Series block(const char* label, double place, double from, double to, i
             .opacity = 0.8,
             .in_legend = in_legend};
 }
-
-struct Part {
-    const char* label;
-    TracedValue hysteresis::EnergyShares::*share;
-};
-constexpr std::array<Part, 4> parts{{{"jump in", &hysteresis::EnergyShares::jump_in},
-                                     {"jump out", &hysteresis::EnergyShares::jump_out},
-                                     {"crack tip", &hysteresis::EnergyShares::crack_tip},
-                                     {"roughness", &hysteresis::EnergyShares::roughness}}};
 
 /// Measured joules and what they went into, or the predicted ones.
 struct Bar {
@@ -168,7 +159,7 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
     for (Index i = 0; i < losses.size(); ++i) {
         const auto& bar = bars[static_cast<std::size_t>(i)];
         losses[i] = 0.0;
-        for (const auto& part : parts) losses[i] += (bar.shares.*part.share).value;
+        for (const auto& [name, share] : EnergyShares::all()) losses[i] += (bar.shares.*share).value;
         if (bar.measured) losses[i] = std::max(losses[i], bar.measured->value);
     }
     const auto unit = display_unit(losses.maxCoeff(), "J");
@@ -176,15 +167,18 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
     Panel panel{.x = {.quantity = "energy lost", .unit = unit.name, .from = 0.0},
                 .y = {.from = -0.6, .to = count - 0.4}};
     panel.y.tick_labels.resize(bars.size());
+    const auto& shares = EnergyShares::all();
+    const bool relaxes = std::ranges::any_of(bars, [](const Bar& bar) { return bar.shares.bulk.value != 0.0; });
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const auto& bar = bars[i];
         const auto row = bars.size() - 1 - i;  // the first on top
         const auto place = static_cast<double>(row);
         panel.y.tick_labels[row] = fmt::format("{} {}", bar.pair.surface, bar.pair.elastomer);
         double from = 0.0;
-        for (std::size_t k = 0; k < parts.size(); ++k) {
-            const double to = from + (bar.shares.*parts[k].share).value / unit.factor;
-            panel.series.push_back(block(parts[k].label, place, from, to, static_cast<int>(k), i == 0));
+        for (std::size_t k = 0; k < shares.size(); ++k) {
+            if (shares[k].share == &EnergyShares::bulk && !relaxes) continue;
+            const double to = from + (bar.shares.*shares[k].share).value / unit.factor;
+            panel.series.push_back(block(shares[k].name, place, from, to, static_cast<int>(k), i == 0));
             from = to;
         }
         if (!bar.measured) continue;

@@ -17,6 +17,7 @@
 namespace setae::output {
 namespace {
 
+using hysteresis::EnergyShares;
 using hysteresis::ModelScore;
 using hysteresis::Ranking;
 using tables::TidyTable;
@@ -143,17 +144,24 @@ std::string shown_pairs(const study::Hysteresis& h, std::size_t width) {
 
 /// Shares without their ±, which the JSON has, so that a row is a line.
 TidyTable shown_losses(const study::Hysteresis& h) {
-    TidyTable table{"where the joules went [nJ]",
-                    {"pair", "E_loss", "jump in", "jump out", "crack tip", "roughness", "unexplained"},
-                    {}};
-    const auto share = [](const TracedValue& value) { return fmt::format("{:.3g}", value.value / nano); };
+    TidyTable table{"where the joules went [nJ]", {"pair", "E_loss"}, {}};
+    std::vector<TracedValue EnergyShares::*> shown;  // that of the bulk only where an elastomer's relaxes
+    for (const auto& [name, share] : EnergyShares::all()) {
+        const bool some = std::ranges::any_of(
+            h.pairs, [&](const auto& p) { return p.decomposition && (p.decomposition->shares.*share).value != 0.0; });
+        if (share == &EnergyShares::bulk && !some) continue;
+        table.columns.emplace_back(name);
+        shown.push_back(share);
+    }
+    table.columns.emplace_back("unexplained");
     for (const auto& p : h.pairs) {
         if (!p.decomposition) continue;
         const auto& d = *p.decomposition;
-        table.rows.push_back({fmt::format("{} × {}", p.surface, p.elastomer),
-                              in_unit(d.measured, nano) + (d.of_works ? " *" : ""), share(d.shares.jump_in),
-                              share(d.shares.jump_out), share(d.shares.crack_tip), share(d.shares.roughness),
-                              in_unit(d.unexplained, nano)});
+        std::vector<TidyTable::Cell> row{fmt::format("{} × {}", p.surface, p.elastomer),
+                                         in_unit(d.measured, nano) + (d.of_works ? " *" : "")};
+        for (const auto share : shown) row.emplace_back(fmt::format("{:.3g}", (d.shares.*share).value / nano));
+        row.emplace_back(in_unit(d.unexplained, nano));
+        table.rows.push_back(std::move(row));
     }
     return table;
 }
@@ -283,7 +291,8 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
                      "jump in [J]",
                      "jump out [J]",
                      "crack tip [J]",
-                     "roughness [J]"},
+                     "roughness [J]",
+                     "bulk [J]"},
                     {}};
     for (const auto& p : h.pairs) {
         std::vector<TidyTable::Cell> row{
@@ -294,13 +303,8 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
         add_value(row, p.pull_off_force ? p.pull_off_force->estimate() : unknown);
         add_value(row, p.loop ? p.loop->contact_radius.estimate() : unknown);
         add_value(row, p.loop ? p.loop->energy_loss.estimate() : unknown);
-        const auto share = [&](TracedValue hysteresis::EnergyShares::*member) {
-            row.emplace_back(p.loop ? (p.loop->shares.*member).value : undefined);
-        };
-        share(&hysteresis::EnergyShares::jump_in);
-        share(&hysteresis::EnergyShares::jump_out);
-        share(&hysteresis::EnergyShares::crack_tip);
-        share(&hysteresis::EnergyShares::roughness);
+        for (const auto& [name, share] : EnergyShares::all())
+            row.emplace_back(p.loop ? (p.loop->shares.*share).value : undefined);
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -321,7 +325,7 @@ TidyTable model_work_table(const study::Hysteresis& h) {
 TidyTable decomposition_table(const study::Hysteresis& h) {
     TidyTable table{"",
                     {"surface", "elastomer", "model", "of", "E_loss measured [J]", "standard_error E_loss measured [J]",
-                     "jump in [J]", "jump out [J]", "crack tip [J]", "roughness [J]", "unexplained [J]",
+                     "jump in [J]", "jump out [J]", "crack tip [J]", "roughness [J]", "bulk [J]", "unexplained [J]",
                      "standard_error unexplained [J]"},
                     {}};
     for (const auto& p : h.pairs) {
@@ -330,8 +334,7 @@ TidyTable decomposition_table(const study::Hysteresis& h) {
         std::vector<TidyTable::Cell> row{p.surface, p.elastomer, p.model.name(),
                                          std::string(d.of_works ? "works" : "loop")};
         add_value(row, d.measured.estimate());
-        for (const auto* share : {&d.shares.jump_in, &d.shares.jump_out, &d.shares.crack_tip, &d.shares.roughness})
-            row.emplace_back(share->value);
+        for (const auto& [name, share] : EnergyShares::all()) row.emplace_back((d.shares.*share).value);
         add_value(row, d.unexplained.estimate());
         table.rows.push_back(std::move(row));
     }

@@ -60,7 +60,7 @@ TEST(HysteresisOfAStudy, JoulesOfALoopAddUp) {
     for (const auto& pair : h.pairs) {
         if (!pair.loop) continue;
         const auto& s = pair.loop->shares;
-        const double sum = s.jump_in.value + s.jump_out.value + s.crack_tip.value + s.roughness.value;
+        const double sum = s.jump_in.value + s.jump_out.value + s.crack_tip.value + s.roughness.value + s.bulk.value;
         EXPECT_NEAR(sum / pair.loop->energy_loss.value, 1.0, 1e-12) << pair.surface << pair.elastomer;
         EXPECT_NEAR(pair.pull_off_force->value, 1.5 * std::numbers::pi * 1.25e-3 * pair.work_retraction.value, 1e-12);
         ASSERT_TRUE(pair.decomposition) << pair.decomposition.reason;
@@ -94,7 +94,7 @@ TEST(HysteresisOfAStudy, WithoutReferencesHasNoCrackTips) {
     auto result = published();
     result.references.clear();
     const auto h = study::hysteresis_of(result);
-    for (const auto& score : h.all.models) EXPECT_FALSE(score.fitted.model.crack_tip);
+    for (const auto& score : h.all.models) EXPECT_EQ(score.fitted.model.tip, hysteresis::Tip::none);
     ASSERT_FALSE(h.all.unranked.empty());
     EXPECT_EQ(h.all.unranked.front().reason, "no smooth reference on E0.7");
 }

@@ -82,18 +82,77 @@ void add_artefacts(loops::Loop& loop, const Array1D& motor, const LoopArtefacts&
     }
 }
 
+/// Between samples of which x rises, straight; 0 outside.
+double interpolated(const Array1D& x, const Array1D& y, double at) {
+    if (x.size() == 0 || at < x[0] || at > x[x.size() - 1]) return 0.0;
+    const auto upper = std::clamp<Index>(std::upper_bound(x.data(), x.data() + x.size(), at) - x.data(), 1, x.size() - 1);
+    const double share = (at - x[upper - 1]) / (x[upper] - x[upper - 1]);
+    return y[upper - 1] + share * (y[upper] - y[upper - 1]);
+}
+
+/// States behind the place where the edge lets go, by position of the motor.
+class Recession {
+public:
+    Recession(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
+              const hysteresis::SphereLoop& truth, const std::optional<hysteresis::MovingEdge>& edge)
+        : machine_(protocol.machine_stiffness),
+          specimen_(specimen),
+          largest_(truth.turning_point.contact_radius),
+          parting_(machine_.motor(truth.parting)) {
+        if (!edge) return;
+        constexpr int steps = 20000;
+        const auto course = hysteresis::recession_course(specimen, protocol.pressing(), *edge, steps);
+        motor_ = course.motor.reverse();
+        contact_radius_ = course.contact_radius.reverse();
+        displacement_ = course.displacement.reverse();
+        parting_ = motor_[0];
+    }
+
+    [[nodiscard]] double parting() const { return parting_; }
+
+    [[nodiscard]] State at(double position) const {
+        const auto retraction = specimen_.retraction();
+        if (motor_.size() == 0)
+            return hysteresis::equilibrium(machine_.stable_radius(position, retraction, largest_), retraction);
+        State state{.displacement = interpolated(motor_, displacement_, position),
+                    .contact_radius = interpolated(motor_, contact_radius_, position)};
+        state.force = contact::jkr::force_at(state.contact_radius, state.displacement,
+                                             {specimen_.radius, specimen_.contact_modulus});
+        return state;
+    }
+
+private:
+    hysteresis::Machine machine_;
+    hysteresis::HystereticSphere specimen_;
+    double largest_, parting_;
+    Array1D motor_, contact_radius_, displacement_;
+};
+
+/// What the bulk adds to the force, counted from the jump in.
+void add_relaxation(loops::Loop& loop, double jump_in, const hysteresis::HystereticSphere& specimen,
+                    const LoadingProtocol& protocol, const hysteresis::ViscousBody& body) {
+    if (body.relaxation.empty()) return;
+    constexpr int points = 2000;
+    const auto history = hysteresis::contact_history(specimen, protocol.pressing(), protocol.drive(),
+                                                     body.moving_edge(protocol.drive()), points);
+    const Array1D force =
+        contact::relaxation_force(history, specimen.radius, specimen.contact_modulus, body.relaxation);
+    for (Index i = 0; i < loop.time.size(); ++i)
+        loop.force[i] += interpolated(history.time, force, loop.time[i] - jump_in);
+}
+
 }  // namespace
 
 SimulatedLoop simulated_loop(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
-                             const LoopArtefacts& artefacts) {
+                             const LoopArtefacts& artefacts, const hysteresis::ViscousBody& body) {
     require_valid(artefacts);
-    SimulatedLoop result{.truth = loop_truth(specimen, protocol)};
+    SimulatedLoop result{.truth = loop_truth(specimen, protocol, body)};
     const hysteresis::SphereLoop& truth = result.truth;
     const hysteresis::Machine machine(protocol.machine_stiffness);
-    const auto approach = specimen.approach(), retraction = specimen.retraction();
+    const auto approach = specimen.approach();
+    const Recession recession(specimen, protocol, truth, body.moving_edge(protocol.drive()));
     const double turn = machine.motor(truth.turning_point), unpinned = machine.motor(truth.unpinned);
-    const double parting = machine.motor(truth.parting);
-    const Schedule schedule(protocol, turn, parting);
+    const Schedule schedule(protocol, turn, recession.parting());
 
     const Index n = schedule.samples;
     loops::Loop& loop = result.loop;
@@ -108,14 +167,14 @@ SimulatedLoop simulated_loop(const hysteresis::HystereticSphere& specimen, const
             state = hysteresis::equilibrium(machine.stable_radius(position, approach, largest), approach);
         else if (time > schedule.turn && position >= unpinned)
             state = machine.pinned(truth.turning_point, position, specimen.contact_modulus);
-        else if (time > schedule.turn && position >= parting)
-            state = hysteresis::equilibrium(machine.stable_radius(position, retraction, largest), retraction);
+        else if (time > schedule.turn && position >= recession.parting()) state = recession.at(position);
         loop.time[i] = time;
         motor[i] = position;
         loop.force[i] = state.force;
         loop.displacement[i] = state.displacement;
         loop.contact_radius[i] = has_frame(i, protocol) ? state.contact_radius : undefined;
     }
+    add_relaxation(loop, protocol.start_gap / protocol.approach_speed, specimen, protocol, body);
     add_artefacts(loop, motor, artefacts);
     return result;
 }

@@ -35,9 +35,10 @@ void require_valid(const LoadingProtocol& protocol) {
 
 }  // namespace
 
-hysteresis::SphereLoop loop_truth(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol) {
+hysteresis::SphereLoop loop_truth(const hysteresis::HystereticSphere& specimen, const LoadingProtocol& protocol,
+                                  const hysteresis::ViscousBody& body) {
     require_valid(protocol);
-    return hysteresis::sphere_loop(specimen, protocol.pressing());
+    return hysteresis::sphere_loop(specimen, protocol.pressing(), protocol.drive(), body);
 }
 
 }  // namespace setae::simulation

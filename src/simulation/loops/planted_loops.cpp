@@ -105,7 +105,9 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const Surfac
         lose(pair, loops, loops.loss_factor * recipe.work_of_adhesion * state.true_contact());
         specimen.work_retraction *= elastomer.tip_factor;
     } else {
-        const hysteresis::RetractionModel model{law_of(loops.law), elastomer.tip_factor > 1.0};
+        using hysteresis::Tip;
+        const hysteresis::RetractionModel model{law_of(loops.law),
+                                                elastomer.tip_factor > 1.0 ? Tip::reference : Tip::none};
         state.work_approach = work;
         const auto line = hysteresis::retraction_line(model, state, {});
         specimen.work_retraction = std::max(work, line.slope * loops.opening_work + line.constant);
@@ -147,7 +149,7 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
     std::vector<PlantedLoop> loops;
     if (!recipe.loops) return loops;
     const auto add = [&](PlantedLoop loop) {
-        loop.truth = loop_truth(loop.specimen, recipe.loops->protocol);
+        loop.truth = loop_truth(loop.specimen, recipe.loops->protocol, loop.body);
         loops.push_back(std::move(loop));
     };
     for (std::size_t i = 0; i < truths.size(); ++i) {
@@ -162,6 +164,7 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
                      .surface = names.surface,
                      .elastomer = names.elastomer,
                      .specimen = pair.specimen,
+                     .body = elastomer.body,
                      .measured = measured});
             else if (recipe.loops->nonconforming == NonconformingPairs::refuse)
                 throw InvalidArgument(
@@ -178,7 +181,8 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
                      .specimen = {.radius = elastomer.sphere_radius.value,
                                   .contact_modulus = contact_modulus(recipe, elastomer),
                                   .work_approach = *work,
-                                  .work_retraction = elastomer.tip_factor * *work}});
+                                  .work_retraction = elastomer.tip_factor * *work},
+                     .body = elastomer.body});
     add_further(loops, recipe.loops->further);
     return loops;
 }

@@ -188,6 +188,28 @@ StretchedSurfaceEnergy read_surface_energy_law(TomlReader reader) {
     return {std::move(law), form.value_or(StretchedSurfaceEnergy::Form::end_states)};
 }
 
+const Keys<StatedEdgeSpeed>& edge_speed_keys() {
+    using Stated = StatedEdgeSpeed;
+    static const auto keys =
+        Keys<Stated>()
+            .add("reference_speed", &Stated::reference_speed, positive(dimension::length / dimension::time),
+                 "v0 of G(v) = W_ret [1 + (v/v0)^n]")
+            .required()
+            .add("exponent", &Stated::exponent, positive(dimension::none), "n")
+            .required();
+    return keys;
+}
+
+const Keys<StatedRelaxation>& relaxation_keys() {
+    using Stated = StatedRelaxation;
+    static const auto keys = Keys<Stated>()
+                                 .add("share", &Stated::share, non_negative(dimension::none), "g of E(t)/E∞ = 1 + Σ g e^(−t/τ)")
+                                 .required()
+                                 .add("time", &Stated::time, positive(dimension::time), "τ")
+                                 .required();
+    return keys;
+}
+
 const Keys<ElastomerInput>& elastomer_keys() {
     using Input = ElastomerInput;
     static const auto keys =
@@ -214,6 +236,23 @@ const Keys<ElastomerInput>& elastomer_keys() {
             .add("sphere_height", &Input::sphere_height, positive(dimension::length), "of the lens")
             .add("preload", &Input::preload, non_negative(dimension::force),
                  "with sphere_radius: loops with this largest force are predicted, measured or not")
+            .add("speed", &Input::speed, positive(dimension::length / dimension::time),
+                 "of the motor in loops to be predicted; without it the mean of the loops on this elastomer")
+            .add("hold_time", &Input::hold_time, non_negative(dimension::time),
+                 "of the motor at their turning point, likewise")
+            .table<StatedEdgeSpeed>(
+                "crack_speed", edge_speed_keys(), [](Input& e, StatedEdgeSpeed stated) { e.crack_speed = std::move(stated); },
+                "`{ reference_speed = \"1.0 ± 0.1 um/s\", exponent = \"0.60 ± 0.02\" }`: how much more energy an edge asks for "
+                "the faster it recedes; without it, it is fitted to the references on this elastomer "
+                "([hysteresis](../theory/hysteresis.md))")
+            .add({"relaxation", "list of tables", "", "",
+                  "`[{ share = \"0.10 ± 0.02\", time = \"20 s\" }, …]`: terms of E(t)/E∞ = 1 + Σ g e^(−t/τ), by which its bulk "
+                  "relaxes"},
+                 [](TomlReader& reader, Input& elastomer) {
+                     reader.each_table("relaxation", [&](TomlReader inner) {
+                         elastomer.relaxation.push_back(relaxation_keys().from(std::move(inner)));
+                     });
+                 })
             .add("crosslink_molar_mass", &Input::crosslink_molar_mass, positive(dimension::molar_mass),
                  "M_c, for the plausibility of E against ρRT/M_c")
             .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "ρ of it")
@@ -632,6 +671,8 @@ std::vector<KeyTable> study_keys() {
         {"[elastomers.NAME]", "A soft solid.", elastomer_keys().descriptions()},
         {"[[experiments]]", "One loop; every key of [loops], too, for this loop alone.",
          experiment_keys().descriptions()},
+        {"crack_speed of [elastomers.NAME]", "", edge_speed_keys().descriptions()},
+        {"relaxation of [elastomers.NAME]", "", relaxation_keys().descriptions()},
         {"camera of [[experiments]]", "", camera_keys().descriptions()},
         {"[loops]", "How every loop is analysed, and what is fitted to it; an experiment may say otherwise.",
          loop_keys().descriptions()},

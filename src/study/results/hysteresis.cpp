@@ -27,6 +27,7 @@ using hysteresis::ModelScore;
 using hysteresis::Ranking;
 using hysteresis::RetractionModel;
 using hysteresis::RetractionPair;
+using hysteresis::Tip;
 
 /// φ of an elastomer's references, the mean of both branches over all of them.
 std::optional<TracedValue> tip_factor_of(const StudyResult& result, const std::string& elastomer) {
@@ -100,6 +101,31 @@ std::optional<TracedValue> machine_stiffness_of(const StudyResult& result, const
     return mean;
 }
 
+/// The factor of the pair's edge: about W_ret as measured, else about twice W_int; nothing where something is not known.
+std::optional<hysteresis::SpeedFactor> speed_factor_of(const RetractionPair& pair, const PairDrive& drive,
+                                                       const std::optional<Estimate>& read) {
+    if (!pair.edge_speed || !pair.radius || !(pair.contact_area || pair.pressing)) return std::nullopt;
+    hysteresis::TracedSphere sphere{.radius = *pair.radius,
+                                    .contact_modulus = pair.soft.contact_modulus,
+                                    .contact_radius = {}};
+    if (pair.machine_stiffness) sphere.machine_stiffness = *pair.machine_stiffness;
+    const double work = pair.work_of_adhesion.value;
+    if (pair.contact_area)
+        sphere.contact_radius = setae::propagated(
+            [](const std::vector<double>& in) { return std::sqrt(in[0] / pi); }, {*pair.contact_area});
+    else
+        sphere.contact_radius = contact::jkr::contact_radius_at_force(
+            pair.pressing->maximum_force, {pair.radius->value, pair.soft.contact_modulus.value, work});
+    const double speed = drive.drive.retraction_speed;
+    try {
+        if (read && read->value > 0.0)
+            return speed_factor_of_reading(sphere, *pair.edge_speed, speed, drive.reading_time, read->value);
+        return speed_factor(sphere, *pair.edge_speed, speed, drive.reading_time, 2.0 * work);
+    } catch (const InvalidArgument&) {
+        return std::nullopt;  // a law so steep that no edge of it can be followed
+    }
+}
+
 /// A pair of the study with what lives as long as laws look at it.
 struct PreparedPair {
     const PairResult& measured;
@@ -146,6 +172,8 @@ public:
 
 private:
     void prepare();
+    /// Found once an elastomer.
+    [[nodiscard]] const ElastomerTimes& times_of(const std::string& elastomer);
     /// Laws with the pairs they are ranked by; those that lack something, and what.
     struct Models {
         std::vector<ModelPoints> points;
@@ -177,6 +205,13 @@ std::string reason_against(const SurfaceResult& surface, const PairResult& pair,
     return state.conforming_gain() > 0.0 ? "" : "stretching the soft side costs more than W_int gains";
 }
 
+const ElastomerTimes& HysteresisOf::times_of(const std::string& elastomer) {
+    for (const auto& times : found_.elastomers)
+        if (times.elastomer == elastomer) return times;
+    return found_.elastomers.emplace_back(
+        ElastomerTimes{elastomer, edge_speed_of(result_, elastomer), relaxation_of(result_, elastomer)});
+}
+
 void HysteresisOf::prepare() {
     for (const auto& pair : result_.pairs) {
         const auto& surface = result_.surface(pair.surface);
@@ -197,16 +232,29 @@ void HysteresisOf::prepare() {
         if (elastomer.input.sphere_radius) base.radius = elastomer.traced_radius();
         base.pressing = pressing_of(elastomer, pair, base);
         base.machine_stiffness = machine_stiffness_of(result_, pair);
-        prepared.from_roughness.emplace(base);
-        base.approach = pair.traced_approach();
-        if (pair.contact_area) base.contact_area = TracedValue(*pair.contact_area, pair.contact_area_inputs);
-        prepared.as_measured.emplace(std::move(base));
+        const auto& times = times_of(pair.elastomer);
+        if (times.edge) base.edge_speed = times.edge->law;
+        base.relaxation = times.relaxation;
+        auto measured = base;
+        measured.approach = pair.traced_approach();
+        if (pair.contact_area) measured.contact_area = TracedValue(*pair.contact_area, pair.contact_area_inputs);
+        if (const auto drive = drive_of(result_, pair.surface, pair.elastomer)) {
+            base.drive = {drive->drive.approach_speed, drive->drive.retraction_speed, drive->drive.hold_time};
+            base.speed_factor = speed_factor_of(measured, *drive, prepared.retraction());
+            measured.drive = base.drive;
+            measured.speed_factor = base.speed_factor;
+        }
+        prepared.from_roughness.emplace(std::move(base));
+        prepared.as_measured.emplace(std::move(measured));
     }
 }
 
 HysteresisOf::Models HysteresisOf::models_of(bool conforming_alone) const {
     Models models;
-    for (const auto& model : hysteresis::retraction_models()) {
+    std::vector<Tip> tips{Tip::none, Tip::reference};
+    if (std::ranges::any_of(found_.elastomers, [](const auto& times) { return static_cast<bool>(times.edge); }))
+        tips.push_back(Tip::speed);
+    for (const auto& model : hysteresis::retraction_models(tips)) {
         ModelPoints points{model, {}};
         std::string reason;
         for (const auto& pair : pairs_) {
@@ -298,8 +346,9 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) const {
     found.energy_share = roughness.energy_share();
     found.conforms = pair.conforms();
     found.tip_factor = roughness.tip_factor;
+    if (roughness.speed_factor) found.speed_factor = roughness.speed_factor->factor;
     if (pair.ranked()) found.measured_retraction = pair.retraction();
-    FittedModel fitted{.model = {Law::conformal_loss, false}, .parameter = {}, .scatter = {}};
+    FittedModel fitted{.model = {Law::conformal_loss, Tip::none}, .parameter = {}, .scatter = {}};
     if (const auto* ranking = ranking_of(pair)) {
         found.models = works_of(pair, *ranking);
         found.choice = ranking == &found_.conforming ? ModelChoice::conforming_pairs : ModelChoice::all_pairs;

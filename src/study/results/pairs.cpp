@@ -47,13 +47,15 @@ void take_loops(PairResult& pair, const StudyResult& result, const ElastomerResu
         loops.weights = std::move(weights);
         take_dependence(pair, quantity, loops, elastomer.modulus_from_loops);
         if (quantity.of_pair != &PairResult::approach) continue;  // which every loop has
-        std::vector<double> area, ideal_loss;
+        std::vector<double> area, ideal_loss, bulk;
         const double share = 1.0 / static_cast<double>(loops.loops.size());
         for (const auto* e : loops.loops) {
             add_area_inputs(pair.contact_area_inputs, *e, share);
             area.push_back(e->analysis->context.largest_contact_area);
             ideal_loss.push_back(e->analysis->context.ideal_smooth_sphere_loss);
+            if (e->analysis->bulk) bulk.push_back(e->analysis->bulk->energy_loss);
         }
+        if (!bulk.empty()) pair.bulk_loss = mean_of(bulk);
         pair.experiments = static_cast<int>(loops.loops.size());
         pair.contact_area = mean_of(area);
         pair.ideal_loss = mean_of(ideal_loss);

@@ -67,6 +67,13 @@ loops::LensAndCounterBody bodies_of(const ExperimentInput& input, const Study& s
     return bodies;
 }
 
+/// The experiment with what its elastomer does in time.
+ExperimentInput with_relaxation(ExperimentInput input, const Study& study) {
+    for (const auto& term : study.elastomer(input.elastomer)->relaxation)
+        input.options.relaxation.push_back({term.share.value, term.time.value});
+    return input;
+}
+
 /// A loop's record, calibrations applied: opened when it is first needed.
 class Record {
 public:
@@ -99,7 +106,8 @@ LoopDependence dependence_of(const ExperimentResult& result, const std::vector<U
     return dependence_of(numbers_of(*result.analysis), inputs, *derivatives);
 }
 
-ExperimentResult analyse_experiment(const ExperimentInput& input, const Study& study, Run& run) {
+ExperimentResult analyse_experiment(const ExperimentInput& stated, const Study& study, Run& run) {
+    const auto input = with_relaxation(stated, study);
     ExperimentResult result;
     result.input = input;
     bool cached = false;
@@ -210,7 +218,7 @@ std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& opt
     for (const auto& input : study.experiments) {
         PlannedStep step{"experiment", input.file, {}, false};
         try {
-            const auto key = experiment_key(run, input, bodies_of(input, study));
+            const auto key = experiment_key(run, with_relaxation(input, study), bodies_of(input, study));
             if (key.empty()) throw FileError(fmt::format("{}: cannot be read", input.file));
             step.cached = options.store && options.store->holds(key);
         } catch (const std::exception& error) {

@@ -137,6 +137,12 @@ SETAE_KEEP(SpectrumUnits, quantity, wavevector, density)
 
 }  // namespace setae::tables
 
+namespace setae::contact {
+
+SETAE_KEEP(RelaxationTerm, share, time)
+
+}  // namespace setae::contact
+
 namespace setae::loops {
 
 template <class Archive, class T>
@@ -161,7 +167,7 @@ SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thi
 SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, force_drift,
            extrapolate_force_drift, displacement_drift_rate, leave_pinned_out, contact_radius_noise, machine_stiffness,
            machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free,
-           interaction_range, limits)
+           interaction_range, relaxation, limits)
 SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, force_noise_correlation, displacement_noise,
            displacement_noise_correlation, force_displacement_covariance, force_scatter, force_slope,
            force_slope_standard_error)
@@ -200,11 +206,12 @@ SETAE_KEEP(ContactAnalysis, loading, hold, pinned, unloading, pull_off, retracti
            ledger, compliance)
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
 SETAE_KEEP(Calibration, force, displacement, contact_radius)
+SETAE_KEEP(BulkRelaxation, energy_loss, largest_force)
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
 template <class Archive>
 void serialize(Archive& archive, LoopAnalysis& of) {
     archive(static_cast<ContactAnalysis&>(of), of.corrected, of.segments, of.further_contacts, of.cycles, of.faults,
-            of.alerts);
+            of.bulk, of.alerts);
 }
 
 }  // namespace setae::loops

@@ -26,8 +26,8 @@ TEST(LawRecovery, NamesWhatRecipesCanPlant) {
     EXPECT_EQ(plantable_laws().size(), 8U);
     const auto named = plantable_laws({"crack_tip_pinning", "opening_work"});
     ASSERT_EQ(named.size(), 2U);
-    EXPECT_EQ(named[0], (RetractionModel{Law::pinning, true}));
-    EXPECT_EQ(named[1], (RetractionModel{Law::opening_work, false}));
+    EXPECT_EQ(named[0], (RetractionModel{Law::pinning, hysteresis::Tip::reference}));
+    EXPECT_EQ(named[1], (RetractionModel{Law::opening_work, hysteresis::Tip::none}));
     EXPECT_EQ(plantable_laws({"all"}), plantable_laws());
     EXPECT_THROW((void)plantable_laws({"opening"}), InvalidArgument);
 }
@@ -35,12 +35,12 @@ TEST(LawRecovery, NamesWhatRecipesCanPlant) {
 TEST(LawRecovery, PlantsALawAlone) {
     auto told = recipe();
     told.elastomers[1].tip_factor = 1.7;
-    const auto opening = with_law(told, {Law::opening_work, false});
+    const auto opening = with_law(told, {Law::opening_work, hysteresis::Tip::none});
     EXPECT_EQ(opening.loops->law, simulation::RetractionLaw::opening);
     EXPECT_DOUBLE_EQ(opening.loops->opening_work, 0.074);
     EXPECT_EQ(opening.elastomers[1].tip_factor, 1.0) << "the crack tip is another mechanism";
-    EXPECT_EQ(with_law(told, {Law::pinning, true}).elastomers[1].tip_factor, 1.7);
-    const auto tip = with_law(recipe(), {Law::reversible, true});
+    EXPECT_EQ(with_law(told, {Law::pinning, hysteresis::Tip::reference}).elastomers[1].tip_factor, 1.7);
+    const auto tip = with_law(recipe(), {Law::reversible, hysteresis::Tip::reference});
     EXPECT_DOUBLE_EQ(tip.elastomers[0].tip_factor, 1.5);
     EXPECT_DOUBLE_EQ(tip.elastomers[2].tip_factor, 1.3);
 }
@@ -48,9 +48,9 @@ TEST(LawRecovery, PlantsALawAlone) {
 TEST(LawRecovery, RefusesWhatNoRecipeHas) {
     auto smooth = recipe();
     smooth.loops->reference_work.reset();
-    EXPECT_THROW((void)with_law(smooth, {Law::reversible, true}), InvalidArgument);
+    EXPECT_THROW((void)with_law(smooth, {Law::reversible, hysteresis::Tip::reference}), InvalidArgument);
     smooth.loops.reset();
-    EXPECT_THROW((void)with_law(smooth, {Law::reversible, false}), InvalidArgument);
+    EXPECT_THROW((void)with_law(smooth, {Law::reversible, hysteresis::Tip::none}), InvalidArgument);
 }
 
 TEST(LawRecovery, CountsWhatBecameOfALaw) {

@@ -47,7 +47,7 @@ struct LoopBodies {
 /// How a loop is analysed.
 struct LoopSettings {
     std::string machine_stiffness, rigid_contact, contact_point = "auto", displacement_drift;
-    std::vector<std::string> segments;
+    std::vector<std::string> segments, relaxation;
     double baseline_share = loops::SegmentOptions{}.baseline_share, area_ratio = 1.0;
     long samples_dropped = 3;
     bool unweighted = false, modulus_free = false, no_drift = false, extrapolate_drift = false,

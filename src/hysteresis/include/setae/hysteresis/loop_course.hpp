@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "setae/contact/relaxation.hpp"
 #include "setae/core/table.hpp"
 #include "setae/hysteresis/moving_edge.hpp"
 
@@ -22,19 +23,11 @@ struct Drive {
     double hold_time = 0.0;                               ///< [s], >= 0
 };
 
-/// A contact in time, from the jump in to parting.
-struct ContactHistory {
-    Array1D time;            ///< [s], rising; 0 at the jump in
-    Array1D displacement;    ///< δ [m]
-    Array1D contact_radius;  ///< [m]: rises to the turn and falls behind it
-    Index turn = 0;          ///< the sample at which the hold begins
-};
-
 /// The same loop in time, the stretch along which the edge stays included. The jump out takes no time: the history ends
 /// before it.
 /// @throws InvalidArgument as loop_course(), and for speeds and times outside their domains.
-[[nodiscard]] ContactHistory contact_history(const HystereticSphere& sphere, const Pressing& pressing,
-                                             const Drive& drive, const std::optional<MovingEdge>& edge = {},
-                                             int points = 200);
+[[nodiscard]] contact::ContactHistory contact_history(const HystereticSphere& sphere, const Pressing& pressing,
+                                                      const Drive& drive, const std::optional<MovingEdge>& edge = {},
+                                                      int points = 200);
 
 }  // namespace setae::hysteresis

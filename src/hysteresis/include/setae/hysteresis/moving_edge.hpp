@@ -6,16 +6,21 @@
 
 namespace setae::hysteresis {
 
-/// An edge that asks for more energy the faster it recedes.
+/// How much more energy an edge asks for the faster it recedes: an elastomer's.
 ///
-///   G(v) = W_ret [1 + (v/v0)^n],  v: speed of the edge
+///   G(v) = W_ret [1 + (v/v0)^n],  v: speed of the edge,  W_ret: what it needs at rest
 ///
-/// v0 and n are the elastomer's, contact::crack_speed; W_ret is what the edge needs at rest.
-struct MovingEdge {
+/// Source: contact::crack_speed, whose threshold is W_ret.
+struct EdgeSpeed {
     double reference_speed = 0.0;  ///< v0 [m/s], > 0
     double exponent = 0.0;         ///< n, > 0
-    double motor_speed = 0.0;      ///< at which the machine pulls [m/s], > 0
-    double reading_time = 0.0;     ///< before the smallest force, over which experiment reads W_ret [s], >= 0
+};
+
+/// Such an edge as a machine pulls it.
+struct MovingEdge {
+    EdgeSpeed law;
+    double motor_speed = 0.0;   ///< [m/s], > 0
+    double reading_time = 0.0;  ///< before the smallest force, over which experiment reads W_ret [s], >= 0
 };
 
 /// What such an edge does from where it begins to recede until nothing touches.

@@ -24,17 +24,26 @@ struct ModelParameter {
     std::string unit;      ///< "1", "J/m2"
 };
 
-/// A law, alone or times what a smooth reference needs more on the way back than on approach: the crack tip's own loss.
+/// What the tip of the crack loses of itself, on smooth surfaces as well.
+enum class Tip {
+    none,
+    reference,  ///< by the factor by which the smooth reference needs more on the way back: φ = W_ret/W_app
+    speed,      ///< by that of the speed at which the pair's own edge recedes: φ = 1 + (v/v0)^n
+};
+
+/// A law, alone or times the crack tip's own loss.
 ///
-///   W_ret = φ (W_app + x),  φ = W_ret/W_app of the smooth reference on the same elastomer, 1 without the crack tip
+///   W_ret = φ (W_app + x),  φ of the same elastomer, 1 without the crack tip
 ///
-/// x: the law's.  Pinning and (10) are two accounts of one energy and exclude each other; either goes with the crack
-/// tip, which multiplies what an edge costs to move. opening_work has W_x r in place of W_app + x.
+/// x: the law's.  Pinning and (10) are two accounts of one energy and exclude each other, and so do the two accounts of
+/// the tip; either law goes with either tip, which multiplies what an edge costs to move. opening_work has W_x r in
+/// place of W_app + x.
 struct RetractionModel {
     Law law = Law::reversible;
-    bool crack_tip = false;
+    Tip tip = Tip::none;
 
-    [[nodiscard]] std::string name() const;     ///< "pinning", "crack_tip_pinning"; of the crack tip alone "crack_tip"
+    /// "pinning", "crack_tip_pinning", "crack_speed_pinning"; of the tip alone "crack_tip", "crack_speed".
+    [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string formula() const;  ///< "φ (W_app + 2k U_el/A)"
     [[nodiscard]] bool fitted() const;          ///< whether it has a parameter
     [[nodiscard]] ModelParameter parameter() const;  ///< of a fitted one
@@ -42,8 +51,9 @@ struct RetractionModel {
     friend bool operator==(const RetractionModel&, const RetractionModel&) = default;
 };
 
-/// All of them, without and with the crack tip.
-[[nodiscard]] std::vector<RetractionModel> retraction_models();
+/// All of them with each of these tips.
+[[nodiscard]] std::vector<RetractionModel> retraction_models(
+    const std::vector<Tip>& tips = {Tip::none, Tip::reference});
 
 /// What a model is told of a pair; nothing of its errors. Where the bodies touch in part, of the part that they touch.
 struct PairState {
@@ -53,7 +63,7 @@ struct PairState {
     double work_of_adhesion = 0.0;  ///< W_int [J/m²], > 0
     double surface_energy = 0.0;    ///< γ1 [J/m²]
     double work_approach = 0.0;     ///< W_app [J/m²], >= 0
-    double tip_factor = 1.0;        ///< φ
+    double tip_factor = 1.0;        ///< φ of the model's tip
     double pinning_factor = 1.0;    ///< on k of simulated fronts
     double jumps_per_area = 0.0;    ///< what both jumps of the sphere lose over π a_max² [J/m²]
 

@@ -34,10 +34,11 @@ struct SphereLoop {
     double jump_in_loss = 0.0;    ///< [J]
     double edge_loss = 0.0;       ///< (W_ret − W_app) π a_max² [J]
     double jump_out_loss = 0.0;   ///< [J]
-    double speed_loss = 0.0;      ///< what an edge needs beyond W_ret because it moves [J]; 0 of one that does not mind
+    double speed_loss = 0.0;      ///< what an edge needs beyond W_ret because it moves [J]: EdgeSpeed
+    double bulk_loss = 0.0;       ///< of a bulk that relaxes [J]: contact::RelaxationTerm
 
     /// ∮ F dδ [J]
-    [[nodiscard]] double energy_loss() const { return jump_in_loss + edge_loss + jump_out_loss + speed_loss; }
+    [[nodiscard]] double energy_loss() const { return jump_in_loss + edge_loss + jump_out_loss + speed_loss + bulk_loss; }
     [[nodiscard]] double largest_contact_area() const;                                             ///< π a_max² [m²]
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/contact/relaxation.hpp"
 #include "setae/core/quantity.hpp"
 #include "setae/loops/contact_point.hpp"
 #include "setae/loops/crack_speed_fit.hpp"
@@ -53,6 +54,7 @@ struct AnalysisOptions {
     Index retraction_points = 6;                    ///< of (S2)
     bool retraction_modulus_free = false;           ///< E* of (S2) fitted, not taken from loading
     Estimate interaction_range{.value = 0.3e-9};    ///< z0 of the Tabor parameter [m]
+    std::vector<contact::RelaxationTerm> relaxation;  ///< by which the bulk relaxes: LoopAnalysis::bulk
     AlertLimits limits;
 };
 
@@ -149,6 +151,12 @@ struct ContactAnalysis {
     std::optional<ComplianceEffect> compliance;  ///< where the machine's stiffness has a standard error
 };
 
+/// What a bulk that relaxes does to a contact, contact::relaxation_force().
+struct BulkRelaxation {
+    double energy_loss = 0.0;    ///< ∮ F₁ dδ [J], part of the loop's
+    double largest_force = 0.0;  ///< |F₁| [N]
+};
+
 /// A record: its first contact in full, and what there is beside it.
 struct LoopAnalysis : ContactAnalysis {
     Loop corrected;  ///< the record as analysed: force counted from its zero, drift and the machine's own deflection
@@ -157,6 +165,9 @@ struct LoopAnalysis : ContactAnalysis {
     std::vector<Outcome<ContactAnalysis>> further_contacts;  ///< of segments.contacts 1, 2, …
     std::vector<CycleAnalysis> cycles;
     RecordFaults faults;
+    /// Where a relaxation is stated. F₁ is taken off the force before everything else is found in it; the loop's energy
+    /// has what it costs.
+    std::optional<BulkRelaxation> bulk;
     std::vector<Alert> alerts;
 };
 

@@ -15,7 +15,8 @@ struct PlantedLoop {
     std::string surface;  ///< empty for a reference
     std::string elastomer;
     std::string stage;                      ///< of references: "before" or "after"
-    hysteresis::HystereticSphere specimen;  ///< R, E*, W_app, W_ret
+    hysteresis::HystereticSphere specimen;  ///< R, E*, W_app, W_ret at rest
+    hysteresis::ViscousBody body{};         ///< what its elastomer does in time
     hysteresis::SphereLoop truth;
     bool measured = true;  ///< else there is no file: the pair is for the study to predict
     int number = 1;        ///< among the loops of its pair

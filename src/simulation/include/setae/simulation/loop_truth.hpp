@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "setae/hysteresis/sphere_loop.hpp"
+#include "setae/hysteresis/viscous_body.hpp"
 
 /// Simulated measurements of bodies whose every property is known.
 namespace setae::simulation {
@@ -22,11 +22,13 @@ struct LoadingProtocol {
     double machine_stiffness = std::numeric_limits<double>::infinity();  ///< k_m [N/m], > 0; infinite: fixed grips
 
     [[nodiscard]] hysteresis::Pressing pressing() const { return {maximum_force, machine_stiffness}; }
+    [[nodiscard]] hysteresis::Drive drive() const { return {approach_speed, retraction_speed, hold_time}; }
 };
 
 /// What a loop of this specimen in this machine goes through: hysteresis::sphere_loop().
 /// @throws InvalidArgument for values outside their domains.
 [[nodiscard]] hysteresis::SphereLoop loop_truth(const hysteresis::HystereticSphere& specimen,
-                                                const LoadingProtocol& protocol);
+                                                const LoadingProtocol& protocol,
+                                                const hysteresis::ViscousBody& body = {});
 
 }  // namespace setae::simulation

@@ -84,6 +84,7 @@ struct ElastomerRecipe {
     StatedQuantity surface_energy;  ///< γ1 [J/m²]
     StatedQuantity sphere_radius;   ///< R [m], > 0
     double tip_factor = 1.0;        ///< φ, by which W_ret is larger on every surface, smooth ones too; >= 1
+    hysteresis::ViscousBody body;   ///< an edge that minds its speed, a bulk that relaxes
 };
 
 /// A surface and an elastomer.

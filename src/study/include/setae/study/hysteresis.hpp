@@ -7,6 +7,7 @@
 
 #include "setae/hysteresis/law_trials.hpp"
 #include "setae/loops/outcome.hpp"
+#include "setae/study/edge_speeds.hpp"
 
 namespace setae::study {
 
@@ -42,6 +43,7 @@ struct PairHysteresis {
     double energy_share = 0.0;                    ///< U_el over what conforming gains
     bool conforms = false;                        ///< the share is at most hysteresis::conforming_energy_share
     std::optional<TracedValue> tip_factor;        ///< W_ret/W_app of the smooth reference
+    std::optional<TracedValue> speed_factor;      ///< W_ret as read over W_ret at rest, of the speed of the pair's edge
     std::optional<Estimate> measured_retraction;  ///< by (S2), else by (S1) [J/m²]
     hysteresis::RetractionModel model;            ///< whose numbers follow
     ModelChoice choice = ModelChoice::assumed;
@@ -52,6 +54,13 @@ struct PairHysteresis {
     loops::Outcome<hysteresis::PredictedRetraction> loop;
     loops::Outcome<LossDecomposition> decomposition;
     std::vector<ModelWork> models;
+};
+
+/// What an elastomer does in time, as its references and the study say.
+struct ElastomerTimes {
+    std::string elastomer;
+    loops::Outcome<ElastomerEdgeSpeed> edge;
+    std::vector<hysteresis::TracedRelaxation> relaxation;
 };
 
 /// A pair of which nothing can be said, and why.
@@ -72,6 +81,7 @@ struct DecidingPair {
 struct Hysteresis {
     int measured_pairs = 0, conforming_pairs = 0;  ///< with W_ret measured
     hysteresis::Ranking conforming, all;           ///< W_app as measured
+    std::vector<ElastomerTimes> elastomers;        ///< of the pairs
     std::vector<PairHysteresis> pairs;
     std::vector<SkippedPair> skipped;
     std::vector<hysteresis::LawTrials> trials;  ///< of the ranking that comes first, where they were asked for

@@ -85,6 +85,18 @@ struct StretchedSurfaceEnergy {
     Form form = Form::end_states;
 };
 
+/// G(v) = W_ret [1 + (v/v0)^n] of an elastomer's edge, where it is stated.
+struct StatedEdgeSpeed {
+    Estimate reference_speed;  ///< v0 [m/s]
+    Estimate exponent;         ///< n
+};
+
+/// One term of an elastomer's relaxation, E(t)/E∞ = 1 + Σ g e^(−t/τ).
+struct StatedRelaxation {
+    Estimate share;  ///< g
+    Estimate time;   ///< τ [s]
+};
+
 /// A soft solid.
 struct ElastomerInput {
     std::string name;
@@ -96,6 +108,10 @@ struct ElastomerInput {
     std::optional<Estimate> sphere_radius;       ///< [m]
     std::optional<Estimate> sphere_height;       ///< [m]
     std::optional<double> preload;               ///< largest force of the loops to be predicted [N]
+    std::optional<double> speed;                 ///< of the motor in them [m/s]; without it that of the elastomer's loops
+    std::optional<double> hold_time;             ///< of it at the turning point [s], likewise
+    std::optional<StatedEdgeSpeed> crack_speed;  ///< without it fitted to loops on the smooth standard
+    std::vector<StatedRelaxation> relaxation;
     std::optional<double> crosslink_molar_mass;  ///< M_c [kg/mol]
     double density = 970.0;                      ///< [kg/m³], PDMS
     double temperature = 298.0;                  ///< [K]

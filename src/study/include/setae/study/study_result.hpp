@@ -86,6 +86,7 @@ struct PairResult {
     /// The part of `approach`'s own standard error that it shares with E of the elastomer where that comes from the
     /// same fits: "fit of FILE" of each loop. Empty where the study gives E.
     Components approach_fits;
+    std::optional<double> bulk_loss;          ///< what of `loss` relaxes in the bulk, as its relaxation is stated [J]
     std::optional<double> contact_area;       ///< π a_max² at maximum preload [m²]
     Components contact_area_inputs;           ///< of it: what loops share, and "fit of FILE" of each loop [m²]
     std::optional<double> ideal_loss;         ///< of a smooth sphere with this W and E* [J]

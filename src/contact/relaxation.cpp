@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/hysteresis/bulk_relaxation.hpp"
+#include "setae/contact/relaxation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "setae/core/errors.hpp"
 
-namespace setae::hysteresis {
+namespace setae::contact {
 namespace {
 
 void require_valid(const ContactHistory& history, double radius, double contact_modulus,
@@ -125,4 +125,4 @@ double relaxation_loss(const ContactHistory& history, double radius, double cont
     return loss;
 }
 
-}  // namespace setae::hysteresis
+}  // namespace setae::contact

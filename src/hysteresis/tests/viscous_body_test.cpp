@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/hysteresis/bulk_relaxation.hpp"
+#include "setae/hysteresis/viscous_body.hpp"
 
 #include <cmath>
 #include <vector>
@@ -9,8 +9,13 @@
 #include "setae/contact/jkr.hpp"
 #include "setae/core/errors.hpp"
 
-namespace setae::hysteresis::bulk_relaxation_test {
+namespace setae::hysteresis::viscous_body_test {
 namespace {
+
+using contact::ContactHistory;
+using contact::relaxation_force;
+using contact::relaxation_loss;
+using contact::RelaxationTerm;
 
 constexpr double radius = 1.25e-3, modulus = 0.92e6;
 constexpr HystereticSphere sphere{
@@ -57,7 +62,7 @@ Array1D by_elements(const ContactHistory& history, const std::vector<RelaxationT
 
 TEST(BulkRelaxation, IsThatOfElementsEachByItself) {
     const std::vector<RelaxationTerm> terms{{0.1, 5.0}, {0.05, 60.0}};
-    for (const auto& edge : {std::optional<MovingEdge>{}, std::optional<MovingEdge>({1e-6, 0.6, 60e-9, 0.0})}) {
+    for (const auto& edge : {std::optional<MovingEdge>{}, std::optional<MovingEdge>({{1e-6, 0.6}, 60e-9, 0.0})}) {
         const auto history = contact_history(sphere, pressing, drive, edge, 1000);
         const Array1D found = relaxation_force(history, radius, modulus, terms),
                       expected = by_elements(history, terms, 4000);
@@ -148,4 +153,4 @@ TEST(BulkRelaxation, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace setae::hysteresis::bulk_relaxation_test
+}  // namespace setae::hysteresis::viscous_body_test

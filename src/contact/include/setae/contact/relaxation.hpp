@@ -3,14 +3,22 @@
 
 #include <vector>
 
-#include "setae/hysteresis/loop_course.hpp"
+#include "setae/core/arrays.hpp"
 
-namespace setae::hysteresis {
+namespace setae::contact {
 
 /// One term of E(t)/E∞ = 1 + Σ g e^(−t/τ), Prony's series.
 struct RelaxationTerm {
     double share = 0.0;  ///< g, >= 0
     double time = 0.0;   ///< τ [s], > 0
+};
+
+/// A contact in time, from the jump in to parting.
+struct ContactHistory {
+    Array1D time;            ///< [s], rising; the first is that of the jump in
+    Array1D displacement;    ///< δ [m], from first touch of the undeformed bodies
+    Array1D contact_radius;  ///< [m]: rises to the turn and falls behind it
+    Index turn = 0;          ///< the sample at which the hold begins
 };
 
 /// Force beside that of an elastic sphere [N] at every time of a history, the bulk relaxing as its terms say.
@@ -35,4 +43,4 @@ struct RelaxationTerm {
 [[nodiscard]] double relaxation_loss(const ContactHistory& history, double radius, double contact_modulus,
                                      const std::vector<RelaxationTerm>& terms);
 
-}  // namespace setae::hysteresis
+}  // namespace setae::contact
