@@ -65,6 +65,7 @@ void bind_requests(nb::module_& module) {
         .def_rw("contact_point", &answers::LoopSettings::contact_point)
         .def_rw("displacement_drift", &answers::LoopSettings::displacement_drift)
         .def_rw("segments", &answers::LoopSettings::segments)
+        .def_rw("relaxation", &answers::LoopSettings::relaxation)
         .def_rw("baseline_share", &answers::LoopSettings::baseline_share)
         .def_rw("area_ratio", &answers::LoopSettings::area_ratio)
         .def_rw("samples_dropped", &answers::LoopSettings::samples_dropped)

@@ -115,8 +115,8 @@ class Loop:
     ) -> LoopFit:
         """E*, W, pull-off and loss by every route, with their ±; ``models``: "hertz", "dmt", "maugis_dugdale" … or "all" beside them.
 
-        settings: ``machine_stiffness``, ``contact_point``, ``segments``, ``area_ratio``, ``samples_dropped``, ``unweighted``, ``no_drift``,
-        ``extrapolate_drift``, ``whole_retraction`` … as the options of ``setae jkr fit``.
+        settings: ``machine_stiffness``, ``contact_point``, ``segments``, ``relaxation``, ``area_ratio``, ``samples_dropped``, ``unweighted``,
+        ``no_drift``, ``extrapolate_drift``, ``whole_retraction`` … as the options of ``setae jkr fit``.
         """
         wanted = {
             "models": list(models),

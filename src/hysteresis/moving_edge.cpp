@@ -8,6 +8,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/hysteresis/machine.hpp"
 #include "setae/numerics/bracketing.hpp"
 
 namespace setae::hysteresis {
@@ -176,6 +177,27 @@ Recession recession_from(double largest, const HystereticSphere& sphere, const P
             .edge_work = limit(&Recession::edge_work)};
 }
 
+/// W of an edge at rest that takes so much in all, the jump at its end included: w π a² + E_out(w).
+double resting_equivalent(double largest, HystereticSphere sphere, const Pressing& pressing, double edge_work) {
+    const Machine machine(pressing.machine_stiffness);
+    const double area = pi * largest * largest;
+    const auto excess = [&](double work) {
+        sphere.work_retraction = work;
+        const auto retraction = sphere.retraction();
+        const double parting = std::min(largest, machine.instability_radius(retraction));
+        return work * area + machine.energy(equilibrium(parting, retraction), retraction) - edge_work;
+    };
+    constexpr double least = 1e-9;  // of what the edge takes
+    return numerics::bracketed_root(excess, least * edge_work / area, edge_work / area, 50);
+}
+
+double read_from(double largest, const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
+                 Reading reading) {
+    const auto receding = recession_from(largest, sphere, pressing, edge);
+    return reading == Reading::last_points ? receding.work_read
+                                           : resting_equivalent(largest, sphere, pressing, receding.edge_work);
+}
+
 }  // namespace
 
 RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
@@ -193,18 +215,24 @@ Recession recession(const HystereticSphere& sphere, const Pressing& pressing, co
     return recession_from(sphere_loop(sphere, pressing).turning_point.contact_radius, sphere, pressing, edge);
 }
 
-double work_at_rest(HystereticSphere sphere, const Pressing& pressing, const MovingEdge& edge, double work_read) {
-    if (!(work_read > 0.0 && std::isfinite(work_read)))
-        throw InvalidArgument(fmt::format("work of adhesion on retraction must be > 0 J/m2, got {}", work_read));
+double work_read(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge, Reading reading) {
+    require_valid(edge);
+    return read_from(sphere_loop(sphere, pressing).turning_point.contact_radius, sphere, pressing, edge, reading);
+}
+
+double work_at_rest(HystereticSphere sphere, const Pressing& pressing, const MovingEdge& edge, Reading reading,
+                    double read) {
+    if (!(read > 0.0 && std::isfinite(read)))
+        throw InvalidArgument(fmt::format("work of adhesion on retraction must be > 0 J/m2, got {}", read));
     require_valid(edge);
     sphere.work_retraction = sphere.work_approach;
-    const double largest = sphere_loop(sphere, pressing).turning_point.contact_radius, least = 1e-6 * work_read;
+    const double largest = sphere_loop(sphere, pressing).turning_point.contact_radius, least = 1e-6 * read;
     const auto excess = [&](double work) {
         sphere.work_retraction = work;
-        return recession_from(largest, sphere, pressing, edge).work_read - work_read;
+        return read_from(largest, sphere, pressing, edge, reading) - read;
     };
     constexpr int bits = 30;
-    return numerics::bracketed_root(excess, least, work_read, bits);
+    return numerics::bracketed_root(excess, least, read, bits);
 }
 
 SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge) {

@@ -77,8 +77,9 @@ public:
 
     void set(const FittedModel& fitted) {
         inputs_[parameter] = fitted.parameter;
-        inputs_[scatter] = {fitted.scatter, adhesion::own_noise_name("pairs about " + fitted.model.name(),
-                                                                     pair_.rough.name, pair_.soft.name)};
+        inputs_[scatter] = fitted.shared_scatter.value_or(
+            TracedValue(fitted.scatter, adhesion::own_noise_name("pairs about " + fitted.model.name(),
+                                                                 pair_.rough.name, pair_.soft.name)));
     }
 
     [[nodiscard]] TracedValue traced(const adhesion::RoughFunction& function) const {
@@ -117,7 +118,9 @@ public:
 
     [[nodiscard]] RetractionLine line(const RetractionModel& model, const SpectralParameters& p,
                                       const std::vector<double>& in) const {
-        return retraction_line(model, state(model, p, in), pair_.band_shares);
+        auto at = state(model, p, in);
+        if (model.tip == Tip::speed) at.tip_factor = pair_.speed_factor->at_reading(at.tip_factor);
+        return retraction_line(model, at, pair_.band_shares);
     }
 
     [[nodiscard]] double work_retraction(const RetractionModel& model, const SpectralParameters& p,

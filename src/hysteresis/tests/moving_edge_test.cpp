@@ -88,9 +88,21 @@ TEST(MovingEdge, CourseEnclosesWhatTheLoopLoses) {
 
 TEST(MovingEdge, WorkAtRestIsFoundInWhatIsRead) {
     const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = 200.0};
-    const double read = recession(sphere, pressing, rubber).work_read;
-    EXPECT_NEAR(work_at_rest(sphere, pressing, rubber, read) / sphere.work_retraction, 1.0, 1e-8);
-    EXPECT_GT(read, 1.2 * sphere.work_retraction) << "the speed counts here";
+    for (const auto reading : {Reading::last_points, Reading::loop_area}) {
+        const double read = work_read(sphere, pressing, rubber, reading);
+        EXPECT_NEAR(work_at_rest(sphere, pressing, rubber, reading, read) / sphere.work_retraction, 1.0, 1e-8);
+        EXPECT_GT(read, 1.2 * sphere.work_retraction) << "the speed counts here";
+    }
+}
+
+TEST(MovingEdge, IsReadFromTheAreaAsTheRestingEdgeOfAnEqualLoop) {
+    for (const double stiffness : {200.0, fixed_grips}) {
+        const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = stiffness};
+        auto resting = sphere;
+        resting.work_retraction = work_read(sphere, pressing, rubber, Reading::loop_area);
+        EXPECT_NEAR(sphere_loop(resting, pressing).energy_loss() / sphere_loop(sphere, pressing, rubber).energy_loss(),
+                    1.0, 1e-10);
+    }
 }
 
 TEST(MovingEdge, IsReadBeforeItsSmallestForce) {
@@ -120,7 +132,7 @@ TEST(MovingEdge, RefusesWhatIsNone) {
     edge = rubber;
     edge.motor_speed = -1.0;
     EXPECT_NE(refused(edge).find("pulled at -1 m/s"), std::string::npos);
-    EXPECT_THROW((void)work_at_rest(sphere, {.maximum_force = 1e-3}, rubber, -1.0), InvalidArgument);
+    EXPECT_THROW((void)work_at_rest(sphere, {.maximum_force = 1e-3}, rubber, Reading::last_points, -1.0), InvalidArgument);
     EXPECT_THROW((void)recession_course(sphere, {.maximum_force = 1e-3}, rubber, 2), InvalidArgument);
 }
 

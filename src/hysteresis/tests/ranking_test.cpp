@@ -199,7 +199,7 @@ RetractionPair with_energy_share(double share) {
 }
 
 double retraction_by(Law law, double parameter, const RetractionPair& pair) {
-    return predicted_retraction({.model = {law, false}, .parameter = parameter, .scatter = {}}, pair).value;
+    return predicted_retraction({.model = {law, Tip::none}, .parameter = parameter, .scatter = {}}, pair).value;
 }
 
 // At U_el = AW simulated patches touch on 0.56 of their area and gain 0.1985 W (docs/measured/conformity.md): the

@@ -52,6 +52,40 @@ Json decomposition_json(const study::LossDecomposition& d) {
     add(json, quantity("energy_loss", "E_loss", d.measured.estimate(), "J"));
     json["energy_loss_shares"] = shares_json(d.shares);
     add(json, quantity("unexplained", "E_loss - Σ", d.unexplained.estimate(), "J"));
+    json["not_told_apart"] = d.not_told_apart;
+    return json;
+}
+
+Json joint_json(const study::JointLossFit& joint) {
+    Json json{{"energies", joint.energies}, {"works", joint.works}, {"chi2", number(joint.chi2)}};
+    json["unexplained_per_area"] = {{"value", number(joint.unexplained_per_area)}, {"unit", "J/m2"}};
+    json["inputs"] = Json::array();
+    for (const auto& input : joint.inputs)
+        json["inputs"].push_back({{"name", input.name},
+                                  {"before", to_json(quantity("before", "", input.before, input.unit))},
+                                  {"after", to_json(quantity("after", "", input.after, input.unit))}});
+    return json;
+}
+
+Json edge_json(const study::ElastomerEdgeSpeed& edge) {
+    Json json{{"references", edge.references}};
+    add(json, quantity("rest_factor", "φ", edge.law.rest_factor.estimate(), "1"));
+    add(json, quantity("reference_speed", "v0", edge.law.reference_speed.estimate(), "m/s"));
+    add(json, quantity("exponent", "n", edge.law.exponent.estimate(), "1"));
+    if (edge.threshold) add(json, quantity("threshold", "G0", *edge.threshold, "J/m2"));
+    return json;
+}
+
+Json times_json(const study::ElastomerTimes& times) {
+    Json json{{"elastomer", times.elastomer}};
+    add_outcome(json, "crack_speed", times.edge, edge_json);
+    json["relaxation"] = Json::array();
+    for (const auto& term : times.relaxation) {
+        Json entry;
+        add(entry, quantity("share", "g", term.share.estimate(), "1"));
+        add(entry, quantity("time", "τ", term.time.estimate(), "s"));
+        json["relaxation"].push_back(std::move(entry));
+    }
     return json;
 }
 
@@ -67,6 +101,7 @@ Json pair_json(const study::PairHysteresis& p) {
         add(json, quantity(name, symbol, value.estimate(), unit));
     };
     if (p.tip_factor) put("tip_factor", "φ", *p.tip_factor, "1");
+    if (p.speed_factor) put("speed_factor", "φ(v)", *p.speed_factor, "1");
     put("work_of_adhesion_approach", "W_app", p.work_approach, "J/m2");
     put("work_of_adhesion_retraction", "W_ret", p.work_retraction, "J/m2");
     if (p.measured_retraction)
@@ -97,7 +132,11 @@ Json to_json(const study::Hysteresis& h) {
     Json json{{"answer", hysteresis_answer(h, 100000)},
               {"measured_pairs", h.measured_pairs},
               {"conforming_pairs", h.conforming_pairs},
-              {"rankings", {{"conforming_pairs", scores_json(h.conforming)}, {"all_pairs", scores_json(h.all)}}}};
+              {"rankings", {{"conforming_pairs", scores_json(h.conforming)}, {"all_pairs", scores_json(h.all)}, {"loop_areas", scores_json(h.by_area)}}}};
+    json["pairs_by_area"] = h.pairs_by_area;
+    json["elastomers"] = Json::array();
+    for (const auto& times : h.elastomers) json["elastomers"].push_back(times_json(times));
+    add_outcome(json, "joint_fit", h.joint, joint_json);
     json["deciding_pair"] = nullptr;
     if (h.deciding) {
         const auto& d = *h.deciding;

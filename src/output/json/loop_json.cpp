@@ -303,6 +303,11 @@ Json energies_json(const loops::LoopAnalysis& analysis) {
 
 Json to_json(const loops::LoopAnalysis& analysis) {
     Json json = contact_json(analysis);
+    if (analysis.bulk) {
+        json["bulk_relaxation"] = Json::object();
+        add(json["bulk_relaxation"], quantity("energy_loss", "E_bulk", analysis.bulk->energy_loss, "J"));
+        add(json["bulk_relaxation"], quantity("largest_force", "F_1", analysis.bulk->largest_force, "N"));
+    }
     Json further = Json::array();
     for (const auto& contact : analysis.further_contacts) {
         Json row;

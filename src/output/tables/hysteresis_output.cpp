@@ -45,6 +45,11 @@ std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
                  "all {} pairs{}", h.measured_pairs,
                  h.conforming_pairs < h.measured_pairs ? ", each in the contact that simulated patches come to" : ""),
              h.all});
+    if (h.by_area.best())
+        list.push_back({"loop_areas",
+                        fmt::format("{}, by what they lose",
+                                    counted(static_cast<std::size_t>(h.pairs_by_area), "loop", "loops")),
+                        h.by_area});
     return list;
 }
 
@@ -178,6 +183,76 @@ TidyTable shown_trials(const study::Hysteresis& h) {
     return table;
 }
 
+std::string speed_text(const Estimate& speed) { return uncertain_number(speed, 1e-6) + " µm/s"; }
+
+/// A line an elastomer whose edge minds its speed or whose bulk relaxes.
+std::string shown_times(const study::Hysteresis& h) {
+    std::string text;
+    for (const auto& times : h.elastomers) {
+        if (const auto& edge = times.edge) {
+            const auto& law = edge->law;
+            text += fmt::format("edge on {}: W_ret(v) = φ W [1 + (v/v0)^n], φ {}, v0 {}, n {}; {}\n", times.elastomer,
+                                uncertain_number(law.rest_factor.estimate()),
+                                speed_text(law.reference_speed.estimate()),
+                                uncertain_number(law.exponent.estimate()),
+                                edge->references == 0
+                                    ? std::string("as stated")
+                                    : "from " + counted(static_cast<std::size_t>(edge->references), "reference", "references"));
+        }
+        if (times.relaxation.empty()) continue;
+        std::vector<std::string> terms;
+        for (const auto& term : times.relaxation)
+            terms.push_back(fmt::format("{} in {}", uncertain_number(term.share.estimate()),
+                                        format_uncertain(term.time.estimate(), "s")));
+        text += fmt::format("bulk of {}: relaxes by {} of E∞\n", times.elastomer, fmt::join(terms, ", "));
+    }
+    return text.empty() ? text : "\n" + text;
+}
+
+/// Shares of which only the sum is known, with the pairs of which that holds.
+std::string shown_not_told_apart(const study::Hysteresis& h, std::size_t width) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> found;
+    for (const auto& p : h.pairs) {
+        if (!p.decomposition) continue;
+        for (const auto& shares : p.decomposition->not_told_apart) {
+            auto place = std::ranges::find_if(found, [&](const auto& entry) { return entry.first == shares; });
+            if (place == found.end()) place = found.insert(found.end(), {shares, {}});
+            place->second.push_back(fmt::format("{} × {}", p.surface, p.elastomer));
+        }
+    }
+    std::string text;
+    for (const auto& [shares, pairs] : found)
+        text += wrapped(fmt::format("{} are known together three times better than each on {}", shares,
+                                    fmt::join(pairs, ", ")),
+                        width, 2) +
+                "\n";
+    return text;
+}
+
+/// What loops say of what they rest on.
+std::string shown_joint(const study::Hysteresis& h, std::size_t width) {
+    if (!h.joint) return "";
+    const auto& joint = *h.joint;
+    std::vector<std::string> what;
+    if (joint.energies > 0) what.push_back(counted(static_cast<std::size_t>(joint.energies), "energy", "energies"));
+    if (joint.works > 0) what.push_back(counted(static_cast<std::size_t>(joint.works), "work", "works"));
+    auto sentence = fmt::format("one fit of {}: χ² {:.3g} of {}", fmt::join(what, " and "), joint.chi2,
+                                joint.energies + joint.works);
+    if (joint.energies > 0)
+        sentence += fmt::format("; energies scatter by {} beyond what their inputs leave open",
+                                work(joint.unexplained_per_area));
+    const auto text = "\n" + wrapped(sentence, width, 2) + "\n";
+    TidyTable table{"what the loops say of what they rest on", {"input", "before", "after"}, {}};
+    for (const auto& input : joint.inputs) {
+        const auto shown = [&](const Estimate& value) {
+            if (input.unit == "m/s") return speed_text(value);
+            return input.unit == "1" ? uncertain_number(value) : format_uncertain(value, input.unit);
+        };
+        table.rows.push_back({input.name, shown(input.before), shown(input.after)});
+    }
+    return text + tables::as_text_within(table, width) + shown_not_told_apart(h, width);
+}
+
 /// Value and standard error, two cells.
 void add_value(std::vector<TidyTable::Cell>& row, const Estimate& estimate) {
     row.emplace_back(estimate.value);
@@ -226,15 +301,14 @@ std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
     auto text = hysteresis_answer(h, width);
     for (const auto& ranking : rankings_of(h)) text += "\n" + tables::as_text_within(shown_models(ranking), width);
     if (!h.trials.empty()) text += "\n" + tables::as_text_within(shown_trials(h), width);
-    text += shown_pairs(h, width);
+    text += shown_times(h) + shown_pairs(h, width);
     for (const auto& s : h.skipped) text += fmt::format("{} × {}: {}\n", s.surface, s.elastomer, s.reason);
     const auto losses = shown_losses(h);
     if (losses.rows.empty()) return text;
     text += "\n" + tables::as_text_within(losses, width);
-    for (const auto& p : h.pairs)
-        if (p.decomposition && p.decomposition->of_works)
-            return text + "* from W_app, W_ret and the contact area; the loop's own area is not known\n";
-    return text;
+    if (std::ranges::any_of(h.pairs, [](const auto& p) { return p.decomposition && p.decomposition->of_works; }))
+        text += "* from W_app, W_ret and the contact area; the loop's own area is not known\n";
+    return text + shown_joint(h, width);
 }
 
 TidyTable model_table(const study::Hysteresis& h) {
@@ -310,6 +384,14 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
     return table;
 }
 
+TidyTable joint_table(const study::Hysteresis& h) {
+    TidyTable table{"", {"input", "unit", "before", "standard_error before", "after", "standard_error after"}, {}};
+    for (const auto& input : h.joint->inputs)
+        table.rows.push_back({input.name, input.unit, input.before.value, input.before.standard_error, input.after.value,
+                              input.after.standard_error});
+    return table;
+}
+
 TidyTable model_work_table(const study::Hysteresis& h) {
     TidyTable table{"",
                     {"surface", "elastomer", "model", "W_ret [J/m2]", "standard_error [J/m2]",
@@ -346,6 +428,7 @@ std::vector<std::pair<std::string, TidyTable>> hysteresis_tables(const study::Hy
                                                           {"models.csv", model_table(h)},
                                                           {"model_works.csv", model_work_table(h)},
                                                           {"losses.csv", decomposition_table(h)}};
+    if (h.joint) tables.emplace_back("joint_fit.csv", joint_table(h));
     if (!h.trials.empty()) tables.emplace_back("trials.csv", trial_table(h));
     return tables;
 }

@@ -27,12 +27,6 @@ ElastomerEdgeSpeed stated(const StatedEdgeSpeed& input, const std::string& elast
             .threshold = {}};
 }
 
-loops::CrackSpeedFit fit_of(const ExperimentResult& e) {
-    if (e.models && e.models->crack_speed) return *e.models->crack_speed;
-    return loops::fit_crack_speed(loops::receding_edge(*e.analysis, e.input.options), e.bodies.radius,
-                                  e.analysis->loading.primary().contact_modulus);
-}
-
 /// ln G0, ln v0 and ln n of several edges as one, with its covariance.
 class Combination {
 public:
@@ -105,12 +99,12 @@ loops::Outcome<ElastomerEdgeSpeed> edge_speed_of(const StudyResult& result, cons
     std::vector<Estimate> approach;
     std::string reason = "no loop on a smooth standard";
     for (const auto& e : result.experiments) {
-        if (!e.analysis || !e.input.reference || e.input.excluded() || e.input.elastomer != elastomer) continue;
-        try {
-            combination.add(fit_of(e));
+        if (!e.edge_speed || e.input.excluded() || e.input.elastomer != elastomer) continue;
+        if (const auto& fit = *e.edge_speed) {
+            combination.add(*fit);
             approach.push_back(e.analysis->loading.primary().work_of_adhesion);
-        } catch (const Error& error) {
-            reason = fmt::format("{}: {}", e.input.file, error.what());
+        } else {
+            reason = fmt::format("{}: {}", e.input.file, fit.reason);
         }
     }
     if (combination.count() == 0) return NoEdgeSpeed::missing(reason);

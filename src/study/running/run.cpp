@@ -109,6 +109,13 @@ std::string experiment_key(const Run& run, const ExperimentInput& input, const l
     return add_content(key, run, input.files()) ? key.key() : std::string();
 }
 
+std::string edge_key(const std::string& of_experiment) {
+    if (of_experiment.empty()) return {};
+    cache::KeyBuilder key("speed of an edge");
+    key.add("experiment", of_experiment);
+    return key.key();
+}
+
 std::string derivatives_key(const std::string& of_experiment, const std::vector<UncertainInput>& inputs) {
     if (of_experiment.empty()) return {};
     cache::KeyBuilder key("loop derivatives");

@@ -65,6 +65,7 @@ inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
 [[nodiscard]] std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
                                           const SurfaceAnalysisOptions& options);
 [[nodiscard]] std::string surface_key(const Run& run, const SurfaceInput& input, const SurfaceAnalysisOptions& options);
+[[nodiscard]] std::string edge_key(const std::string& of_experiment);
 [[nodiscard]] std::string experiment_key(const Run& run, const ExperimentInput& input,
                                          const loops::LensAndCounterBody& bodies);
 /// Of the derivatives of an experiment's numbers by some of its inputs. key: that of the experiment, or empty.

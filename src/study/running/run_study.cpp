@@ -106,6 +106,24 @@ LoopDependence dependence_of(const ExperimentResult& result, const std::vector<U
     return dependence_of(numbers_of(*result.analysis), inputs, *derivatives);
 }
 
+/// How fast the edge of a reference recedes, or why its record does not tell.
+loops::Outcome<loops::CrackSpeedFit> edge_speed_of(const ExperimentResult& result, const std::string& key,
+                                                   const Run& run) {
+    using Fit = loops::Outcome<loops::CrackSpeedFit>;
+    const auto kept_under = edge_key(key);
+    if (auto kept = run.find<Fit>(kept_under)) return *kept;
+    Fit fit;
+    try {
+        const auto& analysis = *result.analysis;
+        fit = loops::fit_crack_speed(loops::receding_edge(analysis, result.input.options), result.bodies.radius,
+                                     analysis.loading.primary().contact_modulus);
+    } catch (const Error& error) {
+        fit = Fit::missing(error.what());
+    }
+    run.keep(kept_under, fit);
+    return fit;
+}
+
 ExperimentResult analyse_experiment(const ExperimentInput& stated, const Study& study, Run& run) {
     const auto input = with_relaxation(stated, study);
     ExperimentResult result;
@@ -132,6 +150,8 @@ ExperimentResult analyse_experiment(const ExperimentInput& stated, const Study& 
             result.alerts.push_back({"INPUT_LOST", input.file, lost,
                                      "its standard error is missing in what follows from the loop: state the segments "
                                      "by `segments`, or look at the alerts of the loop"});
+        if (input.reference && !study.elastomer(input.elastomer)->crack_speed)
+            result.edge_speed = edge_speed_of(result, key, run);
         if (input.models.any()) result.models = loop_models(*result.analysis, bodies, options, input.models);
     } catch (const std::exception& error) {
         result.error = reason_of(error, input.file);

@@ -39,6 +39,15 @@ void load(Archive& archive, MatrixXd& m) {
     setae::study::load_array(archive, m);
 }
 
+template <class Archive>
+void save(Archive& archive, const Matrix4d& m) {
+    archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
+}
+template <class Archive>
+void load(Archive& archive, Matrix4d& m) {
+    archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
+}
+
 }  // namespace Eigen
 
 // the fields of a type, all of them, in their order
@@ -143,6 +152,12 @@ SETAE_KEEP(RelaxationTerm, share, time)
 
 }  // namespace setae::contact
 
+namespace setae::contact::crack_speed {
+
+SETAE_KEEP(Law, threshold, reference_speed, exponent)
+
+}  // namespace setae::contact::crack_speed
+
 namespace setae::loops {
 
 template <class Archive, class T>
@@ -207,6 +222,8 @@ SETAE_KEEP(ContactAnalysis, loading, hold, pinned, unloading, pull_off, retracti
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
 SETAE_KEEP(Calibration, force, displacement, contact_radius)
 SETAE_KEEP(BulkRelaxation, energy_loss, largest_force)
+SETAE_KEEP(CrackSpeedFit, law, threshold, reference_speed, exponent, contact_modulus, covariance, converged, iterations, n,
+           residuals, relative_residual, chi2_reduced, speed_ratio, modulus_deviation)
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
 template <class Archive>
 void serialize(Archive& archive, LoopAnalysis& of) {

@@ -51,10 +51,20 @@ struct RecessionCourse {
 [[nodiscard]] RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing& pressing,
                                                const MovingEdge& edge, int steps);
 
+/// How one W_ret is read from an edge that needs another at every speed.
+enum class Reading {
+    last_points,  ///< Recession::work_read, as (S2) does
+    loop_area,    ///< that of an edge at rest with which the loop would lose as much
+};
+
+/// W_ret [J/m²] as it is read. @throws as recession().
+[[nodiscard]] double work_read(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
+                               Reading reading);
+
 /// W_ret at rest [J/m²] of which experiment reads work_read: below it. sphere.work_retraction is not looked at.
 /// @throws as recession().
 [[nodiscard]] double work_at_rest(HystereticSphere sphere, const Pressing& pressing, const MovingEdge& edge,
-                                  double work_read);
+                                  Reading reading, double work_read);
 
 /// The loop of sphere_loop() with such an edge: its smallest force, and speed_loss beside the edge's and the jumps' own.
 /// @throws as recession().

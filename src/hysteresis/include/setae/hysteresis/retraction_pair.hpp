@@ -56,6 +56,7 @@ struct FittedModel {
     RetractionModel model;
     TracedValue parameter;  ///< θ; 0 without one
     Estimate scatter;       ///< of the next pair on a new surface and elastomer: value 0, ± [J/m²]
+    std::optional<TracedValue> shared_scatter{};  ///< in its place: effects of the pair, its surface and elastomer [J/m²]
 };
 
 /// W_ret [J/m²] of a pair by a model, at least W_app, the scatter among its errors.

@@ -27,10 +27,13 @@ struct TracedRelaxation {
 struct SpeedFactor {
     TracedValue factor;  ///< φ at W_0
     double work = 0.0;   ///< W_0 [J/m²]
-    double slope = 0.0;  ///< s: a larger contact recedes faster, < 0 as a rule
+    double slope = 0.0;  ///< s: < 0 as a rule
+    bool of_reading = false;  ///< W_0 is where W_ret was read, and moves as φ does
 
     /// φ(W), of another value φ at W_0 within its ±. W <= 0 counts as W_0.
     [[nodiscard]] double at(double factor_there, double of_work) const;
+    /// Where W_ret as it was read stays: as φ rises W_0 = W_ret/φ falls, and φ follows it.
+    [[nodiscard]] double at_reading(double factor_there) const;
 };
 
 /// What an edge is pulled from: inputs of speed_factor().
@@ -40,14 +43,21 @@ struct TracedSphere {
     TracedValue machine_stiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
 };
 
+/// How an edge is pulled and its W_ret read.
+struct EdgePull {
+    double motor_speed = 0.0;   ///< [m/s], > 0
+    double reading_time = 0.0;  ///< of the last points [s]
+    Reading reading = Reading::last_points;
+};
+
 /// φ about a W [J/m²], with its derivatives.
 /// @throws InvalidArgument as recession().
-[[nodiscard]] SpeedFactor speed_factor(const TracedSphere& sphere, const TracedEdgeSpeed& edge, double motor_speed,
-                                       double reading_time, double work);
+[[nodiscard]] SpeedFactor speed_factor(const TracedSphere& sphere, const TracedEdgeSpeed& edge, const EdgePull& pull,
+                                       double work);
 
-/// φ where W_ret as it was read [J/m²] is known: W_0 = W_ret/φ, and derivatives at constant W_ret.
+/// φ where W_ret as it was read [J/m²] is known: W_0 = W_ret/φ. Derivatives are those at constant W_0.
 /// @throws InvalidArgument as work_at_rest().
 [[nodiscard]] SpeedFactor speed_factor_of_reading(const TracedSphere& sphere, const TracedEdgeSpeed& edge,
-                                                  double motor_speed, double reading_time, double work_read);
+                                                  const EdgePull& pull, double work_read);
 
 }  // namespace setae::hysteresis

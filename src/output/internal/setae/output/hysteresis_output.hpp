@@ -12,7 +12,7 @@
 
 namespace setae::output {
 
-/// "answer", "measured_pairs", "conforming_pairs", "rankings" (conforming_pairs, all_pairs: models best first),
+/// "answer", "measured_pairs", "conforming_pairs", "rankings" (conforming_pairs, all_pairs, loop_areas: models best first),
 /// "deciding_pair", "trials" where they were made, "pairs".
 [[nodiscard]] Json to_json(const study::Hysteresis& hysteresis);
 

@@ -22,12 +22,28 @@ struct ModelWork {
     std::optional<double> log_likelihood;
 };
 
-/// Where the joules of one measured loop went, by the pair's model with W_app and contact area as measured.
+/// Where the joules of one measured loop went, by the pair's model with W_app and contact area as measured. After the
+/// fit of all loops together they add up to the measured energy.
 struct LossDecomposition {
     TracedValue measured;             ///< E_loss [J]
     bool of_works = false;            ///< from W_app, W_ret and the contact area: the loop's own area is not known
     hysteresis::EnergyShares shares;  ///< by the model
     TracedValue unexplained;          ///< measured − Σ shares [J]
+    std::vector<std::string> not_told_apart;  ///< shares whose sum is known three times better than each: "a and b"
+};
+
+/// An input of all loops before and after their fit.
+struct JointInput {
+    std::string name, unit;
+    Estimate before, after;
+};
+
+/// One fit of all loops: their energies and works of retraction against what the pairs' laws say of them.
+struct JointLossFit {
+    int energies = 0, works = 0;        ///< E_loss of loops and W_ret of pairs
+    double unexplained_per_area = 0.0;  ///< what loops scatter by beyond everything known, found with the fit [J/m²]
+    double chi2 = 0.0;                  ///< of energies and works, at that scatter
+    std::vector<JointInput> inputs;     ///< E*, W_int, the tip's law, the law's own number
 };
 
 /// How a pair's model was chosen.
@@ -81,7 +97,10 @@ struct DecidingPair {
 struct Hysteresis {
     int measured_pairs = 0, conforming_pairs = 0;  ///< with W_ret measured
     hysteresis::Ranking conforming, all;           ///< W_app as measured
+    hysteresis::Ranking by_area;                   ///< of all pairs whose loops' area is known: W_ret read from it
+    int pairs_by_area = 0;
     std::vector<ElastomerTimes> elastomers;        ///< of the pairs
+    loops::Outcome<JointLossFit> joint;            ///< behind the pairs' decompositions
     std::vector<PairHysteresis> pairs;
     std::vector<SkippedPair> skipped;
     std::vector<hysteresis::LawTrials> trials;  ///< of the ranking that comes first, where they were asked for

@@ -39,6 +39,8 @@ struct ExperimentResult {
     std::optional<loops::LoopAnalysis> analysis;
     LoopDependence dependence;         ///< of its numbers on what it shares with other loops
     std::optional<LoopModels> models;  ///< where the study asks for them
+    /// G(v) of the receding edge, of loops on the smooth standard
+    std::optional<loops::Outcome<loops::CrackSpeedFit>> edge_speed;
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }

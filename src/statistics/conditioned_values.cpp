@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/statistics/conditioned_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/numerics/dense.hpp"
+
+namespace setae::statistics {
+
+ConditionedValues::ConditionedValues(const std::vector<TracedValue>& residuals) {
+    Index width = 0;
+    for (const auto& residual : residuals)
+        for (const auto& [name, component] : residual.components) {
+            const auto [place, is_new] = places_.try_emplace(name, width, component.directions.size());
+            if (is_new) width += component.directions.size();
+            if (component.directions.size() != place->second.second)
+                throw InternalError(fmt::format("input '{}' with {} and {} directions", name, place->second.second,
+                                                component.directions.size()));
+        }
+    const auto n = static_cast<Index>(residuals.size());
+    sensitivities_ = Eigen::MatrixXd::Zero(n, width);
+    Eigen::VectorXd values(n);
+    for (Index i = 0; i < n; ++i) {
+        const auto& residual = residuals[static_cast<std::size_t>(i)];
+        sensitivities_.row(i) = directions_of(residual).transpose();
+        values[i] = residual.value;
+    }
+    // in units of each residual's own error, so that rounding does not see that one is in J and another in J/m²
+    const Eigen::VectorXd scale = sensitivities_.rowwise().norm();
+    if (!(scale.minCoeff() > 0.0)) throw UndefinedDataError("a residual without any standard error fixes its inputs");
+    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * sensitivities_;
+    const Eigen::VectorXd scaled_values = values.cwiseQuotient(scale);
+    const Eigen::MatrixXd S = numerics::product(scaled, scaled.transpose());
+    const auto root = numerics::cholesky(S);
+    const auto inverse = numerics::inverse_positive_definite(S);
+    if (!root || !inverse) throw UndefinedDataError("residuals that say the same twice cannot be fitted together");
+    gain_ = numerics::product(*inverse, scaled);
+    sensitivities_ = scaled;
+    shift_ = -numerics::transposed_product(gain_, scaled_values);
+    chi2_ = scaled_values.dot(numerics::product(*inverse, scaled_values).col(0));
+    const double log_determinant = 2.0 * root->diagonal().array().log().sum() + 2.0 * scale.array().log().sum();
+    log_likelihood_ = -0.5 * (static_cast<double>(n) * std::log(2.0 * pi) + log_determinant + chi2_);
+    for (const auto& [name, place] : places_) moves_[name] = shift_.segment(place.first, place.second).norm();
+}
+
+Eigen::VectorXd ConditionedValues::directions_of(const TracedValue& value) const {
+    Eigen::VectorXd directions = Eigen::VectorXd::Zero(sensitivities_.cols());
+    for (const auto& [name, component] : value.components) {
+        const auto place = places_.find(name);
+        if (place == places_.end()) continue;
+        if (component.directions.size() != place->second.second)
+            throw InternalError(fmt::format("input '{}' with {} and {} directions", name, place->second.second,
+                                            component.directions.size()));
+        directions.segment(place->second.first, place->second.second) = component.directions.matrix();
+    }
+    return directions;
+}
+
+TracedValue ConditionedValues::updated(const TracedValue& value) const {
+    const Eigen::VectorXd directions = directions_of(value);
+    const Eigen::VectorXd left =
+        directions - numerics::transposed_product(gain_, numerics::product(sensitivities_, directions)).col(0);
+    TracedValue result(value.value + directions.dot(shift_), value.components);
+    for (const auto& [name, place] : places_) {
+        auto& component = result.components[name];  // an input that the value did not rest on may correlate now
+        component.directions = left.segment(place.first, place.second).array();
+    }
+    return result;
+}
+
+}  // namespace setae::statistics

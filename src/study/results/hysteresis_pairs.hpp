@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "setae/adhesion/contact_scales.hpp"
+#include "setae/hysteresis/pinning_law.hpp"
+#include "setae/study/study_result.hpp"
+
+namespace setae::study {
+
+/// A pair of the study with what lives as long as laws look at it.
+struct PreparedPair {
+    const PairResult& measured;
+    const ElastomerResult& elastomer;
+    adhesion::RoughnessInContact roughness;
+    std::optional<hysteresis::RetractionPair> from_roughness, as_measured;
+    /// The same with W_ret read from the area of its loops, and that W_ret; where the area is known.
+    std::optional<hysteresis::RetractionPair> by_area;
+    std::optional<hysteresis::MeasuredRetraction> of_area;
+
+    [[nodiscard]] const std::optional<Estimate>& retraction() const {
+        return measured.retraction ? measured.retraction : measured.pull_off;
+    }
+    [[nodiscard]] const Components& retraction_inputs() const {
+        return measured.retraction ? measured.retraction_inputs : measured.pull_off_inputs;
+    }
+    [[nodiscard]] std::optional<TracedValue> traced_retraction() const {
+        return measured.retraction ? measured.traced_retraction() : measured.traced_pull_off();
+    }
+    [[nodiscard]] bool ranked() const { return measured.approach && measured.approach->value > 0.0 && retraction(); }
+    [[nodiscard]] bool conforms() const {
+        return from_roughness->energy_share() <= hysteresis::conforming_energy_share;
+    }
+};
+
+/// Pairs that laws can say something of, those that they cannot, and what their elastomers do in time.
+struct PreparedPairs {
+    std::deque<PreparedPair> pairs;  ///< whose places do not change
+    std::vector<SkippedPair> skipped;
+    std::vector<ElastomerTimes> elastomers;
+};
+
+[[nodiscard]] PreparedPairs prepared_pairs(const StudyResult& result);
+
+}  // namespace setae::study
