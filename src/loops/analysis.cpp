@@ -97,7 +97,7 @@ LoopAnalysis analyse(const Loop& recorded, const LensAndCounterBody& bodies, con
                      const std::string& subject) {
     auto analysis = analyse_elastic(recorded, bodies, options, subject);
     if (options.relaxation.empty()) return analysis;
-    constexpr int rounds = 2;  // E* of loading, on which F₁ rests, moves by the share of a share
+    constexpr int rounds = 4;  // E* of loading and the contact point, on which F₁ rests, settle to 10⁻³
     std::optional<BulkRelaxation> relaxation;
     for (int round = 0; round < rounds; ++round) {
         const auto bulk = bulk_force(analysis, bodies, options.relaxation);

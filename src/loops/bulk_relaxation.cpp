@@ -57,7 +57,8 @@ BulkForce bulk_force(const LoopAnalysis& analysis, const LensAndCounterBody& bod
     const contact::SphereOnFlat sphere{bodies.radius, modulus};
     const double contact_point = analysis.contact_points ? analysis.contact_points->contact_point.value : 0.0;
     BulkForce bulk{.first = contact.jump_in ? contact.jump_in->last : contact.loading.first};
-    const Index count = contact.unloading->last - bulk.first + 1;
+    const Index last = contact.pull_off ? contact.pull_off->last - 1 : contact.unloading->last;  // in contact
+    const Index count = last - bulk.first + 1;
     contact::ContactHistory history{.time = record.time.segment(bulk.first, count),
                                     .displacement = record.displacement.segment(bulk.first, count) - contact_point,
                                     .contact_radius = radii_between_frames(record, bulk.first, count, contact_point, sphere),

@@ -110,8 +110,9 @@ public:
             jobs_.push_back({1.0, [this, i] {
                                  LoopArtefacts artefacts = recipe_.loops->artefacts;
                                  artefacts.key = substream({.seed = recipe_.seed}, loop_streams + i);
-                                 const auto simulated = simulated_loop(loops_[i].specimen, recipe_.loops->protocol,
-                                                                       artefacts, loops_[i].body);
+                                 const auto& loop = loops_[i];
+                                 const auto simulated = simulated_loop(
+                                     loop.specimen, recipe_.loops->protocol_on(loop.surface), artefacts, loop.body);
                                  write(loops_[i].file, loop_text(stated(simulated.loop, recipe_.calibrations)));
                              }});
         }

@@ -98,6 +98,7 @@ LoopRecipe read_loops(TomlReader& reader) {
                                                                             {"skip", NonconformingPairs::skip}})
                               .value_or(loops.nonconforming);
     loops.reference_work = reader.quantity("reference_work", dimension::surface_energy);
+    loops.reference_speed = reader.quantity("reference_speed", positive(speed));
     for (const auto& [key, list] : {std::pair{"unmeasured", &loops.unmeasured}, {"further", &loops.further}})
         reader.each_table(key, [list = list](TomlReader pair) {
             list->push_back({pair.required_text("surface"), pair.required_text("elastomer")});

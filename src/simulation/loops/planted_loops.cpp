@@ -149,7 +149,7 @@ std::vector<PlantedLoop> planted_loops(const Recipe& recipe, const std::vector<S
     std::vector<PlantedLoop> loops;
     if (!recipe.loops) return loops;
     const auto add = [&](PlantedLoop loop) {
-        loop.truth = loop_truth(loop.specimen, recipe.loops->protocol, loop.body);
+        loop.truth = loop_truth(loop.specimen, recipe.loops->protocol_on(loop.surface), loop.body);
         loops.push_back(std::move(loop));
     };
     for (std::size_t i = 0; i < truths.size(); ++i) {

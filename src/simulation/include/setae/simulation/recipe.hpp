@@ -134,6 +134,14 @@ struct LoopRecipe {
     std::vector<SpecimenPair> unmeasured;  ///< whose loop is planted, but not recorded: the study only predicts it
     std::vector<SpecimenPair> further;     ///< with one more loop, once for each time that a pair is named
     std::optional<double> reference_work;  ///< W of both branches on the standard [J/m²]; none: no references
+    std::optional<double> reference_speed;  ///< of the motor there [m/s]; none: that of all loops
+
+    /// How loops on a surface are made; without a name, on the standard.
+    [[nodiscard]] LoadingProtocol protocol_on(const std::string& surface) const {
+        auto made = protocol;
+        if (surface.empty() && reference_speed) made.approach_speed = made.retraction_speed = *reference_speed;
+        return made;
+    }
 
     [[nodiscard]] bool is_unmeasured(const SpecimenPair& pair) const {
         return std::find(unmeasured.begin(), unmeasured.end(), pair) != unmeasured.end();
