@@ -23,33 +23,33 @@ ConditionedValues::ConditionedValues(const std::vector<TracedValue>& residuals) 
                                                 component.directions.size()));
         }
     const auto n = static_cast<Index>(residuals.size());
-    sensitivities_ = Eigen::MatrixXd::Zero(n, width);
+    Eigen::MatrixXd sensitivities = Eigen::MatrixXd::Zero(n, width);
     Eigen::VectorXd values(n);
+    basis_.resize(width, 0);
     for (Index i = 0; i < n; ++i) {
         const auto& residual = residuals[static_cast<std::size_t>(i)];
-        sensitivities_.row(i) = directions_of(residual).transpose();
+        sensitivities.row(i) = directions_of(residual).transpose();
         values[i] = residual.value;
     }
     // in units of each residual's own error, so that rounding does not see that one is in J and another in J/m²
-    const Eigen::VectorXd scale = sensitivities_.rowwise().norm();
+    const Eigen::VectorXd scale = sensitivities.rowwise().norm();
     if (!(scale.minCoeff() > 0.0)) throw UndefinedDataError("a residual without any standard error fixes its inputs");
-    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * sensitivities_;
+    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * sensitivities;
     const Eigen::VectorXd scaled_values = values.cwiseQuotient(scale);
-    const Eigen::MatrixXd S = numerics::product(scaled, scaled.transpose());
-    const auto root = numerics::cholesky(S);
-    const auto inverse = numerics::inverse_positive_definite(S);
-    if (!root || !inverse) throw UndefinedDataError("residuals that say the same twice cannot be fitted together");
-    gain_ = numerics::product(*inverse, scaled);
-    sensitivities_ = scaled;
-    shift_ = -numerics::transposed_product(gain_, scaled_values);
-    chi2_ = scaled_values.dot(numerics::product(*inverse, scaled_values).col(0));
+    const auto root = numerics::cholesky(numerics::product(scaled, scaled.transpose()));
+    if (!root) throw UndefinedDataError("residuals that say the same twice cannot be fitted together");
+    // Cᵀ = Q R: P = 1 − Q Qᵀ keeps what S⁻¹ would lose where an input is known far better afterwards
+    basis_ = numerics::orthonormal(scaled.transpose());
+    const Eigen::VectorXd along = numerics::solved(numerics::product(scaled, basis_), scaled_values);
+    shift_ = -numerics::product(basis_, along);
+    chi2_ = along.squaredNorm();
     const double log_determinant = 2.0 * root->diagonal().array().log().sum() + 2.0 * scale.array().log().sum();
     log_likelihood_ = -0.5 * (static_cast<double>(n) * std::log(2.0 * pi) + log_determinant + chi2_);
     for (const auto& [name, place] : places_) moves_[name] = shift_.segment(place.first, place.second).norm();
 }
 
 Eigen::VectorXd ConditionedValues::directions_of(const TracedValue& value) const {
-    Eigen::VectorXd directions = Eigen::VectorXd::Zero(sensitivities_.cols());
+    Eigen::VectorXd directions = Eigen::VectorXd::Zero(basis_.rows());
     for (const auto& [name, component] : value.components) {
         const auto place = places_.find(name);
         if (place == places_.end()) continue;
@@ -64,7 +64,7 @@ Eigen::VectorXd ConditionedValues::directions_of(const TracedValue& value) const
 TracedValue ConditionedValues::updated(const TracedValue& value) const {
     const Eigen::VectorXd directions = directions_of(value);
     const Eigen::VectorXd left =
-        directions - numerics::transposed_product(gain_, numerics::product(sensitivities_, directions)).col(0);
+        directions - numerics::product(basis_, numerics::transposed_product(basis_, directions)).col(0);
     TracedValue result(value.value + directions.dot(shift_), value.components);
     for (const auto& [name, place] : places_) {
         auto& component = result.components[name];  // an input that the value did not rest on may correlate now

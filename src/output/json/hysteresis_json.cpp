@@ -116,6 +116,11 @@ Json pair_json(const study::PairHysteresis& p) {
         json["energy_loss_reason"] = p.loop.reason;
     }
     add_outcome(json, "decomposition", p.decomposition, decomposition_json);
+    if (const auto& r = p.residuals) {
+        json["residuals"] = {{"loops", r->loops}};
+        for (const auto& [name, value] : {std::pair{"approach", r->approach}, {"retraction", r->retraction}})
+            json["residuals"][name] = {{"value", number(value)}, {"unit", "N"}};
+    }
     Json works, likelihoods;
     for (const auto& m : p.models) {
         works[m.model.name()] = to_json(quantity("work_of_adhesion_retraction", "W_ret", m.work_retraction, "J/m2"));

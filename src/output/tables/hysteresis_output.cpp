@@ -22,7 +22,7 @@ using hysteresis::ModelScore;
 using hysteresis::Ranking;
 using tables::TidyTable;
 
-constexpr double milli = 1e-3, nano = 1e-9;
+constexpr double milli = 1e-3, micro = 1e-6, nano = 1e-9;
 
 struct NamedRanking {
     const char* name;  ///< as a choice
@@ -145,6 +145,19 @@ std::string shown_pairs(const study::Hysteresis& h, std::size_t width) {
     std::string text;
     for (const auto& [law, pairs] : by_law) text += "\n" + tables::as_text_within(shown_pairs(law, pairs), width);
     return text;
+}
+
+/// How far records are from the loops predicted; nothing without records.
+std::string shown_residuals(const study::Hysteresis& h, std::size_t width) {
+    TidyTable table{"records less predicted loops, rms of the force at the same displacement [µN]",
+                    {"pair", "approach", "retraction", "largest force"},
+                    {}};
+    const auto in_micro = [](double force) { return fmt::format("{:.3g}", force / micro); };
+    for (const auto& p : h.pairs)
+        if (p.residuals)
+            table.rows.push_back({fmt::format("{} × {}", p.surface, p.elastomer), in_micro(p.residuals->approach),
+                                  in_micro(p.residuals->retraction), in_micro(p.residuals->largest_force)});
+    return table.rows.empty() ? "" : "\n" + tables::as_text_within(table, width);
 }
 
 /// Shares without their ±, which the JSON has, so that a row is a line.
@@ -301,7 +314,7 @@ std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
     auto text = hysteresis_answer(h, width);
     for (const auto& ranking : rankings_of(h)) text += "\n" + tables::as_text_within(shown_models(ranking), width);
     if (!h.trials.empty()) text += "\n" + tables::as_text_within(shown_trials(h), width);
-    text += shown_times(h) + shown_pairs(h, width);
+    text += shown_times(h) + shown_pairs(h, width) + shown_residuals(h, width);
     for (const auto& s : h.skipped) text += fmt::format("{} × {}: {}\n", s.surface, s.elastomer, s.reason);
     const auto losses = shown_losses(h);
     if (losses.rows.empty()) return text;
@@ -366,7 +379,9 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
                      "jump out [J]",
                      "crack tip [J]",
                      "roughness [J]",
-                     "bulk [J]"},
+                     "bulk [J]",
+                     "rms force off on approach [N]",
+                     "rms force off on retraction [N]"},
                     {}};
     for (const auto& p : h.pairs) {
         std::vector<TidyTable::Cell> row{
@@ -379,6 +394,8 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
         add_value(row, p.loop ? p.loop->energy_loss.estimate() : unknown);
         for (const auto& [name, share] : EnergyShares::all())
             row.emplace_back(p.loop ? (p.loop->shares.*share).value : undefined);
+        row.emplace_back(p.residuals ? p.residuals->approach : undefined);
+        row.emplace_back(p.residuals ? p.residuals->retraction : undefined);
         table.rows.push_back(std::move(row));
     }
     return table;

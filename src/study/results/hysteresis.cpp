@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "hysteresis_pairs.hpp"
+#include "loop_residuals.hpp"
 #include "loss_decomposition.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -36,7 +37,7 @@ double log_density(double residual, double standard_error) {
 class HysteresisOf {
 public:
     HysteresisOf(const StudyResult& result, parallel::Threads threads)
-        : threads_(threads), prepared_(prepared_pairs(result)), pairs_(prepared_.pairs) {
+        : result_(result), threads_(threads), prepared_(prepared_pairs(result)), pairs_(prepared_.pairs) {
         found_.skipped = std::move(prepared_.skipped);
         found_.elastomers = std::move(prepared_.elastomers);
     }
@@ -86,6 +87,7 @@ private:
     [[nodiscard]] bool told_apart_by_all(const ModelScore& best, const ModelScore& other) const;
     void decide();
 
+    const StudyResult& result_;
     parallel::Threads threads_;
     PreparedPairs prepared_;
     const std::deque<PreparedPair>& pairs_;
@@ -192,6 +194,7 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     else
         found.loop = Outcome<hysteresis::PredictedRetraction>::missing(
             "no work of adhesion on approach: stretching costs all that the contact gains");
+    found.residuals = loop_residuals(result_, found);
     return found;
 }
 

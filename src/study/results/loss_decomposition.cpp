@@ -232,9 +232,12 @@ JointLossFit joint_fit(const std::vector<Prepared*>& loops) {
     joint.chi2 = fit.chi2();
     for (auto* loop : loops) {
         auto& loss = loop->loss;
-        loss.measured = fit.updated(loss.measured);
         loss.unexplained = fit.updated(loss.unexplained);
-        for (const auto& [name, share] : EnergyShares::all()) loss.shares.*share = fit.updated(loss.shares.*share);
+        loss.unexplained.value = loss.measured.value;  // which stays as measured: its noise is not explained either
+        for (const auto& [name, share] : EnergyShares::all()) {
+            loss.shares.*share = fit.updated(loss.shares.*share);
+            loss.unexplained.value -= (loss.shares.*share).value;
+        }
     }
     JointInputs inputs(fit);
     for (const auto* loop : loops) inputs.add_of(*loop->law);

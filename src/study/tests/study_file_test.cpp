@@ -57,6 +57,27 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
     EXPECT_EQ(study.surfaces.at(0).measurements.at(0).file, (folder_ / "a.txt").string());
 }
 
+TEST_F(StudyFile, ReadsWhatAnElastomerDoesInTime) {
+    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\n") + surface +
+                             "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n";
+    const auto study = read(head +
+                            "speed = \"60 nm/s\"\nhold_time = \"30 s\"\n"
+                            "crack_speed = { reference_speed = \"1.0 ± 0.1 um/s\", exponent = \"0.60 ± 0.02\" }\n"
+                            "relaxation = [{ share = \"0.10 ± 0.01\", time = \"20 s\" }, { share = 0.05, time = \"1 min\" }]\n");
+    const auto& soft = study.elastomers.at(0);
+    EXPECT_DOUBLE_EQ(*soft.speed, 60e-9);
+    EXPECT_DOUBLE_EQ(*soft.hold_time, 30.0);
+    EXPECT_DOUBLE_EQ(soft.crack_speed->reference_speed.standard_error, 1e-7);
+    EXPECT_DOUBLE_EQ(soft.crack_speed->exponent.value, 0.6);
+    ASSERT_EQ(soft.relaxation.size(), 2u);
+    EXPECT_DOUBLE_EQ(soft.relaxation[0].share.standard_error, 0.01);
+    EXPECT_DOUBLE_EQ(soft.relaxation[1].time.value, 60.0);
+    EXPECT_EQ(message_of(head + "crack_speed = { exponent = 0.6 }\n").find("study.toml:"), 0u);
+    EXPECT_NE(message_of(head + "crack_speed = { exponent = 0.6 }\n").find("reference_speed"), std::string::npos);
+    EXPECT_NE(message_of(head + "relaxation = [{ share = -0.1, time = \"1 s\" }]\n").find("share"), std::string::npos);
+    EXPECT_NE(message_of(head + "relaxation = [{ share = 0.1, tme = \"1 s\" }]\n").find("time"), std::string::npos);
+}
+
 TEST_F(StudyFile, LeavesTheSpectrumToTheMeasurementsUnlessOneIsAskedFor) {
     EXPECT_FALSE(read(surface).analysis.spectrum);
     EXPECT_EQ(read(std::string("[analysis]\nspectrum = \"average\"\n") + surface).analysis.spectrum,

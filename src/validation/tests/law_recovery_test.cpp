@@ -23,13 +23,26 @@ simulation::Recipe recipe() {
 }
 
 TEST(LawRecovery, NamesWhatRecipesCanPlant) {
-    EXPECT_EQ(plantable_laws().size(), 8U);
+    EXPECT_EQ(plantable_laws().size(), 12U);
     const auto named = plantable_laws({"crack_tip_pinning", "opening_work"});
     ASSERT_EQ(named.size(), 2U);
     EXPECT_EQ(named[0], (RetractionModel{Law::pinning, hysteresis::Tip::reference}));
     EXPECT_EQ(named[1], (RetractionModel{Law::opening_work, hysteresis::Tip::none}));
     EXPECT_EQ(plantable_laws({"all"}), plantable_laws());
     EXPECT_THROW((void)plantable_laws({"opening"}), InvalidArgument);
+}
+
+TEST(LawRecovery, PlantsTheSpeedOfAnEdge) {
+    using hysteresis::Tip;
+    const auto made = with_law(recipe(), {Law::opening_work, Tip::speed});
+    ASSERT_TRUE(made.elastomers[0].body.edge && made.elastomers[2].body.edge);
+    EXPECT_DOUBLE_EQ(made.elastomers[2].body.edge->reference_speed, 4e-6);
+    EXPECT_EQ(made.elastomers[0].tip_factor, 1.0);
+    auto told = recipe();
+    told.elastomers[1].body.edge = hysteresis::EdgeSpeed{.reference_speed = 7e-6, .exponent = 0.5};
+    EXPECT_FALSE(with_law(told, {Law::pinning, Tip::speed}).elastomers[0].body.edge) << "the recipe's own";
+    EXPECT_DOUBLE_EQ(with_law(told, {Law::pinning, Tip::speed}).elastomers[1].body.edge->reference_speed, 7e-6);
+    EXPECT_FALSE(with_law(told, {Law::pinning, Tip::reference}).elastomers[1].body.edge);
 }
 
 TEST(LawRecovery, PlantsALawAlone) {

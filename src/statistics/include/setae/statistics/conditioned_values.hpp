@@ -38,8 +38,8 @@ public:
 private:
     /// First place of each input's directions, and how many.
     std::map<std::string, std::pair<Index, Index>> places_;
-    Eigen::MatrixXd sensitivities_, gain_;  ///< C, and S⁻¹ C
-    Eigen::VectorXd shift_;                 ///< ξ
+    Eigen::MatrixXd basis_;  ///< Q of Cᵀ = Q R: P = 1 − Q Qᵀ
+    Eigen::VectorXd shift_;  ///< ξ
     double chi2_ = 0.0, log_likelihood_ = 0.0;
     std::map<std::string, double> moves_;
 

@@ -53,6 +53,13 @@ enum class ModelChoice {
     assumed,           ///< (10): too few pairs have W_ret measured
 };
 
+/// Measured loops of a pair less the predicted one, at the same displacement.
+struct LoopResiduals {
+    double approach = 0.0, retraction = 0.0;  ///< rms of the force [N]
+    double largest_force = 0.0;               ///< measured [N]
+    int loops = 0;
+};
+
 /// One pair on its way back.
 struct PairHysteresis {
     std::string surface, elastomer;
@@ -69,6 +76,7 @@ struct PairHysteresis {
     std::optional<TracedValue> pull_off_force;  ///< 3/2 π R W_ret [N]; where the sphere is given
     loops::Outcome<hysteresis::PredictedRetraction> loop;
     loops::Outcome<LossDecomposition> decomposition;
+    std::optional<LoopResiduals> residuals;  ///< of records against `loop`
     std::vector<ModelWork> models;
 };
 
