@@ -90,8 +90,9 @@ StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::Study
     for (const auto& e : result.experiments) {
         if (!e.analysis || e.input.surface != pair.surface || e.input.elastomer != pair.elastomer) continue;
         const auto& record = e.analysis->corrected;
-        panels.add(records++ == 0 ? "measured" : "", record.displacement, record.force, record.contact_radius,
-                   {.mark = Mark::points, .colour = 1, .opacity = 0.4, .in_legend = records == 1});
+        panels.add(records == 0 ? "measured" : "", record.displacement, record.force, record.contact_radius,
+                   {.mark = Mark::points, .colour = 1, .opacity = 0.4, .in_legend = records == 0});
+        ++records;
     }
     bool first = true;
     for (const auto& sphere : spheres_beside(*pair.loop)) {

@@ -6,6 +6,7 @@
 
 #include "fold.hpp"
 #include "markup.hpp"
+#include "setae/core/words.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "table.hpp"
 
@@ -106,13 +107,35 @@ DataTable laws(const char* ranking, const char* title, const Json& study) {
     return table;
 }
 
+DataTable joint(const study::JointLossFit& fit, const Json& study) {
+    DataTable table{"joint-way-back",
+                    "What one fit of all loops makes of what they rest on",
+                    fmt::format("<i>E</i><sub>loss</sub> of {} and <i>W</i><sub>ret</sub> of {} against what their laws say, every input within its ±: "
+                                "<i>χ</i>² {:.3g} of {}. The shares above are those after it.",
+                                setae::counted(static_cast<std::size_t>(fit.energies), "loop", "loops"),
+                                setae::counted(static_cast<std::size_t>(fit.works), "pair", "pairs"), fit.chi2,
+                                fit.energies + fit.works),
+                    {{"input", ""}, {"unit", ""}, {"before", ""}, {"after", ""}},
+                    {}};
+    const std::string base = "/hysteresis/joint_fit/inputs";
+    const auto& inputs = entry(study, base);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto at = fmt::format("{}/{}", base, i);
+        table.rows.push_back({TextCell{fit.inputs[i].name}, TextCell{fit.inputs[i].unit},
+                              QuantityCell{joined(at, "before")}, QuantityCell{joined(at, "after")}});
+    }
+    return table;
+}
+
 std::string contents_html(const study::Hysteresis& h, const Json& study) {
     std::string html;
     for (const auto& sentence : output::hysteresis_sentences(h)) html += "<p>" + prose(sentence) + ".</p>";
     html += as_html(pairs(h, study), study) + as_html(losses(h, study), study);
+    if (h.joint && !h.joint->inputs.empty()) html += as_html(joint(*h.joint, study), study);
     if (h.conforming_pairs < h.measured_pairs)
         html += as_html(laws("conforming_pairs", "Laws of pairs in full contact", study), study);
-    return html + as_html(laws("all_pairs", "Laws of all pairs", study), study);
+    html += as_html(laws("all_pairs", "Laws of all pairs", study), study);
+    return h.by_area.best() ? html + as_html(laws("loop_areas", "Laws of loops, by what they lose", study), study) : html;
 }
 
 }  // namespace

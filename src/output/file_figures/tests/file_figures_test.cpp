@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "setae/core/constants.hpp"
@@ -307,6 +309,21 @@ TEST(PredictedLoopFigure, HasBothPanelsOrAReason) {
     auto unknown = h.pairs.back();
     unknown.loop = study::Outcome<hysteresis::PredictedRetraction>::missing("elastomer E10 has no preload");
     EXPECT_EQ(predicted_loop_figure(unknown, result, {}).reason, unknown.loop.reason);
+}
+
+TEST(PredictedLoopFigure, ExplainsItsRecordsOnce) {
+    auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
+    const auto& pair = result.hysteresis->pairs.front();
+    study::ExperimentResult record;
+    record.input.surface = pair.surface;
+    record.input.elastomer = pair.elastomer;
+    record.analysis.emplace();
+    record.analysis->corrected = {.force = Array1D::LinSpaced(5, 0.0, 1e-3), .displacement = Array1D::LinSpaced(5, 0.0, 1e-6)};
+    result.experiments = {record, record};
+    const auto figure = predicted_loop_figure(pair, result, {});
+    const auto& series = figure.figure.panels[0].series;
+    EXPECT_EQ(std::ranges::count_if(series, [](const auto& one) { return one.label == "measured" && one.in_legend; }), 1);
+    EXPECT_NE(figure.caption.find("2 records"), std::string::npos);
 }
 
 // the force is then that of the measured contact area
