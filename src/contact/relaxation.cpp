@@ -14,16 +14,16 @@ namespace {
 void require_valid(const ContactHistory& history, double radius, double contact_modulus,
                    const std::vector<RelaxationTerm>& terms) {
     if (!(radius > 0.0) || !(contact_modulus > 0.0))
-        throw InvalidArgument(
-            fmt::format("a sphere of radius {} m and contact modulus {} Pa; expected both > 0", radius, contact_modulus));
+        throw InvalidArgument(fmt::format("a sphere of radius {} m and contact modulus {} Pa; expected both > 0",
+                                          radius, contact_modulus));
     for (const auto& term : terms)
         if (!(term.share >= 0.0 && std::isfinite(term.share)) || !(term.time > 0.0 && std::isfinite(term.time)))
-            throw InvalidArgument(fmt::format("a share of {} that relaxes in {} s; expected a share from 0 and a time > 0",
-                                              term.share, term.time));
+            throw InvalidArgument(fmt::format(
+                "a share of {} that relaxes in {} s; expected a share from 0 and a time > 0", term.share, term.time));
     for (Index i = 1; i < history.time.size(); ++i)
         if (!(history.time[i] > history.time[i - 1]))
-            throw InvalidArgument(fmt::format("time must rise: sample {} at {} s follows {} s", i, history.time[i],
-                                              history.time[i - 1]));
+            throw InvalidArgument(
+                fmt::format("time must rise: sample {} at {} s follows {} s", i, history.time[i], history.time[i - 1]));
 }
 
 /// (1 − e^−x)/x.

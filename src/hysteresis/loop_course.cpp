@@ -107,9 +107,10 @@ contact::ContactHistory contact_history(const HystereticSphere& sphere, const Pr
     const auto turning = loop.approach.back(), unpinned = loop.retraction.front();
     const auto turn = static_cast<Index>(time.size()) - 1;
     const double top = machine.motor(turning), left = time.back() + drive.hold_time;
-    for (int i = 1; i <= points; ++i)
-        add(time[static_cast<std::size_t>(turn)] + drive.hold_time * i / points, turning);
-    const auto leaving = [&](const State& state) { return left + (top - machine.motor(state)) / drive.retraction_speed; };
+    for (int i = 1; i <= points; ++i) add(time[static_cast<std::size_t>(turn)] + drive.hold_time * i / points, turning);
+    const auto leaving = [&](const State& state) {
+        return left + (top - machine.motor(state)) / drive.retraction_speed;
+    };
     for (int i = 1; i < points; ++i) {
         const double motor = top + (machine.motor(unpinned) - top) * i / points;
         const auto held = machine.pinned(turning, motor, sphere.contact_modulus);

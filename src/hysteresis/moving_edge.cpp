@@ -55,7 +55,9 @@ public:
     /// ln v/v0 at the end of a step to a < before: m(a, G(v)) + V da/v = m before. The left side falls as v grows.
     [[nodiscard]] double log_speed_after(double a, double step, double motor_before, double start) const {
         const double ratio = edge_.motor_speed * step / edge_.law.reference_speed;
-        const auto residual = [&](double x) { return motor(a, opening(a, rate(x))) - motor_before + ratio * std::exp(-x); };
+        const auto residual = [&](double x) {
+            return motor(a, opening(a, rate(x))) - motor_before + ratio * std::exp(-x);
+        };
         const auto slope = [&](double x) {
             const double fast = std::exp(edge_.law.exponent * x);
             return -0.5 * opening(a, rate(x)) * (1.0 + 2.0 * a * modulus_ * compliance_) * edge_.law.exponent * fast /
@@ -87,8 +89,8 @@ RecessionCourse course_of(const HystereticSphere& sphere, const Pressing& pressi
                           double largest, int steps) {
     const Equations equations(sphere, pressing, edge);
     RecessionCourse course;
-    for (auto* column : {&course.motor, &course.displacement, &course.contact_radius, &course.force,
-                         &course.energy_release_rate})
+    for (auto* column :
+         {&course.motor, &course.displacement, &course.contact_radius, &course.force, &course.energy_release_rate})
         *column = Array1D(steps + 1);
     const auto set = [&](Index k, double a, double motor, double opening, double rate) {
         course.motor[k] = motor;
@@ -124,9 +126,7 @@ double mean_rate(const RecessionCourse& course, double end, double way) {
         const double upper = std::min(from, course.motor[i]), lower = std::max(end, course.motor[i + 1]);
         const double width = course.motor[i] - course.motor[i + 1];
         if (!(width > 0.0) || course.motor[i] < end) continue;
-        const auto at = [&](double m) {
-            return between(course.energy_release_rate, i, (course.motor[i] - m) / width);
-        };
+        const auto at = [&](double m) { return between(course.energy_release_rate, i, (course.motor[i] - m) / width); };
         if (lower <= end) last = at(end);
         if (upper > lower) sum += 0.5 * (at(upper) + at(lower)) * (upper - lower);
     }
@@ -239,8 +239,7 @@ SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing,
     auto loop = sphere_loop(sphere, pressing);
     const auto receding = recession(sphere, pressing, edge);
     loop.smallest_force = receding.smallest_force;
-    loop.speed_loss =
-        receding.edge_work - sphere.work_retraction * loop.largest_contact_area() - loop.jump_out_loss;
+    loop.speed_loss = receding.edge_work - sphere.work_retraction * loop.largest_contact_area() - loop.jump_out_loss;
     return loop;
 }
 

@@ -77,9 +77,9 @@ public:
 
     void set(const FittedModel& fitted) {
         inputs_[parameter] = fitted.parameter;
-        inputs_[scatter] = fitted.shared_scatter.value_or(
-            TracedValue(fitted.scatter, adhesion::own_noise_name("pairs about " + fitted.model.name(),
-                                                                 pair_.rough.name, pair_.soft.name)));
+        inputs_[scatter] = fitted.shared_scatter.value_or(TracedValue(
+            fitted.scatter,
+            adhesion::own_noise_name("pairs about " + fitted.model.name(), pair_.rough.name, pair_.soft.name)));
     }
 
     [[nodiscard]] TracedValue traced(const adhesion::RoughFunction& function) const {

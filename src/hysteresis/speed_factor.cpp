@@ -58,8 +58,7 @@ double SpeedFactor::at_reading(double factor_there) const {
 SpeedFactor speed_factor(const TracedSphere& sphere, const TracedEdgeSpeed& edge, const EdgePull& pull, double work) {
     const auto inputs = inputs_of(sphere, edge);
     SpeedFactor result{.work = work};
-    result.factor =
-        setae::propagated([&](const std::vector<double>& in) { return factor_at(in, pull, work); }, inputs);
+    result.factor = setae::propagated([&](const std::vector<double>& in) { return factor_at(in, pull, work); }, inputs);
     std::vector<double> values;
     for (const auto& input : inputs) values.push_back(input.value);
     constexpr double apart = 1.1;

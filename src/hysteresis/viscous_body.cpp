@@ -14,7 +14,7 @@ SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing,
     auto loop = edge ? sphere_loop(sphere, pressing, *edge) : sphere_loop(sphere, pressing);
     if (!body.relaxation.empty())
         loop.bulk_loss = contact::relaxation_loss(contact_history(sphere, pressing, drive, edge), sphere.radius,
-                                         sphere.contact_modulus, body.relaxation);
+                                                  sphere.contact_modulus, body.relaxation);
     return loop;
 }
 

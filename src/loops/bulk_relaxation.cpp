@@ -29,7 +29,9 @@ Array1D radii_between_frames(const Loop& record, Index first, Index count, doubl
         const double here = record.contact_radius[first + i];
         const double there = before < 0 ? here : radii[before];
         for (Index k = before + 1; k < i; ++k)
-            radii[k] = before < 0 ? here : there + (here - there) * static_cast<double>(k - before) / static_cast<double>(i - before);
+            radii[k] = before < 0
+                           ? here
+                           : there + (here - there) * static_cast<double>(k - before) / static_cast<double>(i - before);
         radii[i] = here;
         before = i;
     }
@@ -59,10 +61,11 @@ BulkForce bulk_force(const LoopAnalysis& analysis, const LensAndCounterBody& bod
     BulkForce bulk{.first = contact.jump_in ? contact.jump_in->last : contact.loading.first};
     const Index last = contact.pull_off ? contact.pull_off->last - 1 : contact.unloading->last;  // in contact
     const Index count = last - bulk.first + 1;
-    contact::ContactHistory history{.time = record.time.segment(bulk.first, count),
-                                    .displacement = record.displacement.segment(bulk.first, count) - contact_point,
-                                    .contact_radius = radii_between_frames(record, bulk.first, count, contact_point, sphere),
-                                    .turn = std::min(contact.loading.last, contact.unloading->last) - bulk.first};
+    contact::ContactHistory history{
+        .time = record.time.segment(bulk.first, count),
+        .displacement = record.displacement.segment(bulk.first, count) - contact_point,
+        .contact_radius = radii_between_frames(record, bulk.first, count, contact_point, sphere),
+        .turn = std::min(contact.loading.last, contact.unloading->last) - bulk.first};
     make_monotonic(history.contact_radius, history.turn);
     bulk.force = contact::relaxation_force(history, bodies.radius, modulus, terms);
     bulk.relaxation.energy_loss = contact::relaxation_loss(history, bodies.radius, modulus, terms);

@@ -10,8 +10,8 @@ namespace setae::loops {
 
 /// What a relaxing bulk adds to the force of the first contact.
 struct BulkForce {
-    Index first = 0;           ///< sample of the record
-    Array1D force;             ///< from there on [N]
+    Index first = 0;  ///< sample of the record
+    Array1D force;    ///< from there on [N]
     BulkRelaxation relaxation;
 };
 

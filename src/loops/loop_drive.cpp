@@ -11,8 +11,8 @@ constexpr Index fewest_of_a_motion = 5;
 
 /// Straight line through samples of the motor's position.
 struct Motion {
-    double speed = 0.0;               ///< [m/s]
-    double time = 0.0, place = 0.0;   ///< means: a point of the line
+    double speed = 0.0;              ///< [m/s]
+    double time = 0.0, place = 0.0;  ///< means: a point of the line
 };
 
 std::optional<Motion> motion(const Array1D& time, const Array1D& position, Index first, Index last) {
@@ -42,7 +42,8 @@ std::optional<LoopDrive> loop_drive(const LoopAnalysis& analysis, double machine
     if (!going || !(going->speed < 0.0)) going = along(contact.unloading->first, contact.unloading->last);
     if (!coming || !going || !(coming->speed > 0.0) || !(going->speed < 0.0)) return std::nullopt;
 
-    const double top = position.segment(contact.extent.first, contact.extent.last - contact.extent.first + 1).maxCoeff();
+    const double top =
+        position.segment(contact.extent.first, contact.extent.last - contact.extent.first + 1).maxCoeff();
     const double arrived = coming->time + (top - coming->place) / coming->speed;
     const double left = going->time + (top - going->place) / going->speed;
     const double sample = (record.time[record.time.size() - 1] - record.time[0]) /

@@ -35,15 +35,16 @@ double required(TomlReader& reader, const char* key, const Expected& expected, c
 }
 
 hysteresis::EdgeSpeed read_edge_speed(TomlReader reader) {
-    hysteresis::EdgeSpeed law{required(reader, "reference_speed", positive(dimension::length / dimension::time), "\"1 um/s\""),
-                              required(reader, "exponent", positive(dimension::none), "0.6")};
+    hysteresis::EdgeSpeed law{
+        required(reader, "reference_speed", positive(dimension::length / dimension::time), "\"1 um/s\""),
+        required(reader, "exponent", positive(dimension::none), "0.6")};
     reader.finish();
     return law;
 }
 
 contact::RelaxationTerm read_relaxation(TomlReader reader) {
     contact::RelaxationTerm term{required(reader, "share", non_negative(dimension::none), "0.1"),
-                                    required(reader, "time", positive(dimension::time), "\"20 s\"")};
+                                 required(reader, "time", positive(dimension::time), "\"20 s\"")};
     reader.finish();
     return term;
 }
@@ -54,8 +55,9 @@ void read_body(TomlReader& reader, ElastomerRecipe& elastomer) {
             reader.fail("crack_speed", "beside tip_factor; expected one of them: both are the crack tip's loss");
         elastomer.body.edge = read_edge_speed(std::move(inner));
     });
-    reader.each_table("relaxation",
-                      [&](TomlReader inner) { elastomer.body.relaxation.push_back(read_relaxation(std::move(inner))); });
+    reader.each_table("relaxation", [&](TomlReader inner) {
+        elastomer.body.relaxation.push_back(read_relaxation(std::move(inner)));
+    });
 }
 
 }  // namespace

@@ -125,8 +125,9 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     line("loop energy", a.loop ? value(a.loop->estimate(), "J") : a.loop.reason);
     line("smooth sphere's own loss", format_value(a.context.ideal_smooth_sphere_loss, "J"));
     if (a.bulk)
-        line("of it in the relaxing bulk", fmt::format("{}; up to {} taken off the force", format_value(a.bulk->energy_loss, "J"),
-                                                       format_value(a.bulk->largest_force, "N")));
+        line("of it in the relaxing bulk",
+             fmt::format("{}; up to {} taken off the force", format_value(a.bulk->energy_loss, "J"),
+                         format_value(a.bulk->largest_force, "N")));
     if (a.hold) line("hold", hold_text(*a.hold));
     line("largest contact radius",
          format_value(a.context.largest_contact_radius, "m") + (a.context.radius_measured ? "" : " (implied)"));

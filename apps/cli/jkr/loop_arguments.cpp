@@ -76,8 +76,9 @@ void LoopAnalysisArguments::add_to(Options& options) {
         .default_shown();
     options.add("--samples-dropped", samples_dropped, "samples left out after the jump into contact")
         .between(0, 1000000);
-    options.add("--relaxation", relaxation,
-                "SHARE:TIME of E(t)/E∞ = 1 + Σ g e^(−t/τ), such as 0.1:20s; what the bulk relaxes is taken off the force first");
+    options.add(
+        "--relaxation", relaxation,
+        "SHARE:TIME of E(t)/E∞ = 1 + Σ g e^(−t/τ), such as 0.1:20s; what the bulk relaxes is taken off the force first");
     options.flag("--unweighted", unweighted, "ordinary least squares in radius or depth, errors of force left out");
     options.flag("--extrapolate-drift", extrapolate_drift,
                  "slope of the first baseline goes on where there is no second");

@@ -18,7 +18,8 @@ namespace {
 constexpr double fixed_grips = std::numeric_limits<double>::infinity();
 constexpr HystereticSphere sphere{
     .radius = 1.25e-3, .contact_modulus = 0.92e6, .work_approach = 0.04, .work_retraction = 0.06};
-constexpr MovingEdge rubber{.law = {.reference_speed = 1e-6, .exponent = 0.6}, .motor_speed = 60e-9, .reading_time = 3.0};
+constexpr MovingEdge rubber{
+    .law = {.reference_speed = 1e-6, .exponent = 0.6}, .motor_speed = 60e-9, .reading_time = 3.0};
 
 /// The same edge by Runge and Kutta's method in time, under fixed grips.
 Recession by_time(const HystereticSphere& of, const Pressing& pressing, const MovingEdge& edge) {
@@ -80,8 +81,7 @@ TEST(MovingEdge, CourseEnclosesWhatTheLoopLoses) {
         const auto course = loop_course(sphere, pressing, rubber, 8000);
         const auto &depth = course.at("displacement"), &force = course.at("force");
         double area = 0.0;
-        for (Index i = 1; i < depth.size(); ++i)
-            area += 0.5 * (force[i] + force[i - 1]) * (depth[i] - depth[i - 1]);
+        for (Index i = 1; i < depth.size(); ++i) area += 0.5 * (force[i] + force[i - 1]) * (depth[i] - depth[i - 1]);
         EXPECT_NEAR(area / sphere_loop(sphere, pressing, rubber).energy_loss(), 1.0, 5e-4) << stiffness;
     }
 }
@@ -132,7 +132,8 @@ TEST(MovingEdge, RefusesWhatIsNone) {
     edge = rubber;
     edge.motor_speed = -1.0;
     EXPECT_NE(refused(edge).find("pulled at -1 m/s"), std::string::npos);
-    EXPECT_THROW((void)work_at_rest(sphere, {.maximum_force = 1e-3}, rubber, Reading::last_points, -1.0), InvalidArgument);
+    EXPECT_THROW((void)work_at_rest(sphere, {.maximum_force = 1e-3}, rubber, Reading::last_points, -1.0),
+                 InvalidArgument);
     EXPECT_THROW((void)recession_course(sphere, {.maximum_force = 1e-3}, rubber, 2), InvalidArgument);
 }
 

@@ -107,7 +107,8 @@ TEST(LawTrials, PlantedLawsAreFoundOrNotToldApart) {
     constexpr double noise = 0.03;
     auto models = study.models(study.planted({Law::opening_work, Tip::none}, 0.06, noise, 3), noise);
     std::erase_if(models, [](const ModelPoints& of) {
-        return of.model.tip == Tip::reference || of.model.law == Law::pinning_by_bands || of.model.law == Law::fitted_pinning;
+        return of.model.tip == Tip::reference || of.model.law == Law::pinning_by_bands ||
+               of.model.law == Law::fitted_pinning;
     });
     const auto ranking = rank_models(models);
     const auto trials = law_trials(models, ranking, {.runs = 4, .seed = 5, .threads = {1}, .cancelled = nullptr});
@@ -182,7 +183,8 @@ TEST(RetractionPair, ErrorsAreThoseOfItsInputs) {
     pair.work_of_adhesion = TracedValue({.value = 0.037, .standard_error = 0.001}, "W_int");
     pair.soft.contact_modulus = TracedValue({.value = 0.8e6, .standard_error = 0.02e6}, "E*");
     // W_ret = φ (W_int r − γ1 (r − 1) − E*u)
-    const auto found = predicted_retraction({.model = {Law::reversible, Tip::reference}, .parameter = {}, .scatter = {}}, pair);
+    const auto found =
+        predicted_retraction({.model = {Law::reversible, Tip::reference}, .parameter = {}, .scatter = {}}, pair);
     const double r = pair.rough.parameters.area_ratio(), u = pair.rough.parameters.elastic_energy_per_modulus;
     const double expected = 1.4 * std::hypot(r * 0.001, u * 0.02e6);
     EXPECT_NEAR(found.standard_error() / expected, 1.0, 1e-9);
@@ -232,7 +234,8 @@ TEST(RetractionPair, CrackTipTakesItsShareOfTheEdge) {
     auto pair = study.pairs()[5];
     pair.radius = TracedValue(1.25e-3);
     pair.pressing = Pressing{.maximum_force = 1e-3};
-    const auto loop = predicted_retraction_loop({.model = {Law::pinning, Tip::reference}, .parameter = {}, .scatter = {}}, pair);
+    const auto loop =
+        predicted_retraction_loop({.model = {Law::pinning, Tip::reference}, .parameter = {}, .scatter = {}}, pair);
     ASSERT_TRUE(loop);
     const double area = pi * loop->contact_radius.value * loop->contact_radius.value;
     EXPECT_NEAR(loop->shares.crack_tip.value / ((1.0 - 1.0 / 1.4) * loop->work_retraction.value * area), 1.0, 1e-9);

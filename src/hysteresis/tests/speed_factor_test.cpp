@@ -20,9 +20,7 @@ constexpr double radius = 1.25e-3, modulus = 0.92e6, largest = 1.2e-4;
 const EdgePull pull{.motor_speed = 60e-9, .reading_time = 3.0};
 
 TracedSphere sphere() { return {.radius = radius, .contact_modulus = modulus, .contact_radius = largest}; }
-TracedEdgeSpeed edge() {
-    return {known(1e-6, 0.05e-6, "v0"), known(0.6, 0.02, "n"), known(1.05, 0.01, "rest")};
-}
+TracedEdgeSpeed edge() { return {known(1e-6, 0.05e-6, "v0"), known(0.6, 0.02, "n"), known(1.05, 0.01, "rest")}; }
 
 /// φ of an edge from `largest` without the module: the recession itself.
 double factor(double work, double speed, double exponent, double rest) {
@@ -55,8 +53,8 @@ TEST(SpeedFactor, OfAReadingHasItsWork) {
     EXPECT_NEAR(found.factor.value * found.work / read, 1.0, 1e-7);
     // with another law the same reading stands for another work
     const double other = 1.03e-6;
-    const auto moved = speed_factor_of_reading(
-        sphere(), {.reference_speed = other, .exponent = 0.6, .rest_factor = 1.05}, pull, read);
+    const auto moved =
+        speed_factor_of_reading(sphere(), {.reference_speed = other, .exponent = 0.6, .rest_factor = 1.05}, pull, read);
     EXPECT_NEAR((found.at_reading(factor(found.work, other, 0.6, 1.05)) - found.factor.value) /
                     (moved.factor.value - found.factor.value),
                 1.0, 0.02);

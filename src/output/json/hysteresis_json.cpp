@@ -137,7 +137,10 @@ Json to_json(const study::Hysteresis& h) {
     Json json{{"answer", hysteresis_answer(h, 100000)},
               {"measured_pairs", h.measured_pairs},
               {"conforming_pairs", h.conforming_pairs},
-              {"rankings", {{"conforming_pairs", scores_json(h.conforming)}, {"all_pairs", scores_json(h.all)}, {"loop_areas", scores_json(h.by_area)}}}};
+              {"rankings",
+               {{"conforming_pairs", scores_json(h.conforming)},
+                {"all_pairs", scores_json(h.all)},
+                {"loop_areas", scores_json(h.by_area)}}}};
     json["pairs_by_area"] = h.pairs_by_area;
     json["elastomers"] = Json::array();
     for (const auto& times : h.elastomers) json["elastomers"].push_back(times_json(times));

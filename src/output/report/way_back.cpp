@@ -108,15 +108,16 @@ DataTable laws(const char* ranking, const char* title, const Json& study) {
 }
 
 DataTable joint(const study::JointLossFit& fit, const Json& study) {
-    DataTable table{"joint-way-back",
-                    "What one fit of all loops makes of what they rest on",
-                    fmt::format("<i>E</i><sub>loss</sub> of {} and <i>W</i><sub>ret</sub> of {} against what their laws say, every input within its ±: "
-                                "<i>χ</i>² {:.3g} of {}. The shares above are those after it.",
-                                setae::counted(static_cast<std::size_t>(fit.energies), "loop", "loops"),
-                                setae::counted(static_cast<std::size_t>(fit.works), "pair", "pairs"), fit.chi2,
-                                fit.energies + fit.works),
-                    {{"input", ""}, {"unit", ""}, {"before", ""}, {"after", ""}},
-                    {}};
+    DataTable table{
+        "joint-way-back",
+        "What one fit of all loops makes of what they rest on",
+        fmt::format(
+            "<i>E</i><sub>loss</sub> of {} and <i>W</i><sub>ret</sub> of {} against what their laws say, every input within its ±: "
+            "<i>χ</i>² {:.3g} of {}. The shares above are those after it.",
+            setae::counted(static_cast<std::size_t>(fit.energies), "loop", "loops"),
+            setae::counted(static_cast<std::size_t>(fit.works), "pair", "pairs"), fit.chi2, fit.energies + fit.works),
+        {{"input", ""}, {"unit", ""}, {"before", ""}, {"after", ""}},
+        {}};
     const std::string base = "/hysteresis/joint_fit/inputs";
     const auto& inputs = entry(study, base);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -135,7 +136,8 @@ std::string contents_html(const study::Hysteresis& h, const Json& study) {
     if (h.conforming_pairs < h.measured_pairs)
         html += as_html(laws("conforming_pairs", "Laws of pairs in full contact", study), study);
     html += as_html(laws("all_pairs", "Laws of all pairs", study), study);
-    return h.by_area.best() ? html + as_html(laws("loop_areas", "Laws of loops, by what they lose", study), study) : html;
+    return h.by_area.best() ? html + as_html(laws("loop_areas", "Laws of loops, by what they lose", study), study)
+                            : html;
 }
 
 }  // namespace

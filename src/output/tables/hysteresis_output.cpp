@@ -46,10 +46,10 @@ std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
                  h.conforming_pairs < h.measured_pairs ? ", each in the contact that simulated patches come to" : ""),
              h.all});
     if (h.by_area.best())
-        list.push_back({"loop_areas",
-                        fmt::format("{}, by what they lose",
-                                    counted(static_cast<std::size_t>(h.pairs_by_area), "loop", "loops")),
-                        h.by_area});
+        list.push_back(
+            {"loop_areas",
+             fmt::format("{}, by what they lose", counted(static_cast<std::size_t>(h.pairs_by_area), "loop", "loops")),
+             h.by_area});
     return list;
 }
 
@@ -206,11 +206,10 @@ std::string shown_times(const study::Hysteresis& h) {
             const auto& law = edge->law;
             text += fmt::format("edge on {}: W_ret(v) = φ W [1 + (v/v0)^n], φ {}, v0 {}, n {}; {}\n", times.elastomer,
                                 uncertain_number(law.rest_factor.estimate()),
-                                speed_text(law.reference_speed.estimate()),
-                                uncertain_number(law.exponent.estimate()),
-                                edge->references == 0
-                                    ? std::string("as stated")
-                                    : "from " + counted(static_cast<std::size_t>(edge->references), "reference", "references"));
+                                speed_text(law.reference_speed.estimate()), uncertain_number(law.exponent.estimate()),
+                                edge->references == 0 ? std::string("as stated")
+                                                      : "from " + counted(static_cast<std::size_t>(edge->references),
+                                                                          "reference", "references"));
         }
         if (times.relaxation.empty()) continue;
         std::vector<std::string> terms;
@@ -404,8 +403,8 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
 TidyTable joint_table(const study::Hysteresis& h) {
     TidyTable table{"", {"input", "unit", "before", "standard_error before", "after", "standard_error after"}, {}};
     for (const auto& input : h.joint->inputs)
-        table.rows.push_back({input.name, input.unit, input.before.value, input.before.standard_error, input.after.value,
-                              input.after.standard_error});
+        table.rows.push_back({input.name, input.unit, input.before.value, input.before.standard_error,
+                              input.after.value, input.after.standard_error});
     return table;
 }
 

@@ -85,7 +85,8 @@ void add_artefacts(loops::Loop& loop, const Array1D& motor, const LoopArtefacts&
 /// Between samples of which x rises, straight; 0 outside.
 double interpolated(const Array1D& x, const Array1D& y, double at) {
     if (x.size() == 0 || at < x[0] || at > x[x.size() - 1]) return 0.0;
-    const auto upper = std::clamp<Index>(std::upper_bound(x.data(), x.data() + x.size(), at) - x.data(), 1, x.size() - 1);
+    const auto upper =
+        std::clamp<Index>(std::upper_bound(x.data(), x.data() + x.size(), at) - x.data(), 1, x.size() - 1);
     const double share = (at - x[upper - 1]) / (x[upper] - x[upper - 1]);
     return y[upper - 1] + share * (y[upper] - y[upper - 1]);
 }

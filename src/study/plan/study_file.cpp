@@ -202,11 +202,12 @@ const Keys<StatedEdgeSpeed>& edge_speed_keys() {
 
 const Keys<StatedRelaxation>& relaxation_keys() {
     using Stated = StatedRelaxation;
-    static const auto keys = Keys<Stated>()
-                                 .add("share", &Stated::share, non_negative(dimension::none), "g of E(t)/E∞ = 1 + Σ g e^(−t/τ)")
-                                 .required()
-                                 .add("time", &Stated::time, positive(dimension::time), "τ")
-                                 .required();
+    static const auto keys =
+        Keys<Stated>()
+            .add("share", &Stated::share, non_negative(dimension::none), "g of E(t)/E∞ = 1 + Σ g e^(−t/τ)")
+            .required()
+            .add("time", &Stated::time, positive(dimension::time), "τ")
+            .required();
     return keys;
 }
 
@@ -241,18 +242,20 @@ const Keys<ElastomerInput>& elastomer_keys() {
             .add("hold_time", &Input::hold_time, non_negative(dimension::time),
                  "of the motor at their turning point, likewise")
             .table<StatedEdgeSpeed>(
-                "crack_speed", edge_speed_keys(), [](Input& e, StatedEdgeSpeed stated) { e.crack_speed = std::move(stated); },
+                "crack_speed", edge_speed_keys(),
+                [](Input& e, StatedEdgeSpeed stated) { e.crack_speed = std::move(stated); },
                 "`{ reference_speed = \"1.0 ± 0.1 um/s\", exponent = \"0.60 ± 0.02\" }`: how much more energy an edge asks for "
                 "the faster it recedes; without it, it is fitted to the references on this elastomer "
                 "([hysteresis](../theory/hysteresis.md))")
-            .add({"relaxation", "list of tables", "", "",
-                  "`[{ share = \"0.10 ± 0.02\", time = \"20 s\" }, …]`: terms of E(t)/E∞ = 1 + Σ g e^(−t/τ), by which its bulk "
-                  "relaxes"},
-                 [](TomlReader& reader, Input& elastomer) {
-                     reader.each_table("relaxation", [&](TomlReader inner) {
-                         elastomer.relaxation.push_back(relaxation_keys().from(std::move(inner)));
-                     });
-                 })
+            .add(
+                {"relaxation", "list of tables", "", "",
+                 "`[{ share = \"0.10 ± 0.02\", time = \"20 s\" }, …]`: terms of E(t)/E∞ = 1 + Σ g e^(−t/τ), by which its bulk "
+                 "relaxes"},
+                [](TomlReader& reader, Input& elastomer) {
+                    reader.each_table("relaxation", [&](TomlReader inner) {
+                        elastomer.relaxation.push_back(relaxation_keys().from(std::move(inner)));
+                    });
+                })
             .add("crosslink_molar_mass", &Input::crosslink_molar_mass, positive(dimension::molar_mass),
                  "M_c, for the plausibility of E against ρRT/M_c")
             .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "ρ of it")
@@ -679,9 +682,11 @@ std::vector<KeyTable> study_keys() {
         {"[comparison]", "How repeated loops and the smooth reference are compared.", comparison_keys().descriptions()},
         {"[published]", "Measured values of others, rows `SURFACE = [one value an elastomer]`.",
          PublishedTables::descriptions()},
-        {"[inputs]", "Values with a name, which any key below may mention by it ([inputs](../guides/study.md#inputs-with-a-name)).",
+        {"[inputs]",
+         "Values with a name, which any key below may mention by it ([inputs](../guides/study.md#inputs-with-a-name)).",
          {{"any name", "quantity ± error", "", "", "such as `\"1.25 ± 0.01 mm\"`, or `\"1.2 to 1.3 mm\"`"}}},
-        {"[costs]", "What the next measurement takes, for `setae study STUDY --next`.",
+        {"[costs]",
+         "What the next measurement takes, for `setae study STUDY --next`.",
          {{"loop", "quantity above 0", "s", "", "one more loop on a pair, such as `\"0.5 h\"`"},
           {"measurements", "quantity above 0", "s", "", "the measurements of a surface once more"},
           {"any name", "quantity above 0", "s", "", "an input of that name known to half its ±"}}},

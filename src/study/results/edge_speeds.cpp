@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
 #include "setae/study/loop_dependence.hpp"
@@ -33,7 +33,8 @@ public:
     void add(const loops::CrackSpeedFit& fit) {
         const Eigen::Vector3d values(fit.threshold.value, fit.reference_speed.value, fit.exponent.value);
         const Eigen::Vector3d inverse = values.cwiseInverse();
-        const Eigen::Matrix3d covariance = inverse.asDiagonal() * fit.covariance.topLeftCorner<3, 3>() * inverse.asDiagonal();
+        const Eigen::Matrix3d covariance =
+            inverse.asDiagonal() * fit.covariance.topLeftCorner<3, 3>() * inverse.asDiagonal();
         const Eigen::Matrix3d weight = covariance.inverse();
         information_ += weight;
         weighted_ += weight * values.array().log().matrix();
@@ -51,8 +52,8 @@ public:
             component.directions = values[k] * root.row(k).transpose().array();
             return TracedValue(values[k], Components{{name, std::move(component)}});
         };
-        const auto rest = setae::propagated([](const std::vector<double>& in) { return in[0] / in[1]; },
-                                            {traced(0), work_approach});
+        const auto rest =
+            setae::propagated([](const std::vector<double>& in) { return in[0] / in[1]; }, {traced(0), work_approach});
         return {.law = {traced(1), traced(2), rest},
                 .threshold = Estimate{.value = values[0], .standard_error = values[0] * std::sqrt(covariance(0, 0))},
                 .references = count_};
@@ -72,8 +73,8 @@ struct SummedDrives {
     int count = 0;
 
     void add(const ExperimentResult& e) {
-        const double stiffness = e.input.machine_stiffness ? e.input.machine_stiffness->value
-                                                           : std::numeric_limits<double>::infinity();
+        const double stiffness =
+            e.input.machine_stiffness ? e.input.machine_stiffness->value : std::numeric_limits<double>::infinity();
         const auto drive = loops::loop_drive(*e.analysis, stiffness);
         if (!drive) return;
         sum.drive.approach_speed += drive->approach_speed;
@@ -108,8 +109,8 @@ loops::Outcome<ElastomerEdgeSpeed> edge_speed_of(const StudyResult& result, cons
         }
     }
     if (combination.count() == 0) return NoEdgeSpeed::missing(reason);
-    return combination.result(
-        elastomer, TracedValue(mean_of(approach), fmt::format("W_app of the references on {}", elastomer)));
+    return combination.result(elastomer,
+                              TracedValue(mean_of(approach), fmt::format("W_app of the references on {}", elastomer)));
 }
 
 std::vector<hysteresis::TracedRelaxation> relaxation_of(const StudyResult& result, const std::string& elastomer) {

@@ -86,18 +86,18 @@ std::optional<TracedValue> machine_stiffness_of(const StudyResult& result, const
     return mean;
 }
 
-/// The factor of the pair's edge: about W_ret as measured, else about twice W_int; nothing where something is not known.
+/// The factor of the pair's edge: about W_ret as measured, else about twice W_int; nothing where something is not
+/// known.
 std::optional<hysteresis::SpeedFactor> speed_factor_of(const RetractionPair& pair, const PairDrive& drive,
                                                        Reading reading, const std::optional<Estimate>& read) {
     if (!pair.edge_speed || !pair.radius || !(pair.contact_area || pair.pressing)) return std::nullopt;
-    hysteresis::TracedSphere sphere{.radius = *pair.radius,
-                                    .contact_modulus = pair.soft.contact_modulus,
-                                    .contact_radius = {}};
+    hysteresis::TracedSphere sphere{
+        .radius = *pair.radius, .contact_modulus = pair.soft.contact_modulus, .contact_radius = {}};
     if (pair.machine_stiffness) sphere.machine_stiffness = *pair.machine_stiffness;
     const double work = pair.work_of_adhesion.value;
     if (pair.contact_area)
-        sphere.contact_radius = setae::propagated(
-            [](const std::vector<double>& in) { return std::sqrt(in[0] / pi); }, {*pair.contact_area});
+        sphere.contact_radius = setae::propagated([](const std::vector<double>& in) { return std::sqrt(in[0] / pi); },
+                                                  {*pair.contact_area});
     else
         sphere.contact_radius = contact::jkr::contact_radius_at_force(
             pair.pressing->maximum_force, {pair.radius->value, pair.soft.contact_modulus.value, work});
@@ -181,8 +181,14 @@ PreparedPairs prepared_pairs(const StudyResult& result) {
             continue;
         }
         const auto& spectrum = surface.used();
-        auto& prepared = found.pairs.emplace_back(PreparedPair{
-            pair, elastomer, adhesion::roughness_in_contact(spectrum.parameters, spectrum.spread, pair.seen), {}, {}, {}, {}});
+        auto& prepared = found.pairs.emplace_back(
+            PreparedPair{pair,
+                         elastomer,
+                         adhesion::roughness_in_contact(spectrum.parameters, spectrum.spread, pair.seen),
+                         {},
+                         {},
+                         {},
+                         {}});
         RetractionPair base{.rough = {surface.name, prepared.roughness.parameters, prepared.roughness.spread},
                             .soft = elastomer.soft_side(),
                             .work_of_adhesion = result.traced_work_of_adhesion,

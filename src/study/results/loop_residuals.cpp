@@ -14,7 +14,8 @@ namespace {
 /// Force of one branch by displacement: 0 below it, where nothing touches, that of the turning point above.
 class BranchCurve {
 public:
-    /// The states of a branch, in which displacement falls; where it turns back, behind the smallest, they are left out.
+    /// The states of a branch, in which displacement falls; where it turns back, behind the smallest, they are left
+    /// out.
     explicit BranchCurve(std::vector<std::pair<double, double>> falling) {
         for (const auto& [displacement, force] : falling) {
             if (!points_.empty() && !(displacement < points_.back().first)) continue;

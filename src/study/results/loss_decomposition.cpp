@@ -132,7 +132,8 @@ std::vector<std::string> not_told_apart(const EnergyShares& shares) {
             const auto &a = shares.*all[i].share, &b = shares.*all[k].share;
             const double together = std::sqrt(std::max(0.0, a.variance() + b.variance() + 2.0 * covariance(a, b)));
             const double each = std::min(a.standard_error(), b.standard_error());
-            if (each > 0.0 && each > better * together) pairs.push_back(fmt::format("{} and {}", all[i].name, all[k].name));
+            if (each > 0.0 && each > better * together)
+                pairs.push_back(fmt::format("{} and {}", all[i].name, all[k].name));
         }
     return pairs;
 }
@@ -196,7 +197,8 @@ public:
         const auto fitted = freed(law);
         if (fitted.model.fitted()) {
             const auto parameter = fitted.model.parameter();
-            add(fmt::format("{} of {}", parameter.symbol, fitted.model.name()), parameter.unit.c_str(), fitted.parameter);
+            add(fmt::format("{} of {}", parameter.symbol, fitted.model.name()), parameter.unit.c_str(),
+                fitted.parameter);
         }
         add("W_int", "J/m2", pair.work_of_adhesion);
         add("E* of " + elastomer, "Pa", pair.soft.contact_modulus);

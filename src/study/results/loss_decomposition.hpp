@@ -20,10 +20,10 @@ struct DecomposedLosses {
     Outcome<JointLossFit> joint;
 };
 
-/// Every loop taken apart, then all of them in one fit: inputs (E*, W_int, the tip's law, spectra, lenses), the laws' own
-/// numbers and the scatter of works about them move until E_loss and W_ret are what was measured. The numbers of laws
-/// are free within five of the standard errors that the ranking left them. What energies scatter by beyond it is as
-/// likely as can be.
+/// Every loop taken apart, then all of them in one fit: inputs (E*, W_int, the tip's law, spectra, lenses), the laws'
+/// own numbers and the scatter of works about them move until E_loss and W_ret are what was measured. The numbers of
+/// laws are free within five of the standard errors that the ranking left them. What energies scatter by beyond it is
+/// as likely as can be.
 [[nodiscard]] DecomposedLosses decomposed_losses(const std::vector<PairLaw>& pairs);
 
 }  // namespace setae::study

@@ -222,8 +222,8 @@ SETAE_KEEP(ContactAnalysis, loading, hold, pinned, unloading, pull_off, retracti
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
 SETAE_KEEP(Calibration, force, displacement, contact_radius)
 SETAE_KEEP(BulkRelaxation, energy_loss, largest_force)
-SETAE_KEEP(CrackSpeedFit, law, threshold, reference_speed, exponent, contact_modulus, covariance, converged, iterations, n,
-           residuals, relative_residual, chi2_reduced, speed_ratio, modulus_deviation)
+SETAE_KEEP(CrackSpeedFit, law, threshold, reference_speed, exponent, contact_modulus, covariance, converged, iterations,
+           n, residuals, relative_residual, chi2_reduced, speed_ratio, modulus_deviation)
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
 template <class Archive>
 void serialize(Archive& archive, LoopAnalysis& of) {

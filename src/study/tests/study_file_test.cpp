@@ -60,10 +60,11 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
 TEST_F(StudyFile, ReadsWhatAnElastomerDoesInTime) {
     const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\n") + surface +
                              "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n";
-    const auto study = read(head +
-                            "speed = \"60 nm/s\"\nhold_time = \"30 s\"\n"
-                            "crack_speed = { reference_speed = \"1.0 ± 0.1 um/s\", exponent = \"0.60 ± 0.02\" }\n"
-                            "relaxation = [{ share = \"0.10 ± 0.01\", time = \"20 s\" }, { share = 0.05, time = \"1 min\" }]\n");
+    const auto study =
+        read(head +
+             "speed = \"60 nm/s\"\nhold_time = \"30 s\"\n"
+             "crack_speed = { reference_speed = \"1.0 ± 0.1 um/s\", exponent = \"0.60 ± 0.02\" }\n"
+             "relaxation = [{ share = \"0.10 ± 0.01\", time = \"20 s\" }, { share = 0.05, time = \"1 min\" }]\n");
     const auto& soft = study.elastomers.at(0);
     EXPECT_DOUBLE_EQ(*soft.speed, 60e-9);
     EXPECT_DOUBLE_EQ(*soft.hold_time, 30.0);

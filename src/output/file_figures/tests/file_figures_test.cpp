@@ -318,11 +318,13 @@ TEST(PredictedLoopFigure, ExplainsItsRecordsOnce) {
     record.input.surface = pair.surface;
     record.input.elastomer = pair.elastomer;
     record.analysis.emplace();
-    record.analysis->corrected = {.force = Array1D::LinSpaced(5, 0.0, 1e-3), .displacement = Array1D::LinSpaced(5, 0.0, 1e-6)};
+    record.analysis->corrected = {.force = Array1D::LinSpaced(5, 0.0, 1e-3),
+                                  .displacement = Array1D::LinSpaced(5, 0.0, 1e-6)};
     result.experiments = {record, record};
     const auto figure = predicted_loop_figure(pair, result, {});
     const auto& series = figure.figure.panels[0].series;
-    EXPECT_EQ(std::ranges::count_if(series, [](const auto& one) { return one.label == "measured" && one.in_legend; }), 1);
+    EXPECT_EQ(std::ranges::count_if(series, [](const auto& one) { return one.label == "measured" && one.in_legend; }),
+              1);
     EXPECT_NE(figure.caption.find("2 records"), std::string::npos);
 }
 

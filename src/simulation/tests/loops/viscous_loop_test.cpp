@@ -55,12 +55,10 @@ TEST(ViscousLoop, WithARelaxingBulkIsFoundWhereTheRelaxationIsTold) {
 
 TEST(ViscousLoop, TellsHowItsMachineMoved) {
     for (const double stiffness : {100.0, std::numeric_limits<double>::infinity()}) {
-        const auto made = simulated_loop(specimen,
-                                         {.approach_speed = 80e-9,
-                                          .retraction_speed = 50e-9,
-                                          .hold_time = 12.0,
-                                          .machine_stiffness = stiffness},
-                                         noise);
+        const auto made = simulated_loop(
+            specimen,
+            {.approach_speed = 80e-9, .retraction_speed = 50e-9, .hold_time = 12.0, .machine_stiffness = stiffness},
+            noise);
         const auto drive = loops::loop_drive(loops::analyse(made.loop, bodies), stiffness);
         ASSERT_TRUE(drive) << stiffness;
         EXPECT_NEAR(drive->approach_speed, 80e-9, 1e-10);

@@ -37,8 +37,8 @@ struct ContactHistory {
 [[nodiscard]] Array1D relaxation_force(const ContactHistory& history, double radius, double contact_modulus,
                                        const std::vector<RelaxationTerm>& terms);
 
-/// ∮ F₁ dδ [J]: what the loop loses because the bulk relaxes, at given radii and displacements. What relaxes at the edge
-/// itself, as it closes and opens, is in W_app and W_ret as they are measured.
+/// ∮ F₁ dδ [J]: what the loop loses because the bulk relaxes, at given radii and displacements. What relaxes at the
+/// edge itself, as it closes and opens, is in W_app and W_ret as they are measured.
 /// @throws as relaxation_force().
 [[nodiscard]] double relaxation_loss(const ContactHistory& history, double radius, double contact_modulus,
                                      const std::vector<RelaxationTerm>& terms);

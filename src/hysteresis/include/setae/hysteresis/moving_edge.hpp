@@ -34,8 +34,8 @@ struct Recession {
 ///
 ///   dm/da = V/v(G),  G = E* (δ − a²/R)²/(2πa),  F = 2aE* (δ − a²/3R)
 ///
-/// by Euler's implicit rule in steps of a, twice, and extrapolated: forces within 10⁻⁴, work within 10⁻³. The edge has no instability to jump
-/// over; it runs. v0 → ∞ is sphere_loop(), with the jump's energy in edge_work.
+/// by Euler's implicit rule in steps of a, twice, and extrapolated: forces within 10⁻⁴, work within 10⁻³. The edge has
+/// no instability to jump over; it runs. v0 → ∞ is sphere_loop(), with the jump's energy in edge_work.
 /// sphere.work_retraction: W_ret at rest.
 /// @throws InvalidArgument as sphere_loop(), and for an edge outside its domain.
 [[nodiscard]] Recession recession(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge);
@@ -66,7 +66,8 @@ enum class Reading {
 [[nodiscard]] double work_at_rest(HystereticSphere sphere, const Pressing& pressing, const MovingEdge& edge,
                                   Reading reading, double work_read);
 
-/// The loop of sphere_loop() with such an edge: its smallest force, and speed_loss beside the edge's and the jumps' own.
+/// The loop of sphere_loop() with such an edge: its smallest force, and speed_loss beside the edge's and the jumps'
+/// own.
 /// @throws as recession().
 [[nodiscard]] SphereLoop sphere_loop(const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge);
 

@@ -52,8 +52,8 @@ struct RetractionModel {
 };
 
 /// All of them with each of these tips.
-[[nodiscard]] std::vector<RetractionModel> retraction_models(
-    const std::vector<Tip>& tips = {Tip::none, Tip::reference});
+[[nodiscard]] std::vector<RetractionModel> retraction_models(const std::vector<Tip>& tips = {Tip::none,
+                                                                                             Tip::reference});
 
 /// What a model is told of a pair; nothing of its errors. Where the bodies touch in part, of the part that they touch.
 struct PairState {

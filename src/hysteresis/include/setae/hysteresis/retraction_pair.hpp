@@ -21,11 +21,12 @@ struct RetractionPair {
     adhesion::SoftSide soft;
     TracedValue work_of_adhesion;               ///< W_int [J/m²]
     std::optional<TracedValue> approach{};      ///< W_app as measured [J/m²]; without it of the contact that there is
-    std::optional<TracedValue> tip_factor{};      ///< φ of a smooth reference; models with its tip need it
-    std::optional<TracedEdgeSpeed> edge_speed{};  ///< of the elastomer; models with a tip that minds its speed need it …
-    std::optional<SpeedFactor> speed_factor{};    ///< … and this, speed_factor() of the pair
-    std::vector<TracedRelaxation> relaxation{};   ///< of the elastomer's bulk, where it is known
-    std::optional<Drive> drive{};                 ///< speeds of the machine and its rest; both of these need it
+    std::optional<TracedValue> tip_factor{};    ///< φ of a smooth reference; models with its tip need it
+    std::optional<TracedEdgeSpeed>
+        edge_speed{};  ///< of the elastomer; models with a tip that minds its speed need it …
+    std::optional<SpeedFactor> speed_factor{};   ///< … and this, speed_factor() of the pair
+    std::vector<TracedRelaxation> relaxation{};  ///< of the elastomer's bulk, where it is known
+    std::optional<Drive> drive{};                ///< speeds of the machine and its rest; both of these need it
     std::optional<TracedValue> radius{};        ///< R [m] of the sphere
     std::optional<TracedValue> contact_area{};  ///< π a_max² as measured [m²]; without it of `pressing`
     std::optional<Pressing> pressing{};
@@ -56,7 +57,8 @@ struct FittedModel {
     RetractionModel model;
     TracedValue parameter;  ///< θ; 0 without one
     Estimate scatter;       ///< of the next pair on a new surface and elastomer: value 0, ± [J/m²]
-    std::optional<TracedValue> shared_scatter{};  ///< in its place: effects of the pair, its surface and elastomer [J/m²]
+    std::optional<TracedValue>
+        shared_scatter{};  ///< in its place: effects of the pair, its surface and elastomer [J/m²]
 };
 
 /// W_ret [J/m²] of a pair by a model, at least W_app, the scatter among its errors.
@@ -65,7 +67,7 @@ struct FittedModel {
 /// Where the joules of a loop went.
 struct EnergyShares {
     TracedValue jump_in, jump_out;  ///< of the sphere [J]
-    TracedValue crack_tip;  ///< (1 − 1/φ) W_ret π a_max², or what the speed of the edge costs [J]
+    TracedValue crack_tip;          ///< (1 − 1/φ) W_ret π a_max², or what the speed of the edge costs [J]
     TracedValue roughness;  ///< the rest of (W_ret − W_app) π a_max² [J]
     TracedValue bulk;       ///< what relaxes in the elastomer's bulk [J]
 
@@ -85,9 +87,9 @@ struct PredictedRetraction {
     TracedValue contact_radius;                  ///< a_max [m]
     TracedValue energy_loss;                     ///< ∮F dδ [J]
     EnergyShares shares;                         ///< they add to energy_loss
-    HystereticSphere sphere;          ///< of the values, W_ret at rest; with pressing and edge for loop_course()
+    HystereticSphere sphere;  ///< of the values, W_ret at rest; with pressing and edge for loop_course()
     Pressing pressing;
-    std::optional<MovingEdge> edge;   ///< of models whose tip minds its speed
+    std::optional<MovingEdge> edge;  ///< of models whose tip minds its speed
 };
 
 /// Nothing where W_app is 0: no contact forms.

@@ -10,8 +10,8 @@ namespace setae::hysteresis {
 ///
 ///   φ(v) = φ(0) [1 + (v/v0)^n]
 struct TracedEdgeSpeed {
-    TracedValue reference_speed;   ///< v0 [m/s]
-    TracedValue exponent;          ///< n
+    TracedValue reference_speed;    ///< v0 [m/s]
+    TracedValue exponent;           ///< n
     TracedValue rest_factor = 1.0;  ///< φ(0)
 };
 
@@ -25,9 +25,9 @@ struct TracedRelaxation {
 ///
 ///   φ(W) = φ (W/W_0)^s
 struct SpeedFactor {
-    TracedValue factor;  ///< φ at W_0
-    double work = 0.0;   ///< W_0 [J/m²]
-    double slope = 0.0;  ///< s: < 0 as a rule
+    TracedValue factor;       ///< φ at W_0
+    double work = 0.0;        ///< W_0 [J/m²]
+    double slope = 0.0;       ///< s: < 0 as a rule
     bool of_reading = false;  ///< W_0 is where W_ret was read, and moves as φ does
 
     /// φ(W), of another value φ at W_0 within its ±. W <= 0 counts as W_0.
@@ -38,8 +38,8 @@ struct SpeedFactor {
 
 /// What an edge is pulled from: inputs of speed_factor().
 struct TracedSphere {
-    TracedValue radius, contact_modulus;          ///< R [m], E* [Pa]
-    TracedValue contact_radius;                   ///< a_max [m], where the edge begins to recede
+    TracedValue radius, contact_modulus;  ///< R [m], E* [Pa]
+    TracedValue contact_radius;           ///< a_max [m], where the edge begins to recede
     TracedValue machine_stiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
 };
 

@@ -38,7 +38,9 @@ struct SphereLoop {
     double bulk_loss = 0.0;       ///< of a bulk that relaxes [J]: contact::RelaxationTerm
 
     /// ∮ F dδ [J]
-    [[nodiscard]] double energy_loss() const { return jump_in_loss + edge_loss + jump_out_loss + speed_loss + bulk_loss; }
+    [[nodiscard]] double energy_loss() const {
+        return jump_in_loss + edge_loss + jump_out_loss + speed_loss + bulk_loss;
+    }
     [[nodiscard]] double largest_contact_area() const;                                             ///< π a_max² [m²]
 };
 

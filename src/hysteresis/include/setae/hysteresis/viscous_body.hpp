@@ -11,7 +11,7 @@ namespace setae::hysteresis {
 
 /// What an elastomer does in time.
 struct ViscousBody {
-    std::optional<EdgeSpeed> edge;           ///< an edge that minds its speed
+    std::optional<EdgeSpeed> edge;                    ///< an edge that minds its speed
     std::vector<contact::RelaxationTerm> relaxation;  ///< a bulk that relaxes
 
     /// The edge as this machine pulls it, where it minds.

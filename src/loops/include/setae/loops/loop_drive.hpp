@@ -21,7 +21,7 @@ struct LoopDrive {
 ///
 /// machine_stiffness: k_m [N/m]; infinite: fixed grips. Nothing for a record without time, displacement or retraction,
 /// or whose motor does not come and go.
-[[nodiscard]] std::optional<LoopDrive> loop_drive(
-    const LoopAnalysis& analysis, double machine_stiffness = std::numeric_limits<double>::infinity());
+[[nodiscard]] std::optional<LoopDrive> loop_drive(const LoopAnalysis& analysis,
+                                                  double machine_stiffness = std::numeric_limits<double>::infinity());
 
 }  // namespace setae::loops

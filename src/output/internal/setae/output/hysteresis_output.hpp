@@ -12,8 +12,8 @@
 
 namespace setae::output {
 
-/// "answer", "measured_pairs", "conforming_pairs", "rankings" (conforming_pairs, all_pairs, loop_areas: models best first),
-/// "deciding_pair", "trials" where they were made, "pairs".
+/// "answer", "measured_pairs", "conforming_pairs", "rankings" (conforming_pairs, all_pairs, loop_areas: models best
+/// first), "deciding_pair", "trials" where they were made, "pairs".
 [[nodiscard]] Json to_json(const study::Hysteresis& hysteresis);
 
 /// "conforming_pairs", "all_pairs" or "assumed".

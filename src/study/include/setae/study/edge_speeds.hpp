@@ -13,12 +13,13 @@ namespace setae::study {
 
 struct StudyResult;
 
-/// G(v) = G(0) [1 + (v/v0)^n] of an elastomer's smooth edge; φ(0) = G(0)/W_app of the references, 1 where the study states
-/// the law.
+/// G(v) = G(0) [1 + (v/v0)^n] of an elastomer's smooth edge; φ(0) = G(0)/W_app of the references, 1 where the study
+/// states the law.
 struct ElastomerEdgeSpeed {
     hysteresis::TracedEdgeSpeed law;
-    std::optional<Estimate> threshold;  ///< G of the references' edges at rest [J/m²]; without it the study states the law
-    int references = 0;                 ///< loops on the smooth standard that it is fitted to
+    std::optional<Estimate>
+        threshold;       ///< G of the references' edges at rest [J/m²]; without it the study states the law
+    int references = 0;  ///< loops on the smooth standard that it is fitted to
 };
 
 /// What the study states, else what the receding edges of the elastomer's references say together: ln v0 and ln n of

@@ -107,8 +107,8 @@ struct Hysteresis {
     hysteresis::Ranking conforming, all;           ///< W_app as measured
     hysteresis::Ranking by_area;                   ///< of all pairs whose loops' area is known: W_ret read from it
     int pairs_by_area = 0;
-    std::vector<ElastomerTimes> elastomers;        ///< of the pairs
-    loops::Outcome<JointLossFit> joint;            ///< behind the pairs' decompositions
+    std::vector<ElastomerTimes> elastomers;  ///< of the pairs
+    loops::Outcome<JointLossFit> joint;      ///< behind the pairs' decompositions
     std::vector<PairHysteresis> pairs;
     std::vector<SkippedPair> skipped;
     std::vector<hysteresis::LawTrials> trials;  ///< of the ranking that comes first, where they were asked for

@@ -108,8 +108,8 @@ struct ElastomerInput {
     std::optional<Estimate> sphere_radius;       ///< [m]
     std::optional<Estimate> sphere_height;       ///< [m]
     std::optional<double> preload;               ///< largest force of the loops to be predicted [N]
-    std::optional<double> speed;                 ///< of the motor in them [m/s]; without it that of the elastomer's loops
-    std::optional<double> hold_time;             ///< of it at the turning point [s], likewise
+    std::optional<double> speed;      ///< of the motor in them [m/s]; without it that of the elastomer's loops
+    std::optional<double> hold_time;  ///< of it at the turning point [s], likewise
     std::optional<StatedEdgeSpeed> crack_speed;  ///< without it fitted to loops on the smooth standard
     std::vector<StatedRelaxation> relaxation;
     std::optional<double> crosslink_molar_mass;  ///< M_c [kg/mol]

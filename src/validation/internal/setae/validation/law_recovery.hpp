@@ -41,14 +41,15 @@ struct LawRecoveries {
     std::vector<FailedRun> failed;
 };
 
-/// Laws that recipes can plant: reversible, pinning, conformal_loss, opening_work, alone, times a crack tip's factor, and
-/// times that of its speed.
+/// Laws that recipes can plant: reversible, pinning, conformal_loss, opening_work, alone, times a crack tip's factor,
+/// and times that of its speed.
 [[nodiscard]] std::vector<hysteresis::RetractionModel> plantable_laws();
 /// Those that are named, all for "all". @throws InvalidArgument for another name, with the nearest one.
 [[nodiscard]] std::vector<hysteresis::RetractionModel> plantable_laws(const std::vector<std::string>& names);
 
 /// The recipe with one law of W_ret in its loops. A crack tip has the recipe's tip factors, 1.5, 1.4, 1.3, … where it
-/// has none, or the recipe's laws of speed, v0 = 1, 2, 4, … µm/s and n = 0.6 where it has none; opening takes the recipe's work, twice W_int where it has none.
+/// has none, or the recipe's laws of speed, v0 = 1, 2, 4, … µm/s and n = 0.6 where it has none; opening takes the
+/// recipe's work, twice W_int where it has none.
 /// @throws InvalidArgument for a recipe without loops, or a crack tip without a smooth reference.
 [[nodiscard]] simulation::Recipe with_law(simulation::Recipe recipe, const hysteresis::RetractionModel& law);
 
