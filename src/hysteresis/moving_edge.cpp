@@ -194,8 +194,13 @@ double resting_equivalent(double largest, HystereticSphere sphere, const Pressin
 double read_from(double largest, const HystereticSphere& sphere, const Pressing& pressing, const MovingEdge& edge,
                  Reading reading) {
     const auto receding = recession_from(largest, sphere, pressing, edge);
-    return reading == Reading::last_points ? receding.work_read
-                                           : resting_equivalent(largest, sphere, pressing, receding.edge_work);
+    switch (reading) {
+        case Reading::last_points: return receding.work_read;
+        case Reading::smallest_force:
+            return contact::jkr::work_of_adhesion_from_pull_off(receding.smallest_force, sphere.radius);
+        case Reading::loop_area: return resting_equivalent(largest, sphere, pressing, receding.edge_work);
+    }
+    throw InternalError("a reading of W_ret that no one knows");
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST(MovingEdge, CourseEnclosesWhatTheLoopLoses) {
 
 TEST(MovingEdge, WorkAtRestIsFoundInWhatIsRead) {
     const Pressing pressing{.maximum_force = 1e-3, .machine_stiffness = 200.0};
-    for (const auto reading : {Reading::last_points, Reading::loop_area}) {
+    for (const auto reading : {Reading::last_points, Reading::smallest_force, Reading::loop_area}) {
         const double read = work_read(sphere, pressing, rubber, reading);
         EXPECT_NEAR(work_at_rest(sphere, pressing, rubber, reading, read) / sphere.work_retraction, 1.0, 1e-8);
         EXPECT_GT(read, 1.2 * sphere.work_retraction) << "the speed counts here";

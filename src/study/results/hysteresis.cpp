@@ -194,6 +194,8 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     else
         found.loop = Outcome<hysteresis::PredictedRetraction>::missing(
             "no work of adhesion on approach: stretching costs all that the contact gains");
+    // of an edge that minds its speed no 3/2 πR W_ret: every force has a G of its own
+    if (found.loop && fitted.model.tip == Tip::speed) found.pull_off_force = found.loop->pull_off_force;
     found.residuals = loop_residuals(result_, found);
     return found;
 }

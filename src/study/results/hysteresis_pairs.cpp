@@ -86,6 +86,11 @@ std::optional<TracedValue> machine_stiffness_of(const StudyResult& result, const
     return mean;
 }
 
+/// How the W_ret of a pair is read: by (S1) where there is none by (S2).
+Reading reading_of(const PairResult& pair) {
+    return !pair.retraction && pair.pull_off ? Reading::smallest_force : Reading::last_points;
+}
+
 /// The factor of the pair's edge: about W_ret as measured, else about twice W_int; nothing where something is not
 /// known.
 std::optional<hysteresis::SpeedFactor> speed_factor_of(const RetractionPair& pair, const PairDrive& drive,
@@ -206,7 +211,7 @@ PreparedPairs prepared_pairs(const StudyResult& result) {
         const auto drive = drive_of(result, pair.surface, pair.elastomer);
         if (drive) {
             base.drive = {drive->drive.approach_speed, drive->drive.retraction_speed, drive->drive.hold_time};
-            base.speed_factor = speed_factor_of(measured, *drive, Reading::last_points, prepared.retraction());
+            base.speed_factor = speed_factor_of(measured, *drive, reading_of(pair), prepared.retraction());
             measured.drive = base.drive;
             measured.speed_factor = base.speed_factor;
         }

@@ -11,6 +11,7 @@
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/bracketing.hpp"
 #include "setae/statistics/conditioned_values.hpp"
 
 namespace setae::study {
@@ -161,24 +162,13 @@ double likeliest_scatter(const std::vector<const Prepared*>& loops) {
         largest = std::max(largest, (std::abs(loop->loss.measured.value - loop->computed.value) +
                                      loop->loss.measured.standard_error()) /
                                         loop->area);
-    constexpr double decades = 6.0, golden = 0.6180339887498949;
+    constexpr double decades = 6.0;
     constexpr int rounds = 40;
-    const auto likelihood = [&](double logarithm) {
-        return ConditionedValues(residuals_of(loops, std::exp(logarithm))).log_likelihood();
+    const auto unlikely = [&](double logarithm) {
+        return -ConditionedValues(residuals_of(loops, std::exp(logarithm))).log_likelihood();
     };
-    double upper = std::log(10.0 * largest), lower = upper - decades * std::log(10.0);
-    double a = upper - golden * (upper - lower), b = lower + golden * (upper - lower);
-    double at_a = likelihood(a), at_b = likelihood(b);
-    for (int k = 0; k < rounds; ++k) {
-        if (at_a > at_b) {
-            upper = b, b = a, at_b = at_a;
-            a = upper - golden * (upper - lower), at_a = likelihood(a);
-        } else {
-            lower = a, a = b, at_a = at_b;
-            b = lower + golden * (upper - lower), at_b = likelihood(b);
-        }
-    }
-    return std::exp(0.5 * (lower + upper));
+    const double upper = std::log(10.0 * largest);
+    return std::exp(numerics::golden_section(unlikely, upper - decades * std::log(10.0), upper, rounds));
 }
 
 /// Collects inputs of several pairs, each name once.

@@ -53,8 +53,9 @@ struct RecessionCourse {
 
 /// How one W_ret is read from an edge that needs another at every speed.
 enum class Reading {
-    last_points,  ///< Recession::work_read, as (S2) does
-    loop_area,    ///< that of an edge at rest with which the loop would lose as much
+    last_points,     ///< Recession::work_read, as (S2) does
+    smallest_force,  ///< 2|F|/(3πR), as (S1) does
+    loop_area,       ///< that of an edge at rest with which the loop would lose as much
 };
 
 /// W_ret [J/m²] as it is read. @throws as recession().
