@@ -58,7 +58,7 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
 }
 
 TEST_F(StudyFile, ReadsWhatAnElastomerDoesInTime) {
-    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\n") + surface +
+    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") + surface +
                              "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n";
     const auto study =
         read(head +
