@@ -9,6 +9,7 @@
 #include "axes.hpp"
 #include "setae/core/words.hpp"
 #include "setae/hysteresis/loop_course.hpp"
+#include "setae/study_figures/hysteresis_figures.hpp"
 
 namespace setae::file_figures {
 namespace {
@@ -72,6 +73,17 @@ private:
     Panel curve_, edge_;
 };
 
+/// Where the energy of the predicted loop goes, and that of the measured one went.
+Panel losses_of(const PairHysteresis& pair) {
+    std::vector<study_figures::LossBar> bars{{"predicted", pair.loop->shares, std::nullopt}};
+    if (pair.decomposition)
+        bars.push_back({"measured", pair.decomposition->shares, pair.decomposition->measured.estimate()});
+    auto panel = study_figures::losses_panel(bars);
+    panel.title = "C";
+    panel.y.to = static_cast<double>(bars.size()) + 0.9;  // room above the bars for what explains them
+    return panel;
+}
+
 }  // namespace
 
 StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::StudyResult& result, const Look& look) {
@@ -103,15 +115,18 @@ StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::Study
     }
     panels.add(fmt::format("predicted, {}", pair.model.name()), course.displacement, course.force,
                course.contact_radius, {.mark = Mark::line, .colour = 0, .dash = 0});
-    drawn.figure = {.panels = panels.panels(),
+    auto all = panels.panels();
+    all.push_back(losses_of(pair));
+    drawn.figure = {.panels = std::move(all),
                     .columns = look.wide() ? 2 : 1,
                     .width_mm = look.wide() ? page_mm : column_mm,
-                    .height_mm = look.wide() ? 70.0 : 130.0};
+                    .height_mm = look.wide() ? 135.0 : 190.0};
     drawn.caption = fmt::format(
-        "Predicted from roughness by {}: force against displacement, contact radius against force. Dashed: W_ret a standard error "
-        "off.{}",
+        "Predicted from roughness by {}: force against displacement, contact radius against force, and where the energy goes. Dashed: "
+        "W_ret a standard error off.{}{}",
         pair.model.name(),
-        records > 0 ? fmt::format(" Points: {} of the study.", counted(records, "record", "records")) : "");
+        records > 0 ? fmt::format(" Points: {} of the study.", counted(records, "record", "records")) : "",
+        pair.decomposition ? " Lower bar: where that of the measured loop went, symbol: what it was." : "");
     return drawn;
 }
 

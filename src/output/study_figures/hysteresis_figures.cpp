@@ -67,19 +67,13 @@ figures::Series block(const char* label, double place, double from, double to, i
             .in_legend = in_legend};
 }
 
-/// Measured joules and what they went into, or the predicted ones.
-struct Bar {
-    const PairHysteresis& pair;
-    const hysteresis::EnergyShares& shares;
-    std::optional<Estimate> measured;
-};
-
-std::vector<Bar> bars_of(const study::Hysteresis& h, bool measured) {
-    std::vector<Bar> bars;
+std::vector<LossBar> bars_of(const study::Hysteresis& h, bool measured) {
+    std::vector<LossBar> bars;
     for (const auto& pair : h.pairs) {
+        const auto label = fmt::format("{} {}", pair.surface, pair.elastomer);
         if (measured && pair.decomposition)
-            bars.push_back({pair, pair.decomposition->shares, pair.decomposition->measured.estimate()});
-        if (!measured && pair.loop) bars.push_back({pair, pair.loop->shares, std::nullopt});
+            bars.push_back({label, pair.decomposition->shares, pair.decomposition->measured.estimate()});
+        if (!measured && pair.loop) bars.push_back({label, pair.loop->shares, std::nullopt});
     }
     return bars;
 }
@@ -144,17 +138,7 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
     return drawn;
 }
 
-StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
-    const bool wide = width == FigureWidth::double_column;
-    StudyFigure drawn{.identifier = "losses", .name = "losses"};
-    auto bars = bars_of(h, true);
-    const bool measured = !bars.empty();
-    if (!measured) bars = bars_of(h, false);
-    drawn.title = measured ? "Where the joules of measured loops went" : "Where the joules of predicted loops go";
-    if (bars.empty()) {
-        drawn.reason = "no loop is measured, and none predicted: elastomers need sphere_radius and preload";
-        return drawn;
-    }
+Panel losses_panel(const std::vector<LossBar>& bars) {
     Array1D losses(static_cast<Index>(bars.size()));
     for (Index i = 0; i < losses.size(); ++i) {
         const auto& bar = bars[static_cast<std::size_t>(i)];
@@ -168,12 +152,12 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
                 .y = {.from = -0.6, .to = count - 0.4}};
     panel.y.tick_labels.resize(bars.size());
     const auto& shares = EnergyShares::all();
-    const bool relaxes = std::ranges::any_of(bars, [](const Bar& bar) { return bar.shares.bulk.value != 0.0; });
+    const bool relaxes = std::ranges::any_of(bars, [](const LossBar& bar) { return bar.shares.bulk.value != 0.0; });
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const auto& bar = bars[i];
         const auto row = bars.size() - 1 - i;  // the first on top
         const auto place = static_cast<double>(row);
-        panel.y.tick_labels[row] = fmt::format("{} {}", bar.pair.surface, bar.pair.elastomer);
+        panel.y.tick_labels[row] = bar.label;
         double from = 0.0;
         for (std::size_t k = 0; k < shares.size(); ++k) {
             if (shares[k].share == &EnergyShares::bulk && !relaxes) continue;
@@ -193,6 +177,22 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
                                 .right = one((bar.measured->value + error) / unit.factor),
                                 .in_legend = i == 0});
     }
+    return panel;
+}
+
+StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
+    const bool wide = width == FigureWidth::double_column;
+    StudyFigure drawn{.identifier = "losses", .name = "losses"};
+    auto bars = bars_of(h, true);
+    const bool measured = !bars.empty();
+    if (!measured) bars = bars_of(h, false);
+    drawn.title = measured ? "Where the joules of measured loops went" : "Where the joules of predicted loops go";
+    if (bars.empty()) {
+        drawn.reason = "no loop is measured, and none predicted: elastomers need sphere_radius and preload";
+        return drawn;
+    }
+    auto panel = losses_panel(bars);
+    const auto count = static_cast<double>(bars.size());
     panel.legend_beside = wide;
     drawn.figure = {.panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = 35.0 + 5.0 * count};
     if (!wide) figures::put_legend_above(drawn.figure);

@@ -296,12 +296,12 @@ TEST(ComparisonFigure, ShowsSolutionsWithTheirErrorsAndTheTheoryBeside) {
     EXPECT_EQ(wide.figure.panels[3].y.unit, "J/m2");
 }
 
-TEST(PredictedLoopFigure, HasBothPanelsOrAReason) {
+TEST(PredictedLoopFigure, HasItsPanelsOrAReason) {
     const auto result = study::run_study(study::read_study("examples/nanodiamond/published.toml"));
     const auto& h = *result.hysteresis;
     const auto loop = predicted_loop_figure(h.pairs.front(), result, {});
     ASSERT_TRUE(loop.drawable()) << loop.reason;
-    EXPECT_EQ(loop.figure.panels.size(), 2U);
+    EXPECT_EQ(loop.figure.panels.size(), 3U);
     const double unit = loop.figure.panels[0].y.unit == "mN" ? 1e-3 : 1e-6;  // 1 mN is where one ends
     EXPECT_NEAR(series_of(loop.figure.panels[0], "predicted, opening_work").y.maxCoeff() * unit, 1e-3, 1e-12);
     // a contact that touches on 2 % of its area has a loop, too
