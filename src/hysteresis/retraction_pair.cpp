@@ -172,19 +172,13 @@ public:
     }
     [[nodiscard]] ViscousBody body(const RetractionModel& model) const { return body(model, values()); }
 
-    [[nodiscard]] SphereLoop loop(const RetractionModel& model, const HystereticSphere& of,
-                                  const std::vector<double>& in) {
-        const auto pressed = pressing(of.approach(), in);
-        const auto viscous = body(model, in);
-        if (!viscous.edge && viscous.relaxation.empty()) return sphere_loop(of, pressed);
-        std::vector<double> key{of.radius,          of.contact_modulus,    of.work_approach,
-                                of.work_retraction, pressed.maximum_force, pressed.machine_stiffness};
-        if (viscous.edge) key.insert(key.end(), {viscous.edge->reference_speed, viscous.edge->exponent});
-        for (const auto& term : viscous.relaxation) key.insert(key.end(), {term.share, term.time});
-        const auto [place, is_new] = viscous_loops_.try_emplace(std::move(key));
-        if (is_new) place->second = sphere_loop(of, pressed, *pair_.drive, viscous);
-        return place->second;
+    /// What a smooth edge at rest needs over W_app by a model.
+    [[nodiscard]] static double resting_factor(const RetractionModel& model, const std::vector<double>& in) {
+        if (model.tip == Tip::none) return 1.0;
+        return in[model.tip == Tip::speed ? rest_factor : tip_factor];
     }
+
+    [[nodiscard]] const std::vector<TracedValue>& inputs() const { return inputs_; }
 
     [[nodiscard]] Pressing pressing(const Contact& contact, const std::vector<double>& in) const {
         auto pressing = pair_.pressing.value_or(Pressing{});
@@ -231,7 +225,79 @@ private:
 
     const RetractionPair& pair_;
     std::vector<TracedValue> inputs_;
-    std::map<std::vector<double>, SphereLoop> viscous_loops_;  // each is asked for several of its numbers
+};
+
+/// One loop, of whose numbers each is wanted with everything it rests on.
+///
+/// A loop in closed form is followed from the pair's own inputs. One that time has a part in is dear: it is followed
+/// from the few numbers that make it, which know what they rest on, and kept for its other numbers.
+class TracedLoop {
+public:
+    TracedLoop(const PairFunctions& functions, const RetractionModel& model, const RetractionPair& pair)
+        : functions_(functions), model_(model), pair_(pair) {
+        const auto body = functions.body(model);
+        if (!body.edge && body.relaxation.empty()) return;
+        using P = SpectralParameters;
+        using In = std::vector<double>;
+        const auto of_sphere = [&](auto number) {
+            return functions_.traced(
+                [&](const P& p, const In& in) { return number(functions_.sphere(model_, p, in), in); });
+        };
+        makers_ = {*pair.radius, pair.soft.contact_modulus};
+        makers_.push_back(of_sphere([](const HystereticSphere& sphere, const In&) { return sphere.work_approach; }));
+        makers_.push_back(of_sphere([](const HystereticSphere& sphere, const In&) { return sphere.work_retraction; }));
+        makers_.push_back(of_sphere([&](const HystereticSphere& sphere, const In& in) {
+            return functions_.pressing(sphere.approach(), in).maximum_force;
+        }));
+        const auto& inputs = functions.inputs();
+        for (const auto input : {machine_stiffness, reference_speed, exponent, rest_factor, tip_factor})
+            makers_.push_back(inputs[input]);
+        makers_.insert(makers_.end(), inputs.begin() + input_count, inputs.end());
+    }
+
+    /// number(loop, sphere, what a smooth edge at rest needs over W_app)
+    template <class Number>
+    [[nodiscard]] TracedValue traced(const Number& number) {
+        if (makers_.empty())
+            return functions_.traced([&](const SpectralParameters& p, const std::vector<double>& in) {
+                const auto sphere = functions_.sphere(model_, p, in);
+                return number(sphere_loop(sphere, functions_.pressing(sphere.approach(), in)), sphere,
+                              PairFunctions::resting_factor(model_, in));
+            });
+        return setae::propagated(
+            [&](const std::vector<double>& made) {
+                const HystereticSphere sphere{made[0], made[1], made[2], std::max(made[2], made[3])};
+                return number(made_of(sphere, made), sphere, resting_factor(made));
+            },
+            makers_);
+    }
+
+private:
+    enum Maker : std::size_t { force = 4, machine, speed, power, at_rest, by_reference, first_term };
+
+    [[nodiscard]] double resting_factor(const std::vector<double>& made) const {
+        if (model_.tip == Tip::none) return 1.0;
+        return made[model_.tip == Tip::speed ? at_rest : by_reference];
+    }
+
+    const SphereLoop& made_of(const HystereticSphere& sphere, const std::vector<double>& made) {
+        const auto [place, is_new] = loops_.try_emplace(made);
+        if (!is_new) return place->second;
+        Pressing pressing{.maximum_force = std::max(0.0, made[force])};
+        if (pair_.machine_stiffness) pressing.machine_stiffness = made[machine];
+        else if (pair_.pressing) pressing.machine_stiffness = pair_.pressing->machine_stiffness;
+        ViscousBody body;
+        if (model_.tip == Tip::speed) body.edge = EdgeSpeed{made[speed], made[power]};
+        for (std::size_t i = first_term; i < made.size(); i += 2)
+            body.relaxation.push_back({std::max(0.0, made[i]), made[i + 1]});
+        return place->second = sphere_loop(sphere, pressing, *pair_.drive, body);
+    }
+
+    const PairFunctions& functions_;
+    const RetractionModel& model_;
+    const RetractionPair& pair_;
+    std::vector<TracedValue> makers_;
+    std::map<std::vector<double>, SphereLoop> loops_;
 };
 
 }  // namespace
@@ -309,36 +375,30 @@ std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& 
     result.sphere = functions.sphere(model);
     result.pressing = functions.pressing(result.sphere.approach());
     if (pair.drive) result.edge = functions.body(model).moving_edge(*pair.drive);
-    const auto of_loop = [&](auto number) {
-        return functions.traced([&](const SpectralParameters& p, const std::vector<double>& in) {
-            const auto sphere = functions.sphere(model, p, in);
-            return number(functions.loop(model, sphere, in), sphere, in);
-        });
+    TracedLoop loops(functions, model, pair);
+    const auto of_loop = [&](double SphereLoop::*field) {
+        return loops.traced([=](const SphereLoop& loop, const HystereticSphere&, double) { return loop.*field; });
     };
-    using In = std::vector<double>;
-    const auto tip_loss = [&](const SphereLoop& loop, const HystereticSphere& sphere, const In& in) {
-        const double factor = model.tip == Tip::none ? 1.0 : in[model.tip == Tip::speed ? rest_factor : tip_factor];
+    const auto tip_loss = [](const SphereLoop& loop, const HystereticSphere& sphere, double factor) {
         const double share = std::max(0.0, 1.0 - 1.0 / factor);
         return loop.speed_loss + std::min(loop.edge_loss, share * sphere.work_retraction * loop.largest_contact_area());
     };
     result.work_approach = work_approach;
     result.work_retraction = predicted_retraction(fitted, pair);
     result.pull_off_force =
-        of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return -loop.smallest_force; });
-    result.contact_radius = of_loop(
-        [](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.turning_point.contact_radius; });
+        loops.traced([](const SphereLoop& loop, const HystereticSphere&, double) { return -loop.smallest_force; });
+    result.contact_radius = loops.traced(
+        [](const SphereLoop& loop, const HystereticSphere&, double) { return loop.turning_point.contact_radius; });
     result.energy_loss =
-        of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.energy_loss(); });
+        loops.traced([](const SphereLoop& loop, const HystereticSphere&, double) { return loop.energy_loss(); });
     auto& shares = result.shares;
-    shares.jump_in =
-        of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.jump_in_loss; });
-    shares.jump_out =
-        of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.jump_out_loss; });
-    shares.crack_tip = of_loop(tip_loss);
-    shares.roughness = of_loop([&](const SphereLoop& loop, const HystereticSphere& sphere, const In& in) {
-        return loop.edge_loss + loop.speed_loss - tip_loss(loop, sphere, in);
+    shares.jump_in = of_loop(&SphereLoop::jump_in_loss);
+    shares.jump_out = of_loop(&SphereLoop::jump_out_loss);
+    shares.bulk = of_loop(&SphereLoop::bulk_loss);
+    shares.crack_tip = loops.traced(tip_loss);
+    shares.roughness = loops.traced([&](const SphereLoop& loop, const HystereticSphere& sphere, double factor) {
+        return loop.edge_loss + loop.speed_loss - tip_loss(loop, sphere, factor);
     });
-    shares.bulk = of_loop([](const SphereLoop& loop, const HystereticSphere&, const In&) { return loop.bulk_loss; });
     return result;
 }
 
