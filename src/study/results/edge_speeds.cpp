@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/study/edge_speeds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,15 +37,21 @@ public:
         const Eigen::Matrix3d covariance =
             inverse.asDiagonal() * fit.covariance.topLeftCorner<3, 3>() * inverse.asDiagonal();
         const Eigen::Matrix3d weight = covariance.inverse();
-        information_ += weight;
-        weighted_ += weight * values.array().log().matrix();
-        ++count_;
+        if (!weight.allFinite()) throw UndefinedDataError("the law of its edge has no standard errors");
+        logarithms_.emplace_back(values.array().log().matrix());
+        weights_.push_back(weight);
     }
 
     /// work_approach: W_app of the references.
     [[nodiscard]] ElastomerEdgeSpeed result(const std::string& elastomer, const TracedValue& work_approach) const {
-        const Eigen::Matrix3d covariance = information_.inverse();
-        const Eigen::Vector3d values = (covariance * weighted_).array().exp().matrix();
+        Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < weights_.size(); ++i) {
+            information += weights_[i];
+            weighted += weights_[i] * logarithms_[i];
+        }
+        const Eigen::Vector3d mean = information.inverse() * weighted, values = mean.array().exp().matrix();
+        const Eigen::Matrix3d covariance = scatter_about(mean) * information.inverse();
         const Eigen::Matrix3d root = covariance.llt().matrixL();
         const auto name = fmt::format("speed of the references' edges on {}", elastomer);
         const auto traced = [&](Index k) {
@@ -56,15 +63,25 @@ public:
             setae::propagated([](const std::vector<double>& in) { return in[0] / in[1]; }, {traced(0), work_approach});
         return {.law = {traced(1), traced(2), rest},
                 .threshold = Estimate{.value = values[0], .standard_error = values[0] * std::sqrt(covariance(0, 0))},
-                .references = count_};
+                .references = static_cast<int>(weights_.size())};
     }
 
-    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] bool empty() const { return weights_.empty(); }
 
 private:
-    Eigen::Matrix3d information_ = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d weighted_ = Eigen::Vector3d::Zero();
-    int count_ = 0;
+    /// By how much references differ beyond their own errors: χ² over its degrees of freedom, at least 1.
+    [[nodiscard]] double scatter_about(const Eigen::Vector3d& mean) const {
+        if (weights_.size() < 2) return 1.0;
+        double chi2 = 0.0;
+        for (std::size_t i = 0; i < weights_.size(); ++i) {
+            const Eigen::Vector3d off = logarithms_[i] - mean;
+            chi2 += off.dot(weights_[i] * off);
+        }
+        return std::max(1.0, chi2 / (3.0 * static_cast<double>(weights_.size() - 1)));
+    }
+
+    std::vector<Eigen::Vector3d> logarithms_;
+    std::vector<Eigen::Matrix3d> weights_;
 };
 
 /// The sum of drives, and how many.
@@ -101,14 +118,16 @@ loops::Outcome<ElastomerEdgeSpeed> edge_speed_of(const StudyResult& result, cons
     std::string reason = "no loop on a smooth standard";
     for (const auto& e : result.experiments) {
         if (!e.edge_speed || e.input.excluded() || e.input.elastomer != elastomer) continue;
-        if (const auto& fit = *e.edge_speed) {
+        try {
+            const auto& fit = *e.edge_speed;
+            if (!fit) throw UndefinedDataError(fit.reason);
             combination.add(*fit);
             approach.push_back(e.analysis->loading.primary().work_of_adhesion);
-        } else {
-            reason = fmt::format("{}: {}", e.input.file, fit.reason);
+        } catch (const UndefinedDataError& error) {
+            reason = fmt::format("{}: {}", e.input.file, error.what());
         }
     }
-    if (combination.count() == 0) return NoEdgeSpeed::missing(reason);
+    if (combination.empty()) return NoEdgeSpeed::missing(reason);
     return combination.result(elastomer,
                               TracedValue(mean_of(approach), fmt::format("W_app of the references on {}", elastomer)));
 }
