@@ -58,8 +58,8 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
 }
 
 TEST_F(StudyFile, ReadsWhatAnElastomerDoesInTime) {
-    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") + surface +
-                             "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n";
+    const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") +
+                             surface + "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n";
     const auto study =
         read(head +
              "speed = \"60 nm/s\"\nhold_time = \"30 s\"\n"

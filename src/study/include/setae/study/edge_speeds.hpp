@@ -23,8 +23,8 @@ struct ElastomerEdgeSpeed {
 };
 
 /// What the study states, else what the receding edges of the elastomer's references say together: ln v0 and ln n of
-/// each, loops::fit_crack_speed(), weighted by the inverse of their covariance; where they differ by more than that, their ±
-/// grow by it.
+/// each, loops::fit_crack_speed(), weighted by the inverse of their covariance; where they differ by more than that,
+/// their ± grow by it.
 [[nodiscard]] loops::Outcome<ElastomerEdgeSpeed> edge_speed_of(const StudyResult& result, const std::string& elastomer);
 
 /// Terms by which its bulk relaxes, as the study states them.
