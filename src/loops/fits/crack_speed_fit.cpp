@@ -216,13 +216,15 @@ void require_told(const Eigen::MatrixXd& covariance, bool exponent_free) {
 
 double rms(const Array1D& values) { return std::sqrt(values.square().mean()); }
 
-double ratio_of_speeds(const Array1D& speed) {
+void take_speeds(CrackSpeedFit& fit, const Array1D& speed) {
+    fit.slow_speed = fit.speed_ratio = undefined;
     std::vector<double> receding;
     for (const double v : speed)
         if (v > 0.0) receding.push_back(v);
-    if (receding.empty()) return undefined;
+    if (receding.empty()) return;
     std::sort(receding.begin(), receding.end());
-    return sorted_quantile(receding, 0.95) / sorted_quantile(receding, 0.05);
+    fit.slow_speed = sorted_quantile(receding, 0.05);
+    fit.speed_ratio = sorted_quantile(receding, 0.95) / fit.slow_speed;
 }
 
 }  // namespace
@@ -284,7 +286,7 @@ CrackSpeedFit fit_crack_speed(const RecedingEdge& edge, double radius, const Est
     fit.relative_residual = rms(fit.residuals) / problem.unit();
     fit.chi2_reduced =
         known > 0.0 ? (fit.residuals / known).square().sum() / static_cast<double>(n - covariance.cols()) : undefined;
-    fit.speed_ratio = ratio_of_speeds(problem.course(found).speed);
+    take_speeds(fit, problem.course(found).speed);
     return fit;
 }
 

@@ -2,6 +2,7 @@
 #include "setae/study/edge_speeds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,31 +29,68 @@ ElastomerEdgeSpeed stated(const StatedEdgeSpeed& input, const std::string& elast
             .threshold = {}};
 }
 
-/// ln G0, ln v0 and ln n of several edges as one, with its covariance.
+/// ln G0, ln v0 and ln n.
+using Logarithms = Eigen::Vector3d;
+
+/// ln G of a law at three speeds, and its derivatives by ln G0, ln v0 and ln n.
+struct RatesAtSpeeds {
+    Eigen::Vector3d rates;
+    Eigen::Matrix3d slopes;
+
+    RatesAtSpeeds(const Logarithms& law, const std::array<double, 3>& speeds) {
+        const double exponent = std::exp(law[2]);
+        for (Index k = 0; k < 3; ++k) {
+            const double decades = std::log(speeds[static_cast<std::size_t>(k)]) - law[1];  // ln v/v0
+            const double fast = std::exp(exponent * decades), share = fast / (1.0 + fast);
+            rates[k] = law[0] + std::log1p(fast);
+            slopes.row(k) << 1.0, -exponent * share, exponent * decades * share;
+        }
+    }
+};
+
+/// The law of several edges as one.
+///
+/// Errors of G0, v0 and n follow each other along a bent ridge, which no mean of them stays on; those of G at speeds
+/// that the edges went through hardly do. Their means at three speeds, weighted by the inverse of their covariance,
+/// make the law.
 class Combination {
 public:
+    /// @throws UndefinedDataError for a fit without standard errors.
     void add(const loops::CrackSpeedFit& fit) {
-        const Eigen::Vector3d values(fit.threshold.value, fit.reference_speed.value, fit.exponent.value);
+        const Logarithms values(fit.threshold.value, fit.reference_speed.value, fit.exponent.value);
         const Eigen::Vector3d inverse = values.cwiseInverse();
         const Eigen::Matrix3d covariance =
             inverse.asDiagonal() * fit.covariance.topLeftCorner<3, 3>() * inverse.asDiagonal();
-        const Eigen::Matrix3d weight = covariance.inverse();
-        if (!weight.allFinite()) throw UndefinedDataError("the law of its edge has no standard errors");
-        logarithms_.emplace_back(values.array().log().matrix());
-        weights_.push_back(weight);
+        if (!covariance.inverse().allFinite() || !(fit.slow_speed > 0.0) || !(fit.speed_ratio > 1.0))
+            throw UndefinedDataError("the law of its edge has no standard errors");
+        laws_.emplace_back(values.array().log().matrix());
+        covariances_.push_back(covariance);
+        slow_ += std::log(fit.slow_speed);
+        range_ += std::log(fit.speed_ratio);
     }
 
-    /// work_approach: W_app of the references.
+    /// work_approach: W_app of the references. @throws UndefinedDataError where no law has these means.
     [[nodiscard]] ElastomerEdgeSpeed result(const std::string& elastomer, const TracedValue& work_approach) const {
+        const auto speeds = common_speeds();
         Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
         Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
-        for (std::size_t i = 0; i < weights_.size(); ++i) {
-            information += weights_[i];
-            weighted += weights_[i] * logarithms_[i];
+        std::vector<Eigen::Vector3d> rates;
+        std::vector<Eigen::Matrix3d> weights;
+        for (std::size_t i = 0; i < laws_.size(); ++i) {
+            const RatesAtSpeeds at(laws_[i], speeds);
+            const Eigen::Matrix3d weight = (at.slopes * covariances_[i] * at.slopes.transpose()).inverse();
+            information += weight;
+            weighted += weight * at.rates;
+            rates.push_back(at.rates);
+            weights.push_back(weight);
         }
-        const Eigen::Vector3d mean = information.inverse() * weighted, values = mean.array().exp().matrix();
-        const Eigen::Matrix3d covariance = scatter_about(mean) * information.inverse();
+        const Eigen::Vector3d mean = information.inverse() * weighted;
+        const Logarithms law = law_through(mean, speeds);
+        const Eigen::Matrix3d back = RatesAtSpeeds(law, speeds).slopes.inverse();
+        const Eigen::Matrix3d covariance =
+            scatter_about(mean, rates, weights) * back * information.inverse() * back.transpose();
         const Eigen::Matrix3d root = covariance.llt().matrixL();
+        const Eigen::Vector3d values = law.array().exp().matrix();
         const auto name = fmt::format("speed of the references' edges on {}", elastomer);
         const auto traced = [&](Index k) {
             Component component;
@@ -63,25 +101,52 @@ public:
             setae::propagated([](const std::vector<double>& in) { return in[0] / in[1]; }, {traced(0), work_approach});
         return {.law = {traced(1), traced(2), rest},
                 .threshold = Estimate{.value = values[0], .standard_error = values[0] * std::sqrt(covariance(0, 0))},
-                .references = static_cast<int>(weights_.size())};
+                .references = static_cast<int>(laws_.size())};
     }
 
-    [[nodiscard]] bool empty() const { return weights_.empty(); }
+    [[nodiscard]] bool empty() const { return laws_.empty(); }
 
 private:
-    /// By how much references differ beyond their own errors: χ² over its degrees of freedom, at least 1.
-    [[nodiscard]] double scatter_about(const Eigen::Vector3d& mean) const {
-        if (weights_.size() < 2) return 1.0;
-        double chi2 = 0.0;
-        for (std::size_t i = 0; i < weights_.size(); ++i) {
-            const Eigen::Vector3d off = logarithms_[i] - mean;
-            chi2 += off.dot(weights_[i] * off);
-        }
-        return std::max(1.0, chi2 / (3.0 * static_cast<double>(weights_.size() - 1)));
+    /// The slowest, the middle and the fastest that the edges went at, as a rule.
+    [[nodiscard]] std::array<double, 3> common_speeds() const {
+        const auto n = static_cast<double>(laws_.size());
+        const double slow = slow_ / n, range = range_ / n;
+        return {std::exp(slow), std::exp(slow + 0.5 * range), std::exp(slow + range)};
     }
 
-    std::vector<Eigen::Vector3d> logarithms_;
-    std::vector<Eigen::Matrix3d> weights_;
+    /// By Newton's steps, shortened where they would leave a decade.
+    [[nodiscard]] Logarithms law_through(const Eigen::Vector3d& rates, const std::array<double, 3>& speeds) const {
+        Logarithms law = Logarithms::Zero();
+        for (const auto& one : laws_) law += one / static_cast<double>(laws_.size());
+        constexpr int most = 100;
+        constexpr double longest = 0.5, settled = 1e-12;
+        for (int i = 0; i < most; ++i) {
+            const RatesAtSpeeds at(law, speeds);
+            Logarithms step = at.slopes.inverse() * (rates - at.rates);
+            if (!step.allFinite()) break;
+            const double length = step.cwiseAbs().maxCoeff();
+            if (length > longest) step *= longest / length;
+            law += step;
+            if (length < settled) return law;
+        }
+        throw UndefinedDataError("the references' edges differ too much to be of one law");
+    }
+
+    /// By how much references differ beyond their own errors: χ² over its degrees of freedom, at least 1.
+    [[nodiscard]] static double scatter_about(const Eigen::Vector3d& mean, const std::vector<Eigen::Vector3d>& rates,
+                                              const std::vector<Eigen::Matrix3d>& weights) {
+        if (rates.size() < 2) return 1.0;
+        double chi2 = 0.0;
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+            const Eigen::Vector3d off = rates[i] - mean;
+            chi2 += off.dot(weights[i] * off);
+        }
+        return std::max(1.0, chi2 / (3.0 * static_cast<double>(rates.size() - 1)));
+    }
+
+    std::vector<Logarithms> laws_;
+    std::vector<Eigen::Matrix3d> covariances_;
+    double slow_ = 0.0, range_ = 0.0;  ///< sums of ln of the slowest speeds, and of ln of what the fastest are times it
 };
 
 /// The sum of drives, and how many.
@@ -128,8 +193,12 @@ loops::Outcome<ElastomerEdgeSpeed> edge_speed_of(const StudyResult& result, cons
         }
     }
     if (combination.empty()) return NoEdgeSpeed::missing(reason);
-    return combination.result(elastomer,
-                              TracedValue(mean_of(approach), fmt::format("W_app of the references on {}", elastomer)));
+    try {
+        return combination.result(
+            elastomer, TracedValue(mean_of(approach), fmt::format("W_app of the references on {}", elastomer)));
+    } catch (const UndefinedDataError& error) {
+        return NoEdgeSpeed::missing(error.what());
+    }
 }
 
 std::vector<hysteresis::TracedRelaxation> relaxation_of(const StudyResult& result, const std::string& elastomer) {

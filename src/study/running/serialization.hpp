@@ -223,7 +223,7 @@ SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, 
 SETAE_KEEP(Calibration, force, displacement, contact_radius)
 SETAE_KEEP(BulkRelaxation, energy_loss, largest_force)
 SETAE_KEEP(CrackSpeedFit, law, threshold, reference_speed, exponent, contact_modulus, covariance, converged, iterations,
-           n, residuals, relative_residual, chi2_reduced, speed_ratio, modulus_deviation)
+           n, residuals, relative_residual, chi2_reduced, slow_speed, speed_ratio, modulus_deviation)
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
 template <class Archive>
 void serialize(Archive& archive, LoopAnalysis& of) {

@@ -37,7 +37,8 @@ struct CrackSpeedFit {
     Array1D residuals;               ///< a − a(t) [m] of the frames
     double relative_residual = 0.0;  ///< rms of the residuals over the range of a
     double chi2_reduced = 0.0;       ///< NaN where σ_a is not known
-    double speed_ratio = 0.0;        ///< 95th over 5th percentile of the fitted speeds of receding
+    double slow_speed = 0.0;         ///< 5th percentile of the fitted speeds of receding [m/s]
+    double speed_ratio = 0.0;        ///< 95th over 5th percentile of them
     double modulus_deviation =
         0.0;  ///< of the E* given from that of this fit, over its standard error; NaN without one
 };

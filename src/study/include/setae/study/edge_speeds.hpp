@@ -22,7 +22,7 @@ struct ElastomerEdgeSpeed {
     int references = 0;  ///< loops on the smooth standard that it is fitted to
 };
 
-/// What the study states, else what the receding edges of the elastomer's references say together: ln v0 and ln n of
+/// What the study states, else what the receding edges of the elastomer's references say together: G at three speeds by
 /// each, loops::fit_crack_speed(), weighted by the inverse of their covariance; where they differ by more than that,
 /// their ± grow by it.
 [[nodiscard]] loops::Outcome<ElastomerEdgeSpeed> edge_speed_of(const StudyResult& result, const std::string& elastomer);
