@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -45,6 +46,15 @@ enum Input : std::size_t {
 
 /// Of the area, so that laws have a contact to speak of where simulated patches have next to none.
 constexpr double least_contact = 1e-6;
+
+/// What time does to loops of a model, terms of the relaxation as share and time after each other.
+ViscousBody viscous_body(const RetractionModel& model, const EdgeSpeed& edge, std::span<const double> terms) {
+    ViscousBody body;
+    if (model.tip == Tip::speed) body.edge = edge;
+    for (std::size_t i = 0; i < terms.size(); i += 2)
+        body.relaxation.push_back({std::max(0.0, terms[i]), terms[i + 1]});
+    return body;
+}
 
 /// Numbers of a pair as functions of its inputs.
 class PairFunctions {
@@ -163,14 +173,11 @@ public:
     [[nodiscard]] Pressing pressing(const Contact& contact) const { return pressing(contact, values()); }
 
     /// What time does to the loop by a model.
-    [[nodiscard]] ViscousBody body(const RetractionModel& model, const std::vector<double>& in) const {
-        ViscousBody body;
-        if (model.tip == Tip::speed) body.edge = EdgeSpeed{in[reference_speed], in[exponent]};
-        for (std::size_t i = input_count; pair_.drive && i < in.size(); i += 2)
-            body.relaxation.push_back({std::max(0.0, in[i]), in[i + 1]});
-        return body;
+    [[nodiscard]] ViscousBody body(const RetractionModel& model) const {
+        const auto in = values();
+        const auto terms = pair_.drive ? std::span(in).subspan(input_count) : std::span<const double>();
+        return viscous_body(model, {in[reference_speed], in[exponent]}, terms);
     }
-    [[nodiscard]] ViscousBody body(const RetractionModel& model) const { return body(model, values()); }
 
     /// What a smooth edge at rest needs over W_app by a model.
     [[nodiscard]] static double resting_factor(const RetractionModel& model, const std::vector<double>& in) {
@@ -181,11 +188,7 @@ public:
     [[nodiscard]] const std::vector<TracedValue>& inputs() const { return inputs_; }
 
     [[nodiscard]] Pressing pressing(const Contact& contact, const std::vector<double>& in) const {
-        auto pressing = pair_.pressing.value_or(Pressing{});
-        if (pair_.machine_stiffness) pressing.machine_stiffness = in[machine_stiffness];
-        if (pair_.contact_area)
-            pressing.maximum_force = std::max(0.0, contact::jkr::force(std::sqrt(in[contact_area] / pi), contact));
-        return pressing;
+        return pair_.pressed(contact, in[contact_area], in[machine_stiffness]);
     }
 
 private:
@@ -286,10 +289,7 @@ private:
         Pressing pressing{.maximum_force = std::max(0.0, made[force])};
         if (pair_.machine_stiffness) pressing.machine_stiffness = made[machine];
         else if (pair_.pressing) pressing.machine_stiffness = pair_.pressing->machine_stiffness;
-        ViscousBody body;
-        if (model_.tip == Tip::speed) body.edge = EdgeSpeed{made[speed], made[power]};
-        for (std::size_t i = first_term; i < made.size(); i += 2)
-            body.relaxation.push_back({std::max(0.0, made[i]), made[i + 1]});
+        const auto body = viscous_body(model_, {made[speed], made[power]}, std::span(made).subspan(first_term));
         return place->second = sphere_loop(sphere, pressing, *pair_.drive, body);
     }
 
@@ -318,6 +318,13 @@ double RetractionPair::energy_share() const {
                      .work_of_adhesion = work_of_adhesion.value,
                      .surface_energy = soft.surface_energy.value}
         .energy_share();
+}
+
+Pressing RetractionPair::pressed(const Contact& contact, double area, double stiffness) const {
+    auto result = pressing.value_or(Pressing{});
+    if (machine_stiffness) result.machine_stiffness = stiffness;
+    if (contact_area) result.maximum_force = std::max(0.0, contact::jkr::force(std::sqrt(area / pi), contact));
+    return result;
 }
 
 std::string RetractionPair::lacks(const RetractionModel& model) const {

@@ -238,7 +238,7 @@ const Keys<ElastomerInput>& elastomer_keys() {
             .add("preload", &Input::preload, non_negative(dimension::force),
                  "with sphere_radius: loops with this largest force are predicted, measured or not")
             .add("speed", &Input::speed, positive(dimension::length / dimension::time),
-                 "of the motor in loops to be predicted; without it the mean of the loops on this elastomer")
+                 "of the motor in loops of pairs that have none; without it the mean of the loops on this elastomer")
             .add("hold_time", &Input::hold_time, non_negative(dimension::time),
                  "of the motor at their turning point, likewise")
             .table<StatedEdgeSpeed>(

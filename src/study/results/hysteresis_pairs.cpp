@@ -122,13 +122,9 @@ std::optional<TracedValue> work_of_area(const PreparedPair& pair) {
     const auto& as = *pair.as_measured;
     if (!loss || !as.approach || !(as.approach->value > 0.0) || !as.radius || !as.contact_area) return std::nullopt;
     const double bulk = pair.measured.bulk_loss.value_or(0.0);
-    const bool machine_known = as.machine_stiffness.has_value();
     const auto work = [&](const std::vector<double>& in) {
         const hysteresis::HystereticSphere sphere{in[1], in[2], in[0], in[0]};
-        hysteresis::Pressing pressing{.maximum_force =
-                                          std::max(0.0, contact::jkr::force(std::sqrt(in[3] / pi), sphere.approach()))};
-        if (machine_known) pressing.machine_stiffness = in[5];
-        return hysteresis::work_retraction_for_loss(sphere, pressing, in[4] - bulk);
+        return hysteresis::work_retraction_for_loss(sphere, as.pressed(sphere.approach(), in[3], in[5]), in[4] - bulk);
     };
     try {
         return setae::propagated(work, {*as.approach, *as.radius, as.soft.contact_modulus, *as.contact_area, *loss,

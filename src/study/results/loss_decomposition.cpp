@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/bracketing.hpp"
@@ -29,17 +28,11 @@ TracedValue difference(const TracedValue& a, const TracedValue& b) {
 /// E_loss of the measured works over the contact area, with the sphere's jumps in the pair's machine.
 TracedValue loss_of_works(const PreparedPair& pair, const TracedValue& retraction) {
     const auto& measured = *pair.as_measured;
-    const double preload = measured.pressing ? measured.pressing->maximum_force : 0.0;
-    const bool area_known = measured.contact_area.has_value(), machine_known = measured.machine_stiffness.has_value();
     return setae::propagated(
         [&](const std::vector<double>& in) {
             const double approach = in[0], radius = in[2], modulus = in[3];
-            hysteresis::HystereticSphere sphere{radius, modulus, approach, std::max(approach, in[1])};
-            const double force =
-                area_known ? std::max(0.0, contact::jkr::force(std::sqrt(in[4] / pi), sphere.approach())) : preload;
-            hysteresis::Pressing pressing{.maximum_force = force};
-            if (machine_known) pressing.machine_stiffness = in[5];
-            return hysteresis::sphere_loop(sphere, pressing).energy_loss();
+            const hysteresis::HystereticSphere sphere{radius, modulus, approach, std::max(approach, in[1])};
+            return hysteresis::sphere_loop(sphere, measured.pressed(sphere.approach(), in[4], in[5])).energy_loss();
         },
         {*measured.approach, retraction, *measured.radius, measured.soft.contact_modulus,
          measured.contact_area.value_or(TracedValue()), measured.machine_stiffness.value_or(TracedValue())});

@@ -35,6 +35,9 @@ struct RetractionPair {
 
     /// U_el over what conforming gains.
     [[nodiscard]] double energy_share() const;
+    /// How it is pressed where its contact area and its machine are these and known: by the force under which a contact
+    /// touches so much; else as `pressing` says.
+    [[nodiscard]] Pressing pressed(const contact::jkr::Contact& contact, double area, double stiffness) const;
     /// Whether the model has what it needs. In words where not.
     [[nodiscard]] std::string lacks(const RetractionModel& model) const;
 };
