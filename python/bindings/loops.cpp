@@ -72,7 +72,8 @@ void bind_requests(nb::module_& module) {
         .def_rw("unweighted", &answers::LoopSettings::unweighted)
         .def_rw("retraction_modulus_free", &answers::LoopSettings::modulus_free)
         .def_rw("no_drift", &answers::LoopSettings::no_drift)
-        .def_rw("extrapolate_drift", &answers::LoopSettings::extrapolate_drift)
+        .def_rw("drift", &answers::LoopSettings::drift)
+        .def_rw("force_zero", &answers::LoopSettings::force_zero)
         .def_rw("whole_retraction", &answers::LoopSettings::whole_retraction);
     nb::class_<answers::LoopModelsRequest>(module, "LoopModels")
         .def(nb::init<>())

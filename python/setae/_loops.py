@@ -116,7 +116,7 @@ class Loop:
         """E*, W, pull-off and loss by every route, with their ±; ``models``: "hertz", "dmt", "maugis_dugdale" … or "all" beside them.
 
         settings: ``machine_stiffness``, ``contact_point``, ``segments``, ``relaxation``, ``area_ratio``, ``samples_dropped``, ``unweighted``,
-        ``no_drift``, ``extrapolate_drift``, ``whole_retraction`` … as the options of ``setae jkr fit``.
+        ``drift``, ``no_drift``, ``force_zero``, ``whole_retraction`` … as the options of ``setae jkr fit``.
         """
         wanted = {
             "models": list(models),

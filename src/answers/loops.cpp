@@ -117,17 +117,25 @@ contact::RelaxationTerm relaxation_term(const std::string& text) {
 
 }  // namespace
 
+loops::DriftModel LoopSettings::drift_model() const {
+    const loops::DriftModel model = loops::drift_model_named(drift);
+    if (!no_drift) return model;
+    if (model != loops::DriftModel::automatic && model != loops::DriftModel::constant)
+        throw InvalidArgument(fmt::format("--no-drift and --drift {} contradict each other; give one of them", drift));
+    return loops::DriftModel::constant;
+}
+
 loops::AnalysisOptions LoopSettings::options(const Table& loop) const {
     loops::AnalysisOptions options;
     options.samples_dropped = samples_dropped;
     options.effective_variance = !unweighted;
-    options.force_drift = !no_drift;
     options.leave_pinned_out = !whole_retraction;
     options.retraction_modulus_free = modulus_free;
-    options.extrapolate_force_drift = extrapolate_drift;
     options.contact_point = loops::parse_contact_point(contact_point);
     options.true_area_ratio = area_ratio;
     options.segments.baseline_share = baseline_share;
+    options.segments.drift = drift_model();
+    options.segments.force_baseline = given(force_zero, dimension::force);
     for (const auto& edit : segments) loops::add_segment_edit(options.segments.edits, edit);
     for (const auto& term : relaxation) options.relaxation.push_back(relaxation_term(term));
     if (!displacement_drift.empty())

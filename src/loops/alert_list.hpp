@@ -29,4 +29,7 @@ private:
 void check_record(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const LensAndCounterBody& bodies,
                   const AlertLimits& limits);
 
+/// The zero of force: where it is known from, its drift, sudden steps of the force.
+void check_drift(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const AlertLimits& limits);
+
 }  // namespace setae::loops

@@ -8,21 +8,45 @@
 
 #include "alert_list.hpp"
 #include "finite_height.hpp"
+#include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::loops {
 namespace {
+
+/// Correlation of neighbouring residuals.
+double neighbours_correlation(const Array1D& residuals) {
+    const Index n = residuals.size();
+    if (n < 3) return 0.0;
+    const Array1D rest = residuals - residuals.mean();
+    return (rest.head(n - 1) * rest.tail(n - 1)).sum() / rest.square().sum();
+}
+
+/// Where the noise is known, residuals that exceed it and follow each other; else large ones.
+bool fits_poorly(const JkrFit& fit, const AlertLimits& limits) {
+    if (!std::isfinite(fit.chi2_reduced)) return fit.relative_residual > limits.relative_residual;
+    return fit.chi2_reduced > limits.reduced_chi_squared && fit.relative_residual > limits.relative_misfit &&
+           neighbours_correlation(fit.residuals) > limits.residual_correlation;
+}
 
 void check_fit(AlertList& list, const BranchAnalysis& branch, const char* name, const AlertLimits& limits) {
     const JkrFit& fit = branch.primary();
     if (!fit.converged)
         list.add("NOT_CONVERGED", fmt::format("{}: the fit did not converge after {} iterations", name, fit.iterations),
                  "look at the segments and the fit range; the values are not to be used");
-    if (fit.relative_residual > limits.relative_residual)
+    if (fit.unbounded_work && fit.unbounded_work->value < -limits.work_deviations * fit.unbounded_work->standard_error)
+        list.add("WORK_NEGATIVE",
+                 fmt::format("{}: the contact is smaller than without adhesion, W would be {}; 0 is reported", name,
+                             format_uncertain(*fit.unbounded_work, "J/m2")),
+                 "check the zero of force, the contact point and the machine's stiffness");
+    if (fits_poorly(fit, limits))
         list.add("POOR_FIT",
-                 fmt::format("{}: rms residual {} is {:.1f} % of the fitted range: the branch is not a jkr curve", name,
-                             format_value(fit.rms_residual, fit.residual_unit), 100.0 * fit.relative_residual),
-                 "look at the residuals; slips, a second contact or a bad sensor make E* and W meaningless");
+                 fmt::format("{}: the JKR curve does not fit: residuals of {} rms, {:.1f} % of the fitted range, {}", name,
+                             format_value(fit.rms_residual, fit.residual_unit), 100.0 * fit.relative_residual,
+                             fit.chi2_reduced > limits.reduced_chi_squared
+                                 ? fmt::format("follow each other and exceed the noise (χ²_red {:.3g})", fit.chi2_reduced)
+                                 : std::string("too large for noise")),
+                 "look at the residuals; slips, a second contact, drift or a bad sensor make E* and W meaningless");
 }
 
 void check_sensitivity(AlertList& list, const BranchAnalysis& loading, const AlertLimits& limits) {
@@ -131,14 +155,8 @@ void check_stiffness(AlertList& list, const LoopAnalysis& analysis, const Loop& 
 void check_loop(AlertList& list, const LoopAnalysis& analysis, const AlertLimits& limits) {
     if (!analysis.unloading)
         list.add("NO_RETRACTION", analysis.unloading.reason, "record the retraction to pull-off and beyond");
-    if (!analysis.segments.before.range)
-        list.add("NO_BASELINE", "no free flight before contact: the zero of force is taken as given",
-                 "record free flight first, or be sure of the zero");
     if (!analysis.loop) return;
     const LoopErrorBudget& budget = analysis.loop->standard_error;
-    if (std::isnan(budget.drift))
-        list.add("DRIFT_UNKNOWN", "no baseline both before and after contact: drift of force is not removed",
-                 "record free flight on both ends");
     const double sampling = std::hypot(budget.sampling, budget.discretisation);
     if (sampling > limits.loop_sampling_share * std::abs(analysis.loop->energy))
         list.add("LOOP_UNDERSAMPLED",
@@ -159,6 +177,7 @@ std::vector<Alert> alerts_of(const LoopAnalysis& analysis, const Loop& loop, con
     check_contact_point(list, analysis, loop, limits);
     check_stiffness(list, analysis, loop, limits);
     check_loop(list, analysis, limits);
+    check_drift(list, analysis, loop, limits);
     check_record(list, analysis, loop, bodies, limits);
     check_height(list, analysis.context, loop, bodies, limits);
     return list.take();

@@ -12,8 +12,8 @@
 #include "contact_analysis.hpp"
 #include "cycle_analysis.hpp"
 #include "records/baseline.hpp"
-#include "records/drift.hpp"
-#include "records/record.hpp"
+#include "records/contact_steps.hpp"
+#include "records/force_zero.hpp"
 
 namespace setae::loops {
 namespace {
@@ -39,12 +39,17 @@ Segments found_segments(const Loop& loop, const RecordFaults& faults, const Segm
     return segments;
 }
 
-Segments measured_anew(Segments segments, const Loop& loop, const SegmentOptions& options) {
-    const auto measured = [&](const Baseline& baseline) {
-        return baseline.range ? baseline_over(loop, *baseline.range) : find_baseline(loop, options);
+Segments measured_anew(Segments segments, const Loop& loop) {
+    const auto measure = [&](Baseline& baseline) {
+        if (baseline.range) baseline = baseline_over(loop, *baseline.range);
     };
-    segments.before = measured(segments.before);
-    if (segments.after) segments.after = measured(*segments.after);
+    measure(segments.before);
+    if (!segments.after) return segments;
+    measure(*segments.after);
+    if (!segments.before.range) {
+        segments.before = *segments.after;
+        segments.before.range.reset();
+    }
     return segments;
 }
 
@@ -57,11 +62,11 @@ PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const 
     if (faults.time_backwards) loop.time = Array1D();  // samples count on in its stead
     record.deflected = without_displacement_drift(without_compliance(loop, options.machine_stiffness),
                                                   options.displacement_drift_rate);
-    record.segments = known ? measured_anew(*known, record.deflected, options.segments)
-                            : found_segments(record.deflected, faults, options.segments);
-    if (options.extrapolate_force_drift) record.drift = DriftModel::extrapolated;
-    record.level =
-        options.force_drift ? without_force_drift(record.deflected, record.segments, record.drift) : record.deflected;
+    record.segments =
+        known ? measured_anew(*known, record.deflected) : found_segments(record.deflected, faults, options.segments);
+    record.zero = force_zero(record.deflected, record.segments, options.segments.drift);
+    record.level = record.deflected;
+    record.level.force -= record.zero.value;
     return record;
 }
 
@@ -86,7 +91,8 @@ LoopAnalysis analyse_elastic(const Loop& recorded, const LensAndCounterBody& bod
     }
     analysis.segments = segments;
     analysis.corrected = record.level;
-    analysis.corrected.force -= segments.before.force;
+    analysis.force_zero = record.zero;
+    analysis.steps_in_contact = steps_in_contact(record.level, segments);
     analysis.alerts = alerts_of(analysis, record.level, bodies, options.limits, subject);
     return analysis;
 }

@@ -30,15 +30,17 @@ std::vector<Index> in_contact(const Loop& loop, const std::vector<Index>& sample
     return kept;
 }
 
-/// A fit with what the zero of force leaves open in its covariance, or why there is none.
+/// A fit with the errors of the zero of force in its covariance, or why there is none.
 template <class Fit>
 Outcome<JkrFit> fitted(const BranchData& data, const LensAndCounterBody& bodies, const Fit& fit) {
     Outcome<JkrFit> result = attempt([&] { return fit(data); });
-    if (!result || !(data.force_zero_standard_error > 0.0)) return result;
-    BranchData higher = data;
-    higher.force += data.force_zero_standard_error;
-    if (const Outcome<JkrFit> shifted = attempt([&] { return fit(higher); }))
-        add_force_zero_error(*result.value, *shifted, bodies);
+    if (!result) return result;
+    for (Index mode = 0; mode < data.force_zero_modes.cols(); ++mode) {
+        BranchData higher = data;
+        higher.force += data.force_zero_modes.col(mode);
+        if (const Outcome<JkrFit> shifted = attempt([&] { return fit(higher); }))
+            add_force_zero_error(*result.value, *shifted, bodies);
+    }
     return result;
 }
 
@@ -53,8 +55,7 @@ JkrFit depth_fit(const BranchData& data, const LensAndCounterBody& bodies, const
 bool can_weigh_both(const BranchData& data) { return data.force_noise > 0.0 && data.contact_radius_noise > 0.0; }
 
 bool can_join(const BranchData& data) {
-    return can_weigh_both(data) && data.displacement_noise > 0.0 && data.contact_radius.size() > 0 &&
-           data.displacement.size() > 0;
+    return can_weigh_both(data) && data.contact_radius.size() > 0 && data.displacement.size() > 0;
 }
 
 const char* why_not_joined(const BranchData& data) {
@@ -103,16 +104,16 @@ Selection loading_selection(const Loop& loop, const Segments& segments, const Co
     return selection;
 }
 
-BranchData branch_data(const Loop& loop, const Baseline& baseline, const Selection& selection,
-                       const AnalysisOptions& options) {
+BranchData branch_data(const LevelledLoop& record, const Selection& selection, const AnalysisOptions& options) {
+    const Loop& loop = record.loop;
     const std::vector<Index> samples = in_contact(loop, selection.samples);
-    BranchData data{.force = picked(loop.force, samples) - baseline.force,
+    BranchData data{.force = picked(loop.force, samples),
                     .displacement = picked(loop.displacement, samples),
                     .contact_radius = picked(loop.contact_radius, samples),
-                    .force_noise = baseline.force_noise,
-                    .displacement_noise = baseline.displacement_noise,
-                    .force_displacement_covariance = baseline.force_displacement_covariance,
-                    .force_zero_standard_error = baseline.force_standard_error};
+                    .force_noise = record.noise.force_noise,
+                    .displacement_noise = record.noise.displacement_noise,
+                    .force_displacement_covariance = record.noise.force_displacement_covariance,
+                    .force_zero_modes = record.zero_modes(samples, Eigen::all)};
     data.contact_radius_noise =
         options.contact_radius_noise ? *options.contact_radius_noise : white_noise(data.contact_radius);
     return data;
@@ -129,10 +130,10 @@ const JkrFit& BranchAnalysis::primary() const {
     return radius_force ? *radius_force : *force_displacement;
 }
 
-BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const Selection& selection,
+BranchAnalysis analyse_branch(const LevelledLoop& record, const Selection& selection,
                               const LensAndCounterBody& bodies, const AnalysisOptions& options,
                               const std::optional<Estimate>& elastic_modulus) {
-    const BranchData data = as_half_space(branch_data(loop, baseline, selection, options), bodies, options);
+    const BranchData data = as_half_space(branch_data(record, selection, options), bodies, options);
     BranchAnalysis branch{.effective_variance_first = options.effective_variance};
     const auto radius_fit = [&](RadiusErrors errors) {
         return fitted(data, bodies,
@@ -154,7 +155,7 @@ BranchAnalysis analyse_branch(const Loop& loop, const Baseline& baseline, const 
         throw UndefinedDataError(fmt::format(
             "{}: no fit: {}", selection.name,
             data.contact_radius.size() > 0 ? branch.radius_force.reason : branch.force_displacement.reason));
-    const std::vector<Index> samples = in_contact(loop, selection.samples);
+    const std::vector<Index> samples = in_contact(record.loop, selection.samples);
     branch.range = {.name = selection.name,
                     .first = samples.front(),
                     .last = samples.back(),

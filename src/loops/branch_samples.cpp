@@ -21,9 +21,8 @@ Selection selection_of(const LoopAnalysis& analysis, LoopBranch branch, const An
 BranchSamples branch_samples(const LoopAnalysis& analysis, LoopBranch branch, const AnalysisOptions& options) {
     const Loop& loop = analysis.corrected;
     const Selection selection = selection_of(analysis, branch, options);
-    Baseline zero = analysis.segments.before;
-    zero.force = 0.0;  // the corrected record counts from it
-    BranchSamples result{.data = branch_data(loop, zero, selection, options)};
+    BranchSamples result{
+        .data = branch_data({loop, analysis.segments.before, analysis.force_zero.modes}, selection, options)};
     if (loop.time.size() == 0) return result;
     result.time.resize(result.data.force.size());
     Index n = 0;

@@ -11,6 +11,7 @@
 #include "fits/fit_support.hpp"
 #include "hold_growth.hpp"
 #include "pinned_stretch.hpp"
+#include "records/baseline.hpp"
 #include "records/jump.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/contact/tabor.hpp"
@@ -25,26 +26,27 @@ bool is_ignored(const Segments& segments, Index sample) {
                        [&](const IndexRange& range) { return range.contains(sample); });
 }
 
-BranchAnalysis analyse_loading(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+Selection loading_samples(const PreparedRecord& record, const ContactSegments& contact, Index dropped) {
+    return without_ignored(loading_selection(record.level, record.segments, contact, dropped), record.segments);
+}
+
+BranchAnalysis analyse_loading(const PreparedRecord& record, const ContactSegments& contact,
                                const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    BranchAnalysis branch =
-        analyse_branch(loop, segments.before,
-                       without_ignored(loading_selection(loop, segments, contact, options.samples_dropped), segments),
-                       bodies, options);
+    BranchAnalysis branch = analyse_branch(
+        record.levelled(), loading_samples(record, contact, options.samples_dropped), bodies, options);
     for (const Index dropped : options.sensitivity_dropped)
         branch.sensitivity.push_back(
             {.dropped = dropped, .fit = attempt([&] {
-                                     const Selection selection =
-                                         without_ignored(loading_selection(loop, segments, contact, dropped), segments);
+                                     const Selection selection = loading_samples(record, contact, dropped);
                                      return primary_fit(
-                                         as_half_space(branch_data(loop, segments.before, selection, options), bodies,
+                                         as_half_space(branch_data(record.levelled(), selection, options), bodies,
                                                        options),
                                          bodies, options);
                                  })});
     return branch;
 }
 
-Outcome<BranchAnalysis> analyse_unloading(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+Outcome<BranchAnalysis> analyse_unloading(const PreparedRecord& record, const ContactSegments& contact,
                                           const std::optional<IndexRange>& pinned, const BranchAnalysis& loading,
                                           const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     if (!contact.unloading) return Outcome<BranchAnalysis>::missing("the record has no retraction");
@@ -54,7 +56,7 @@ Outcome<BranchAnalysis> analyse_unloading(const Loop& loop, const Segments& segm
         fmt::format("unloading, from {} to the {}", pinned ? "where the contact edge lets go" : "the last press",
                     contact.pull_off ? "pull-off minimum" : "last sample in contact");
     return attempt([&] {
-        return analyse_branch(loop, segments.before, without_ignored(range_selection(range, name), segments), bodies,
+        return analyse_branch(record.levelled(), without_ignored(range_selection(range, name), record.segments), bodies,
                               options, loading.primary().contact_modulus);
     });
 }
@@ -80,24 +82,29 @@ double stiffness_of_jump(const Loop& loop, const Segments& segments, const Conta
     return relaxed > least ? (loop.force[at + 1] - loop.force[at]) / relaxed : INFINITY;
 }
 
-Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const ContactSegments& contact,
-                               double radius, double contact_modulus) {
+Outcome<PullOff> find_pull_off(const PreparedRecord& record, const ContactSegments& contact, double radius,
+                               double contact_modulus) {
     if (!contact.pull_off)
         return Outcome<PullOff>::missing(contact.unloading
                                              ? "the force has no minimum below the baseline before contact ends"
                                              : "the record has no retraction");
-    const Baseline& baseline = segments.before;
-    PullOff result{.index = contact.pull_off->first};
-    result.force = {loop.force[result.index] - baseline.force,
-                    std::hypot(baseline.force_noise, baseline.force_standard_error), "baseline noise"};
+    const Loop& loop = record.level;
+    const ForceMinimum smallest =
+        smallest_force(loop.force, {contact.unloading->first, largest_step(loop.force, *contact.pull_off)},
+                       sample_noise(record.segments.before));
+    PullOff result{.index = smallest.sample};
+    result.force = {smallest.force,
+                    std::hypot(smallest.standard_error, record.zero.modes.row(result.index).matrix().norm()),
+                    "baseline noise"};
     const auto work = [&](const Estimate& force, contact::jkr::Control control) -> Estimate {
         return {contact::jkr::work_of_adhesion_from_pull_off(force.value, radius, control),
                 contact::jkr::work_of_adhesion_from_pull_off(force.standard_error, radius, control), "baseline noise"};
     };
     result.work_of_adhesion = work(result.force, contact::jkr::Control::fixed_load);
-    result.last_force = result.force;
-    result.last_force.value = loop.force[largest_step(loop.force, *contact.pull_off)] - baseline.force;
-    result.machine_stiffness = stiffness_of_jump(loop, segments, contact);
+    result.last_force = {loop.force[largest_step(loop.force, *contact.pull_off)],
+                         std::hypot(record.segments.before.force_noise, record.zero.modes.row(result.index).matrix().norm()),
+                         "baseline noise"};
+    result.machine_stiffness = stiffness_of_jump(loop, record.segments, contact);
     constexpr double stiff = 10.0;
     const double contact_stiffness =
         2.0 * contact_modulus *
@@ -112,6 +119,16 @@ Outcome<PullOff> find_pull_off(const Loop& loop, const Segments& segments, const
     return result;
 }
 
+/// Standard deviation of the mean of n neighbouring samples of an autoregressive noise, ρ_k = φ^k; 0 for independent
+/// noise, which the scatter of the samples shows.
+double shared_noise(const Baseline& baseline, Index n) {
+    const double phi = baseline.force_noise_correlation, count = static_cast<double>(n);
+    if (!(phi > 0.0)) return 0.0;
+    double sum = 1.0;
+    for (Index k = 1; k < n; ++k) sum += 2.0 * (1.0 - static_cast<double>(k) / count) * std::pow(phi, k);
+    return baseline.force_noise * std::sqrt(sum / count);
+}
+
 /// The last samples before pull-off in which the contact is seen: between camera frames there is no radius.
 Selection last_points(const Loop& loop, const Segments& segments, const IndexRange& unloading, Index count) {
     Selection selection{.name = "last points before pull-off"};
@@ -122,13 +139,14 @@ Selection last_points(const Loop& loop, const Segments& segments, const IndexRan
     return selection;
 }
 
-Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const ContactSegments& contact,
                                           const ContactAnalysis& analysis, const LensAndCounterBody& bodies,
                                           const AnalysisOptions& options) {
     if (!contact.pull_off) return Outcome<RetractionFit>::missing(analysis.pull_off.reason);
     return attempt([&] {
-        const Selection selection = last_points(loop, segments, *contact.unloading, options.retraction_points);
-        BranchData points = branch_data(loop, segments.before, selection, options);
+        const Selection selection =
+            last_points(record.level, record.segments, *contact.unloading, options.retraction_points);
+        BranchData points = branch_data(record.levelled(), selection, options);
         if (const auto height = bodies.soft_height(); height && analysis.unloading) {
             const JkrFit& fit = analysis.unloading->primary();
             points =
@@ -138,8 +156,22 @@ Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segm
         // creep and drift during the loop move the contact point: the unloading branch knows its own best
         const bool known = analysis.unloading && analysis.unloading->force_displacement;
         const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
-        RetractionFit fit = fit_retraction(points, bodies.radius, analysis.loading.primary().contact_modulus,
-                                           contact_point, options.retraction_modulus_free);
+        const auto fitted = [&](const BranchData& samples) {
+            return fit_retraction(samples, bodies.radius, analysis.loading.primary().contact_modulus, contact_point,
+                                  options.retraction_modulus_free);
+        };
+        RetractionFit fit = fitted(points);
+        const double work = fit.work_of_adhesion.value;
+        const auto add_error_of = [&](const Array1D& shift) {
+            BranchData moved = points;
+            moved.force += shift;
+            fit.work_of_adhesion.standard_error =
+                std::hypot(fit.work_of_adhesion.standard_error, fitted(moved).work_of_adhesion.value - work);
+        };
+        for (Index mode = 0; mode < points.force_zero_modes.cols(); ++mode)
+            add_error_of(points.force_zero_modes.col(mode));
+        if (const double shared = shared_noise(record.segments.before, points.force.size()); shared > 0.0)
+            add_error_of(Array1D::Constant(points.force.size(), shared));
         fit.first = selection.samples.front();
         fit.last = selection.samples.back();
         return fit;
@@ -149,19 +181,17 @@ Outcome<RetractionFit> analyse_retraction(const Loop& loop, const Segments& segm
 /// Contact radius at the largest force: that of the loading fit, moved by the mean of what the last frames before it
 /// differ from the fit, at the end of a hold, in which the contact may grow. The largest of noisy frames would be too
 /// large.
-double radius_at_largest_force(const Loop& loop, const Segments& segments, const ContactSegments& contact,
-                               const contact::jkr::Contact& lens) {
+double radius_at_largest_force(const Loop& loop, const ContactSegments& contact, const contact::jkr::Contact& lens) {
     constexpr Index frames = 5;
     const IndexRange& loading = contact.loading;
     const Index last = contact.hold ? contact.hold->last : loading.last;
-    const double zero = segments.before.force;
-    const double fitted = contact::jkr::contact_radius_at_force(loop.force[loading.last] - zero, lens);
+    const double fitted = contact::jkr::contact_radius_at_force(loop.force[loading.last], lens);
     if (loop.contact_radius.size() == 0) return fitted;
     double difference = 0.0;
     Index n = 0;
     for (Index i = last; i >= loading.first && n < frames; --i) {
         if (!(loop.contact_radius[i] > 0.0)) continue;
-        difference += loop.contact_radius[i] - contact::jkr::contact_radius_at_force(loop.force[i] - zero, lens);
+        difference += loop.contact_radius[i] - contact::jkr::contact_radius_at_force(loop.force[i], lens);
         ++n;
     }
     return n > 0 && std::isfinite(difference) ? fitted + difference / static_cast<double>(n) : fitted;
@@ -179,34 +209,32 @@ Estimate tabor_parameter_of(const JkrFit& fit, const contact::jkr::Contact& lens
     return result;
 }
 
-LoopContext find_context(const Loop& loop, const Segments& segments, const ContactSegments& contact,
-                         const BranchAnalysis& loading, const LensAndCounterBody& bodies,
-                         const AnalysisOptions& options) {
+LoopContext find_context(const Loop& loop, const ContactSegments& contact, const BranchAnalysis& loading,
+                         const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     const JkrFit& fit = loading.primary();
     const contact::jkr::Contact lens{.radius = bodies.radius,
                                      .contact_modulus = fit.contact_modulus.value,
                                      .work_of_adhesion = std::max(fit.work_of_adhesion.value, 0.0)};
     LoopContext context{.radius_measured = loop.contact_radius.size() > 0};
-    context.largest_contact_radius = radius_at_largest_force(loop, segments, contact, lens);
+    context.largest_contact_radius = radius_at_largest_force(loop, contact, lens);
     context.largest_contact_area = pi * context.largest_contact_radius * context.largest_contact_radius;
     context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
     context.tabor_parameter = tabor_parameter_of(fit, lens, options.interaction_range);
     if (lens.work_of_adhesion > 0.0)
-        context.applicable_model = contact::tabor::which_model(loop.force[contact.loading.last] - segments.before.force,
-                                                               lens, options.interaction_range.value)
+        context.applicable_model = contact::tabor::which_model(loop.force[contact.loading.last], lens,
+                                                               options.interaction_range.value)
                                        .sentence;
     return context;
 }
 
-ContactPointInputs inputs_of(const Loop& loop, const Segments& segments, Index index, const ContactAnalysis& analysis,
+ContactPointInputs inputs_of(const PreparedRecord& record, Index index, const ContactAnalysis& analysis,
                              const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    const ContactSegments& contact = segments.contacts[static_cast<std::size_t>(index)];
-    ContactPointInputs inputs{.loop = loop, .segments = segments, .contact = index};
+    const ContactSegments& contact = record.segments.contacts[static_cast<std::size_t>(index)];
+    ContactPointInputs inputs{
+        .loop = record.level, .segments = record.segments, .force_zero = record.zero, .contact = index};
     inputs.loading = as_half_space(
-        branch_data(loop, segments.before,
-                    without_ignored(loading_selection(loop, segments, contact, options.samples_dropped), segments),
-                    options),
-        bodies, options);
+        branch_data(record.levelled(), loading_samples(record, contact, options.samples_dropped), options), bodies,
+        options);
     inputs.force_displacement = analysis.loading.force_displacement;
     inputs.pointwise = analysis.loading.pointwise;
     if (analysis.unloading) inputs.unloading = analysis.unloading->primary();
@@ -222,9 +250,8 @@ void hold_contact_point(ContactAnalysis& analysis, const PreparedRecord& record,
     const auto analysed = [&](double value) {
         options.contact_point = {.mode = Mode::value, .value = value};
         ContactAnalysis held;
-        held.loading = analyse_loading(record.level, record.segments, contact, bodies, options);
-        held.unloading =
-            analyse_unloading(record.level, record.segments, contact, analysis.pinned, held.loading, bodies, options);
+        held.loading = analyse_loading(record, contact, bodies, options);
+        held.unloading = analyse_unloading(record, contact, analysis.pinned, held.loading, bodies, options);
         return held;
     };
     ContactAnalysis held = analysed(contact_point.value);
@@ -261,8 +288,7 @@ void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& recor
         if (!branch.force_displacement || !shifted || !shifted->force_displacement) return;
         add_force_zero_error(*branch.force_displacement.value, *shifted->force_displacement, bodies);
     };
-    const auto shifted =
-        attempt([&] { return analyse_loading(stiffer.level, record.segments, contact, bodies, options); });
+    const auto shifted = attempt([&] { return analyse_loading(stiffer, contact, bodies, options); });
     if (shifted && shifted->force_displacement && analysis.loading.force_displacement) {
         analysis.compliance->modulus_change = shifted->force_displacement->contact_modulus.value -
                                               analysis.loading.force_displacement->contact_modulus.value;
@@ -271,8 +297,8 @@ void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& recor
     }
     add(analysis.loading, shifted);
     if (analysis.unloading)
-        add(*analysis.unloading.value, analyse_unloading(stiffer.level, record.segments, contact, analysis.pinned,
-                                                         analysis.loading, bodies, options));
+        add(*analysis.unloading.value,
+            analyse_unloading(stiffer, contact, analysis.pinned, analysis.loading, bodies, options));
     if (analysis.ledger) analysis.compliance->energy_change = analysis.ledger->approach.standard_error.compliance;
 }
 
@@ -284,7 +310,7 @@ Outcome<EnergyLedger> keep_ledger(const PreparedRecord& record, Index index, con
         .largest_contact_area = analysis.context.largest_contact_area,
         .true_area_ratio = options.true_area_ratio,
         .machine_stiffness = INFINITY,
-        .drift = record.drift};
+        .drift = options.segments.drift};
     if (options.machine_stiffness) inputs.machine_stiffness = *options.machine_stiffness;
     else if (analysis.pull_off && analysis.pull_off->machine_stiffness > 0.0)
         inputs.machine_stiffness = analysis.pull_off->machine_stiffness;
@@ -309,25 +335,24 @@ ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const
     ContactAnalysis analysis;
     AnalysisOptions free = options;
     free.contact_point = {.mode = Mode::fit};
-    analysis.loading = analyse_loading(loop, segments, contact, bodies, free);
-    analysis.context = find_context(loop, segments, contact, analysis.loading, bodies, options);
-    analysis.hold = hold_growth(loop, segments, contact, analysis.loading, bodies, options);
+    analysis.loading = analyse_loading(record, contact, bodies, free);
+    analysis.context = find_context(loop, contact, analysis.loading, bodies, options);
+    analysis.hold = hold_growth(record.levelled(), contact, analysis.loading, bodies, options);
     if (decided) analysis.pinned = decided->pinned;
     else if (options.leave_pinned_out)
         analysis.pinned = pinned_stretch(loop, segments, contact, analysis, bodies, options);
-    analysis.unloading = analyse_unloading(loop, segments, contact, analysis.pinned, analysis.loading, bodies, free);
-    const ContactPointInputs inputs = inputs_of(loop, segments, index, analysis, bodies, options);
+    analysis.unloading = analyse_unloading(record, contact, analysis.pinned, analysis.loading, bodies, free);
+    const ContactPointInputs inputs = inputs_of(record, index, analysis, bodies, options);
     analysis.contact_points = attempt([&] { return contact_points(inputs, bodies, options.contact_point); });
     const bool held =
         analysis.contact_points && analysis.contact_points->chosen != ContactPointMethod::force_displacement;
     if (held) {
         hold_contact_point(analysis, record, contact, bodies, options, analysis.contact_points->contact_point);
-        analysis.context = find_context(loop, segments, contact, analysis.loading, bodies, options);
+        analysis.context = find_context(loop, contact, analysis.loading, bodies, options);
     }
-    analysis.pull_off =
-        find_pull_off(loop, segments, contact, bodies.radius, analysis.loading.primary().contact_modulus.value);
-    analysis.retraction = analyse_retraction(loop, segments, contact, analysis, bodies, options);
-    analysis.loop = attempt([&] { return loop_energy(record.deflected, segments, index, record.drift); });
+    analysis.pull_off = find_pull_off(record, contact, bodies.radius, analysis.loading.primary().contact_modulus.value);
+    analysis.retraction = analyse_retraction(record, contact, analysis, bodies, options);
+    analysis.loop = attempt([&] { return loop_energy(record.deflected, segments, index, options.segments.drift); });
     analysis.ledger = keep_ledger(record, index, analysis, bodies, options);
     if (held) free.contact_point = {.mode = Mode::value, .value = analysis.contact_points->contact_point.value};
     add_compliance_error(analysis, record, contact, bodies, free);

@@ -2,15 +2,18 @@
 #pragma once
 
 #include "branch.hpp"
+#include "records/force_zero.hpp"
 
 namespace setae::loops {
 
 /// A record ready for analysis.
 struct PreparedRecord {
     Loop deflected;  ///< the machine's own deflection and the displacement's drift taken off
-    Loop level;      ///< the drift of force, too
+    Loop level;      ///< the zero of force and its drift, too
     Segments segments;
-    DriftModel drift = DriftModel::between_baselines;  ///< of the energies
+    ForceZero zero;  ///< what was taken off the force
+
+    [[nodiscard]] LevelledLoop levelled() const { return {level, segments.before, zero.modes}; }
 };
 
 /// A branch without the samples that no fit uses.

@@ -11,7 +11,8 @@
 namespace setae::loops {
 namespace {
 
-void add_energy(CycleAnalysis& result, const PreparedRecord& record, Index index, const ContactAnalysis& contact) {
+void add_energy(CycleAnalysis& result, const PreparedRecord& record, Index index, const ContactAnalysis& contact,
+                DriftModel drift) {
     const ContactSegments& segments = record.segments.contacts[static_cast<std::size_t>(result.cycle.contact)];
     result.energy_standard_error = undefined;
     const auto keep = [&](const Estimate& energy) {
@@ -23,13 +24,13 @@ void add_energy(CycleAnalysis& result, const PreparedRecord& record, Index index
     } else if (segments.cycles.size() == 1) {
         if (contact.loop) keep(contact.loop->estimate());
         else result.energy = Outcome<double>::missing(contact.loop.reason);
-    } else if (const auto energy = partial_loop_energy(record.deflected, record.segments, index)) {
+    } else if (const auto energy = partial_loop_energy(record.deflected, record.segments, index, drift)) {
         keep(*energy);
     } else if (result.cycle.ends_in_pull_off && contact.loop) {
         // the last release closes the outer loop: what the partial loops leave of the whole
         Estimate outer = contact.loop->estimate();
         for (const Index other : segments.cycles)
-            if (const auto inner = partial_loop_energy(record.deflected, record.segments, other))
+            if (const auto inner = partial_loop_energy(record.deflected, record.segments, other, drift))
                 outer.value -= inner->value;
         keep(outer);
     } else {
@@ -42,8 +43,8 @@ Outcome<BranchAnalysis> analyse_partial(const PreparedRecord& record, const Cont
                                         const IndexRange& range, const std::string& name,
                                         const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     Outcome<BranchAnalysis> branch = attempt([&] {
-        return analyse_branch(record.level, record.segments.before,
-                              without_ignored(range_selection(range, name), record.segments), bodies, options);
+        return analyse_branch(record.levelled(), without_ignored(range_selection(range, name), record.segments), bodies,
+                              options);
     });
     if (!branch) return branch;
     const double first = contact.loading.primary().contact_modulus.value;
@@ -60,7 +61,7 @@ Outcome<BranchAnalysis> analyse_partial(const PreparedRecord& record, const Cont
 CycleAnalysis analyse_cycle(const PreparedRecord& record, Index index, const ContactAnalysis& contact,
                             const LensAndCounterBody& bodies, const AnalysisOptions& options) {
     CycleAnalysis result{.cycle = record.segments.cycles[static_cast<std::size_t>(index)]};
-    add_energy(result, record, index, contact);
+    add_energy(result, record, index, contact, options.segments.drift);
     const std::vector<Index>& cycles = record.segments.contacts[static_cast<std::size_t>(result.cycle.contact)].cycles;
     if (cycles.size() == 1) {
         result.loading = contact.loading;
@@ -69,8 +70,8 @@ CycleAnalysis analyse_cycle(const PreparedRecord& record, Index index, const Con
     }
     const auto whole = [&](const IndexRange& range, const std::string& name) {
         return attempt([&] {
-            return analyse_branch(record.level, record.segments.before,
-                                  without_ignored(range_selection(range, name), record.segments), bodies, options);
+            return analyse_branch(record.levelled(), without_ignored(range_selection(range, name), record.segments),
+                                  bodies, options);
         });
     };
     const auto partial = [&](const IndexRange& range, const std::string& name) {

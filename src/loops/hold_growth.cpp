@@ -17,17 +17,18 @@ Change change_of(const Array1D& values, Index ends) {
 
 }  // namespace
 
-std::optional<HoldGrowth> hold_growth(const Loop& loop, const Segments& segments, const ContactSegments& contact,
+std::optional<HoldGrowth> hold_growth(const LevelledLoop& record, const ContactSegments& contact,
                                       const BranchAnalysis& loading, const LensAndCounterBody& bodies,
                                       const AnalysisOptions& options) {
     if (!contact.hold) return std::nullopt;
-    const BranchData data = branch_data(loop, segments.before, range_selection(*contact.hold, "hold"), options);
+    const BranchData data = branch_data(record, range_selection(*contact.hold, "hold"), options);
     constexpr Index fewest = 6;
     const Index n = data.force.size();
     if (n < fewest) return std::nullopt;
     const Index ends = std::max<Index>(n / 10, 3);
     HoldGrowth growth{.samples = *contact.hold, .duration = undefined, .force = change_of(data.force, ends)};
-    if (loop.time.size() > 0) growth.duration = loop.time[contact.hold->last] - loop.time[contact.hold->first];
+    const Array1D& time = record.loop.time;
+    if (time.size() > 0) growth.duration = time[contact.hold->last] - time[contact.hold->first];
     if (data.displacement.size() > 0) growth.displacement = change_of(data.displacement, ends);
     if (data.contact_radius.size() == 0) return growth;
     growth.contact_radius = change_of(data.contact_radius, ends);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "setae/loops/analysis.hpp"
+#include "branch.hpp"
 
 namespace setae::loops {
 
 /// What changes while the force is held; nothing where the record has no hold, or too few samples in it.
-[[nodiscard]] std::optional<HoldGrowth> hold_growth(const Loop& loop, const Segments& segments,
+[[nodiscard]] std::optional<HoldGrowth> hold_growth(const LevelledLoop& record,
                                                     const ContactSegments& contact, const BranchAnalysis& loading,
                                                     const LensAndCounterBody& bodies, const AnalysisOptions& options);
 

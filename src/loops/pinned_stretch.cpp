@@ -7,73 +7,92 @@
 
 #include "branch.hpp"
 #include "records/channel_noise.hpp"
+#include "records/local_lines.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 
 namespace setae::loops {
 namespace {
 
-/// Contact radii of the samples in which they are known.
-struct Radii {
+/// By how much the samples of a branch lie away from those of an edge that is pinned, and what of it is no motion.
+struct Departure {
     std::vector<Index> samples;
-    Array1D values;  ///< [m]
-    double noise = 0.0;
+    Array1D values;   ///< grows once the edge recedes
+    Array1D allowed;  ///< up to which it may be noise or what is not known of the contact
+
+    /// The last sample of a pinned edge, counted among them; −1: none.
+    [[nodiscard]] Index last_pinned() const {
+        Index last = values.size() - 1;
+        while (last >= 0 && !(values[last] <= allowed[last])) --last;
+        return last;
+    }
 };
 
-Radii measured_radii(const Loop& loop, const IndexRange& range, const AnalysisOptions& options) {
-    Radii radii;
+constexpr double deviations = 4.0;
+
+/// How many neighbours to average so that noise does not hide a departure, at most a tenth of them all; 1: none.
+Index averaged_neighbours(double noise, double visible, Index samples) {
+    const double wanted = std::pow(deviations * noise / visible, 2);
+    return wanted > 1.0 ? static_cast<Index>(std::min(wanted, 0.1 * static_cast<double>(samples))) | 1 : 1;
+}
+
+/// a_max − a of frames.
+Departure by_measured_radius(const Loop& loop, const IndexRange& range, double largest, double by_force,
+                             const AnalysisOptions& options) {
+    constexpr double visible_share = 0.02, rounding = 1e-6;
+    Departure departure;
     for (Index i = range.first; i <= range.last; ++i)
-        if (loop.contact_radius[i] > 0.0) radii.samples.push_back(i);
-    radii.values.resize(static_cast<Index>(radii.samples.size()));
-    for (Index k = 0; k < radii.values.size(); ++k)
-        radii.values[k] = loop.contact_radius[radii.samples[static_cast<std::size_t>(k)]];
-    radii.noise = options.contact_radius_noise ? *options.contact_radius_noise : white_noise(radii.values);
-    return radii;
-}
-
-Radii implied_radii(const Loop& loop, const Segments& segments, const ContactAnalysis& analysis,
-                    const IndexRange& range, double sphere_radius) {
-    Radii radii;
-    const JkrFit& fit = *analysis.loading.force_displacement;
-    const contact::SphereOnFlat bodies{sphere_radius, fit.contact_modulus.value};
-    radii.values.resize(range.count());
-    for (Index k = 0; k < range.count(); ++k) {
-        const Index i = range.first + k;
-        radii.samples.push_back(i);
-        radii.values[k] = contact::jkr::contact_radius_at(loop.force[i] - segments.before.force,
-                                                          loop.displacement[i] - fit.contact_point.value, bodies);
+        if (loop.contact_radius[i] > 0.0) departure.samples.push_back(i);
+    Array1D radii = loop.contact_radius(departure.samples);
+    const double noise = options.contact_radius_noise ? *options.contact_radius_noise : white_noise(radii);
+    const Index window = averaged_neighbours(noise, visible_share * largest, radii.size());
+    double allowed = std::max(deviations * std::hypot(noise, by_force), rounding * largest);
+    if (window > 1) {
+        // the averaged radii know the largest better than a fit at one noisy force does
+        radii = local_means(radii, window / 2);
+        largest = radii.segment(window / 2, radii.size() - 2 * (window / 2)).maxCoeff();
+        allowed = deviations * noise / std::sqrt(static_cast<double>(window));
     }
-    radii.noise = white_noise(radii.values);
-    return radii;
+    departure.values = largest - radii;
+    departure.allowed = Array1D::Constant(radii.size(), allowed);
+    return departure;
 }
 
-/// Means over so many neighbours, fewer at the ends.
-Array1D running_means(const Array1D& values, Index window) {
-    Array1D means(values.size());
-    for (Index i = 0; i < values.size(); ++i) {
-        const Index half = std::min({window / 2, i, values.size() - 1 - i});
-        means[i] = values.segment(i - half, 2 * half + 1).mean();
-    }
-    return means;
+/// What the error of W makes of the largest radius; near W = 0 it goes as the root of W.
+double error_of_largest_radius(double largest_force, const JkrFit& fit, double sphere_radius) {
+    const Estimate& work = fit.work_of_adhesion;
+    if (!work.uncertain()) return 0.0;
+    const auto radius = [&](double w) {
+        return contact::jkr::contact_radius_at_force(largest_force, {sphere_radius, fit.contact_modulus.value, std::max(w, 0.0)});
+    };
+    const double here = radius(work.value);
+    return std::max(std::abs(radius(work.value + work.standard_error) - here),
+                    std::abs(radius(work.value - work.standard_error) - here));
 }
 
-/// How many neighbours to average so that the noise does not hide a change of the radius by a fiftieth, at most a tenth
-/// of them all; 1 where it does not.
-Index averaged_neighbours(const Radii& radii, double largest, double deviations) {
-    constexpr double visible_share = 0.02;
-    const double wanted = std::pow(deviations * radii.noise / (visible_share * largest), 2);
-    return wanted > 1.0 ? static_cast<Index>(std::min(wanted, 0.1 * static_cast<double>(radii.values.size()))) | 1 : 1;
-}
-
-/// The radius above which the edge counts as where it was at the largest force.
-double least_pinned_radius(Radii& radii, double largest, double by_force) {
-    constexpr double deviations = 4.0, rounding = 1e-6;
-    const Index window = averaged_neighbours(radii, largest, deviations);
-    if (window == 1) return largest - std::max(deviations * std::hypot(radii.noise, by_force), rounding * largest);
-    // the averaged radii know the largest better than a fit at one noisy force does
-    radii.values = running_means(radii.values, window);
-    return radii.values.segment(window / 2, radii.values.size() - 2 * (window / 2)).maxCoeff() -
-           deviations * radii.noise / std::sqrt(static_cast<double>(window));
+/// F − 2a_max E* (δ − δ0 − a_max²/(3R)), the force of a flat punch of that radius and shape.
+Departure by_force(const Loop& loop, const Baseline& noise, const IndexRange& range, double largest, const JkrFit& fit,
+                   double sphere_radius) {
+    constexpr double visible_share = 0.02, accuracy = 0.01;  // E* and contact point are of a fit
+    Departure departure;
+    for (Index i = range.first; i <= range.last; ++i) departure.samples.push_back(i);
+    const double stiffness = 2.0 * largest * fit.contact_modulus.value;
+    const double depth = fit.contact_point.value + largest * largest / (3.0 * sphere_radius);
+    const Array1D force = loop.force(departure.samples);
+    const double unloaded = force[0] - force.minCoeff();
+    const double sigma = std::sqrt(std::max(
+        noise.force_noise * noise.force_noise + std::pow(stiffness * noise.displacement_noise, 2) -
+            2.0 * stiffness * noise.force_displacement_covariance,
+        0.0));
+    const Index window = averaged_neighbours(sigma, visible_share * unloaded, force.size());
+    const Array1D below = loop.displacement(departure.samples) - depth;
+    departure.values = local_means(force - stiffness * below, window / 2);
+    const Array1D by_radius = 2.0 * fit.contact_modulus.value * error_of_largest_radius(force[0], fit, sphere_radius) *
+                              (2.0 / 3.0 * largest * largest / sphere_radius - below).abs();
+    departure.allowed = (accuracy * (force[0] - force))
+                            .max(2.0 * by_radius)
+                            .max(deviations * sigma / std::sqrt(static_cast<double>(window)));
+    return departure;
 }
 
 }  // namespace
@@ -85,17 +104,16 @@ std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segme
     const IndexRange& unloading = *contact.unloading;
     const bool measured = loop.contact_radius.size() > 0;
     if (!measured && !analysis.loading.force_displacement) return std::nullopt;
-    Radii radii = measured ? measured_radii(loop, unloading, options)
-                           : implied_radii(loop, segments, analysis, unloading, bodies.radius);
-    constexpr Index fewest_left = 10, fewest_pinned = 2;
     const double largest = analysis.context.largest_contact_radius;
     // the largest radius belongs to a noisy force: a ∝ F^(1/3)
-    const double by_force = largest * segments.before.force_noise / (3.0 * analysis.loading.range.force_last);
-    const double least = least_pinned_radius(radii, largest, by_force);
-    Index pinned = radii.values.size();
-    while (pinned > 0 && !(radii.values[pinned - 1] >= least)) --pinned;
-    if (pinned < fewest_pinned || radii.values.size() - pinned < fewest_left) return std::nullopt;
-    return IndexRange{.first = unloading.first, .last = radii.samples[static_cast<std::size_t>(pinned) - 1]};
+    const double radius_error = largest * segments.before.force_noise / (3.0 * analysis.loading.range.force_last);
+    const Departure departure =
+        measured ? by_measured_radius(loop, unloading, largest, radius_error, options)
+                 : by_force(loop, segments.before, unloading, largest, *analysis.loading.force_displacement, bodies.radius);
+    constexpr Index fewest_left = 10, fewest_pinned = 2;
+    const Index pinned = departure.last_pinned() + 1;
+    if (pinned < fewest_pinned || departure.values.size() - pinned < fewest_left) return std::nullopt;
+    return IndexRange{.first = unloading.first, .last = departure.samples[static_cast<std::size_t>(pinned) - 1]};
 }
 
 }  // namespace setae::loops

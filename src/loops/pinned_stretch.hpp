@@ -11,9 +11,10 @@ namespace setae::loops {
 /// from one W to the other, and no JKR curve describes it.
 ///
 /// The edge recedes for good behind the last sample whose contact radius is within four standard deviations of the
-/// noise of the largest; noisier radii are averaged over their neighbours first. Where the radius was not measured,
-/// force, displacement and E* of loading imply it. Nothing without a retraction, for a stretch of fewer than two
-/// samples, or where fewer than ten samples of the branch would be left.
+/// noise of the largest; noisier radii are averaged over their neighbours first. Where the radius was not measured, it
+/// recedes behind the last sample whose force exceeds that of a flat punch of the largest radius by less than four
+/// standard deviations, and than 1 % of what has been unloaded. Nothing without a retraction, for a stretch of fewer
+/// than two samples, or where fewer than ten samples of the branch would be left.
 [[nodiscard]] std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segments,
                                                        const ContactSegments& contact, const ContactAnalysis& analysis,
                                                        const LensAndCounterBody& bodies,

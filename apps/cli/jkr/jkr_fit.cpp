@@ -81,6 +81,15 @@ std::string hold_text(const loops::HoldGrowth& hold) {
     return text;
 }
 
+/// "-12.3 ± 0.4 µN from the first sample to the last, a line, removed".
+std::string drift_text(const loops::ForceDrift& drift) {
+    if (drift.stretches == 0) return "not known: no free flight";
+    if (drift.degree == 0) return "not looked for";
+    static constexpr const char* curves[] = {"", "a line", "a parabola", "a cubic"};
+    return fmt::format("{} from the first sample to the last, {}, removed", format_uncertain(drift.change, "N"),
+                       curves[drift.degree]);
+}
+
 void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     const auto width = output_size().width;
     std::string text = wrapped(file + ": " + output::answer(a), width, 2) + "\n" +
@@ -119,6 +128,7 @@ void print_loop(const std::string& file, const loops::LoopAnalysis& a) {
     const auto& primary = a.loading.primary();
     line("E of loading", format_uncertain(primary.youngs_modulus, "Pa"));
     line("correlation of E* and W", fmt::format("{:.3f}", primary.correlation));
+    line("drift of the force", drift_text(a.force_zero.drift));
     line("pull-off force", a.pull_off ? value(a.pull_off->force, "N") : a.pull_off.reason);
     if (a.pull_off) line("W of pull-off (S1)", value(a.pull_off->work_of_adhesion, "J/m2"));
     line("W of retraction (S2)", a.retraction ? value(a.retraction->work_of_adhesion, "J/m2") : a.retraction.reason);

@@ -43,7 +43,9 @@ public:
     const ContactSegments& contact;
     const Baseline& noise;
 
-    [[nodiscard]] double force(Index i) const { return in.loop.force[i] - noise.force; }
+    [[nodiscard]] double force(Index i) const { return in.loop.force[i]; }
+    /// Standard error of the zero of force at a sample [N].
+    [[nodiscard]] double zero_error(Index i) const { return in.force_zero.modes.row(i).matrix().norm(); }
     [[nodiscard]] double displacement(Index i) const { return in.loop.displacement[i]; }
 
     /// Motion from sample to sample in free flight up to a sample, or behind it [m].
@@ -161,7 +163,7 @@ Estimate first_touch(const Touch& touch, double radius) {
     if (!(slope > 0.0)) throw UndefinedDataError("the force does not rise behind first touch");
     const Eigen::Vector2d by(level / (slope * slope), -1.0 / slope);
     // a zero of force wrong by its error moves F^(2/3) of the samples by 2/3 F^(−1/3) of it
-    const double zero = touch.noise.force_standard_error * 2.0 / 3.0 / (std::cbrt(least) * slope);
+    const double zero = touch.zero_error(first) * 2.0 / 3.0 / (std::cbrt(least) * slope);
     return measured(origin - level / slope, std::hypot(std::sqrt(by.dot(line.uncertainty.covariance * by)), zero),
                     "F^(2/3) extrapolated to 0");
 }
@@ -184,7 +186,7 @@ Estimate broken_line(const Touch& touch, double radius) {
     const Index n = last - first + 1;
     const double depth_unit = touch.displacement(last) - start.value, force_unit = touch.force(last);
     const Array1D depth = (touch.in.loop.displacement.segment(first, n) - start.value) / depth_unit;
-    const Array1D force = (touch.in.loop.force.segment(first, n) - touch.noise.force) / force_unit;
+    const Array1D force = touch.in.loop.force.segment(first, n) / force_unit;
     const double force_noise = touch.noise.force_noise / force_unit,
                  depth_noise = touch.noise.displacement_noise / depth_unit;
     Array1D weight = Array1D::Ones(n);
@@ -279,7 +281,7 @@ Estimate from_zero_force(const Touch& touch, double radius) {
     for (int i = 0; i < rounds; ++i) at -= force.at(at) / force.slope(at);
     if (!(at >= depth.minCoeff() && at <= depth.maxCoeff() && force.slope(at) > 0.0))
         throw UndefinedDataError("no zero of the force between the samples around it");
-    const double zero_error = hypotenuse({force.error(at), touch.noise.force_standard_error}) / force.slope(at);
+    const double zero_error = hypotenuse({force.error(at), touch.zero_error(touch.contact.loading.first)}) / force.slope(at);
     if (data.contact_radius.size() > 0) {
         const Parabola radii(depth, data.contact_radius.segment(range.first, range.count()));
         const double a = radii.at(at), by_radius = 2.0 * a / (3.0 * radius);
@@ -349,8 +351,12 @@ Estimate without_work(const Touch& touch, double radius) {
         solution = solve_linear(design, weight * data.force);
         modulus = solution.parameters[0];
         zero = solution.parameters[1] / modulus;
-        const Eigen::Vector2d shift = numerics::least_squares(design, weight * data.force_zero_standard_error);
-        by_zero_of_force = (shift[1] - zero * shift[0]) / modulus;
+        double squares = 0.0;
+        for (Index mode = 0; mode < data.force_zero_modes.cols(); ++mode) {
+            const Eigen::Vector2d shift = numerics::least_squares(design, weight * data.force_zero_modes.col(mode));
+            squares += std::pow((shift[1] - zero * shift[0]) / modulus, 2);
+        }
+        by_zero_of_force = std::sqrt(squares);
     }
     const Eigen::Vector2d by(-zero / modulus, 1.0 / modulus);
     return measured(origin + zero,

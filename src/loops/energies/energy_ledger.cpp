@@ -67,16 +67,17 @@ EnergyLedger energy_ledger(const Loop& loop, const Segments& segments, Index con
     const LevelRecord record(loop, segments, inputs.drift);
     const Bookkeeper book(record, inputs.displacement_stiffness);
 
+    const IndexRange range = closed_range(segments, contact);
     const Index first_contact = touch.jump_in ? touch.jump_in->last : touch.loading.first;
     const Index last_press = touch.unloading->first;
     IndexRange parting{touch.unloading->last, touch.unloading->last};
     if (touch.pull_off) parting = {largest_step(record.force, *touch.pull_off), touch.pull_off->last};
-    ledger.before_contact = book.smooth({touch.extent.first, touch.jump_in ? touch.jump_in->first : first_contact});
+    ledger.before_contact = book.smooth({range.first, touch.jump_in ? touch.jump_in->first : first_contact});
     if (touch.jump_in) ledger.jump_in = book.jump(*touch.jump_in);
     ledger.approach = book.smooth({first_contact, last_press});
     ledger.retraction = book.smooth({last_press, parting.first});
     if (touch.pull_off) ledger.jump_out = book.jump(parting);
-    ledger.after_contact = book.smooth({parting.last, touch.extent.last});
+    ledger.after_contact = book.smooth({parting.last, range.last});
     ledger.recovered_share = -ledger.retraction.energy / ledger.approach.energy;
 
     ledger.machine_stiffness = inputs.machine_stiffness;

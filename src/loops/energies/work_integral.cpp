@@ -6,6 +6,7 @@
 
 #include "records/jump.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/numerics/bracketing.hpp"
 
@@ -32,11 +33,27 @@ double probability_within(double x, double deviation, const std::array<double, 2
 }  // namespace
 
 LevelRecord::LevelRecord(const Loop& loop, const Segments& segments, DriftModel drift)
-    : force(loop.force - segments.before.force),
+    : zero(force_zero(loop, segments, drift)),
+      force(loop.force - zero.value),
       displacement(loop.displacement),
-      noise(segments.before),
-      zero(force_zero(loop, segments, drift)) {
-    if (!zero.constant()) force -= zero.share * zero.change;
+      noise(segments.before) {}
+
+IndexRange closed_range(const Segments& segments, Index contact) {
+    const ContactSegments& touch = segments.contacts[static_cast<std::size_t>(contact)];
+    const bool last = contact + 1 == static_cast<Index>(segments.contacts.size());
+    if (!touch.unloading || (last && !touch.pull_off && !segments.after))
+        throw UndefinedDataError("the record ends in contact: no closed loop");
+    IndexRange range = touch.extent;
+    const Index starts = touch.jump_in ? touch.jump_in->first : touch.loading.first;
+    const Index ends = touch.pull_off ? touch.pull_off->last : touch.unloading->last;
+    if (contact == 0) {
+        if (segments.before.range) range.first = std::min(std::max(range.first, segments.before.range->last), starts);
+        else if (segments.after && !touch.jump_in)
+            throw UndefinedDataError("the record begins in contact: no closed loop");
+    }
+    if (last && segments.after && segments.after->range)
+        range.last = std::max(std::min(range.last, segments.after->range->first), ends);
+    return range;
 }
 
 double work(const Array1D& force, const Array1D& displacement, const IndexRange& range, Index stride) {
@@ -71,11 +88,11 @@ double noise_error(const LevelRecord& record, const IndexRange& range) {
 }
 
 double drift_error(const LevelRecord& record, const IndexRange& range) {
-    if (record.zero.constant()) return undefined;
-    const double by_change = work(record.zero.share, record.displacement, range);
-    const double opening = record.displacement[range.last] - record.displacement[range.first];
-    return std::hypot((opening - record.zero.weight_lost * by_change) * record.noise.force_standard_error,
-                      by_change * record.zero.change_standard_error);
+    if (record.zero.drift.degree == 0) return undefined;
+    double squares = 0.0;
+    for (Index mode = 0; mode < record.zero.modes.cols(); ++mode)
+        squares += std::pow(work(record.zero.modes.col(mode), record.displacement, range), 2);
+    return std::sqrt(squares);
 }
 
 double compliance_error(const LevelRecord& record, const IndexRange& range, const Estimate& stiffness) {

@@ -3,20 +3,25 @@
 
 #include <array>
 
-#include "records/drift.hpp"
+#include "records/force_zero.hpp"
 
 /// ∫F dδ over stretches of a loop and what its parts of error are.
 namespace setae::loops {
 
 /// A record with its force counted from its zero.
 struct LevelRecord {
+    ForceZero zero;
     Array1D force;  ///< [N]
     const Array1D& displacement;
     const Baseline& noise;
-    ForceZero zero;
 
     LevelRecord(const Loop& loop, const Segments& segments, DriftModel drift);
 };
+
+/// Samples that a contact's energy is counted over: from the last sample of free flight before it to the first after it,
+/// between which the force is known not to be zero. Where free flight was not found, the contact's whole extent.
+/// @throws UndefinedDataError where the record begins or ends in contact.
+[[nodiscard]] IndexRange closed_range(const Segments& segments, Index contact);
 
 /// ∫F dδ by the trapezoid rule, of every so many samples.
 [[nodiscard]] double work(const Array1D& force, const Array1D& displacement, const IndexRange& range, Index stride = 1);
@@ -24,7 +29,7 @@ struct LevelRecord {
 /// Error from independent noise of each sample.
 [[nodiscard]] double noise_error(const LevelRecord& record, const IndexRange& range);
 
-/// Error from the baselines between which the zero of force runs; NaN where it is taken as constant.
+/// Error from the zero of force and its drift; NaN where the zero is taken as constant.
 [[nodiscard]] double drift_error(const LevelRecord& record, const IndexRange& range);
 
 /// Error from the machine's stiffness k where δ = stage − F/k: (F_last² − F_first²) σ_k/(2k²), for the rest telescopes.

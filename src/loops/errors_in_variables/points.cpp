@@ -21,6 +21,25 @@ void require_noise(double noise, const char* channel) {
 
 double range_of(const Array1D& series) { return series.maxCoeff() - series.minCoeff(); }
 
+/// Noise by which force and displacement are weighed.
+struct Weighed {
+    double force = 0.0;         ///< [N]
+    double displacement = 0.0;  ///< [m]
+};
+
+/// The noise of both channels, neither below a twentieth of what the other makes of it along the branch:
+///
+///   σ_δ >= σ_F/(20k),  σ_F >= kσ_δ/20,  k = range of F over range of δ
+///
+/// A channel so exact is as good as exact: the residual's variance σ_F² + (F'σ_δ)² grows by 1/400. Without the floor its
+/// weight in units of the other's would depend on digits that no instrument has, and the normal equations on rounding.
+Weighed weighed_noise(const BranchData& data) {
+    constexpr double share = 0.05;
+    const double stiffness = range_of(data.force) / range_of(data.displacement);
+    return {.force = std::max(data.force_noise, share * stiffness * data.displacement_noise),
+            .displacement = std::max(data.displacement_noise, share * data.force_noise / stiffness)};
+}
+
 using Single = Eigen::Array<double, 1, 1>;
 
 /// What `straightened` changes of the residual across the curve.
@@ -49,16 +68,18 @@ Points points(const BranchData& data, const LensAndCounterBody& bodies, Channels
                  {.contact_radius = channels.contact_radius,
                   .displacement = channels.displacement,
                   .fewest = channels.displacement ? 4 : 3});
-    require_noise(data.force_noise, "force");
     Points result{.channels = channels, .radius = bodies.radius, .force_unit = force_scale(data)};
     result.force = data.force / result.force_unit;
-    result.force_weight = result.force_unit / data.force_noise;
+    Weighed noise{data.force_noise, data.displacement_noise};
     if (channels.displacement) {
         const double range = range_of(data.displacement);
         if (!(range > 0.0))
             throw UndefinedDataError("the displacement does not change along the branch; a fit needs one that does");
         result.length = std::sqrt(range * bodies.radius);
+        noise = weighed_noise(data);
     }
+    require_noise(noise.force, "force");
+    result.force_weight = result.force_unit / noise.force;
     if (channels.contact_radius) {
         require_noise(data.contact_radius_noise, "contact radius");
         result.length = data.contact_radius.maxCoeff();
@@ -67,11 +88,11 @@ Points points(const BranchData& data, const LensAndCounterBody& bodies, Channels
     }
     result.depth_unit = result.length * result.length / bodies.radius;
     if (channels.displacement) {
-        require_noise(data.displacement_noise, "displacement");
-        const double shared = data.force_displacement_covariance / (data.force_noise * data.force_noise);
-        // a displacement whose noise is that of the force alone keeps a hundredth of it
-        constexpr double least = 1e-4;
-        const double variance = data.displacement_noise * data.displacement_noise;
+        require_noise(noise.displacement, "displacement");
+        const double shared = data.force_displacement_covariance / (noise.force * noise.force);
+        // a displacement whose noise is that of the force alone keeps a twentieth of it
+        constexpr double least = 1.0 / 400.0;
+        const double variance = noise.displacement * noise.displacement;
         const double own = std::max(variance - shared * data.force_displacement_covariance, least * variance);
         result.origin = data.displacement[0];
         result.depth = (data.displacement - result.origin) / result.depth_unit;

@@ -37,20 +37,25 @@ Solution solve_from(const Points& points, const Parameters& start) {
     return solution;
 }
 
-/// Force against displacement has a minimum on each side of W = 0 where W is hardly known: that of W > 0 is taken
-/// unless the other is better by three standard deviations.
-Parameters on_the_better_side(const Points& points, const Parameters& start) {
-    constexpr double least_share = 0.05, deviations = 3.0;
-    const double root = std::max(std::abs(start[1]), least_share * start[0]);
-    const auto from = [&](double signed_root) {
-        const Parameters at(start[0], signed_root, start[2]);
-        return solve_carefully(points, at, first_radii(points, at));
-    };
-    const Solution above = from(root), below = from(-root);
-    if (!above.converged || !below.converged)
-        return above.converged ? above.parameters : below.converged ? below.parameters : start;
-    const double variance = below.squares / std::max(1.0, static_cast<double>(points.force.size()) - 3.0);
-    return below.squares < above.squares - deviations * deviations * variance ? below.parameters : above.parameters;
+/// Force against displacement has a minimum on each side of W = 0 where W is hardly known: that of W > 0 is looked for,
+/// and W = 0 taken where there is none. JKR's curve goes on to W < 0, where it is no contact.
+Parameters on_the_adhesive_side(const Points& points, const Parameters& start) {
+    constexpr double least_share = 0.05;
+    const Parameters at(start[0], std::max(std::abs(start[1]), least_share * start[0]), start[2]);
+    const Solution found = solve_carefully(points, at, first_radii(points, at));
+    Parameters near = found.converged ? found.parameters : start;
+    near[1] = std::max(near[1], 0.0);
+    return near;
+}
+
+/// The solution with W = 0 in place of one below.
+Solution without_adhesion(const Points& points, const Solution& below) {
+    Parameters at = below.parameters;
+    at[1] = 0.0;
+    const Options bound{.held = Held::work};
+    Solution solution = solve(points, at, first_radii(points, at), bound);
+    if (!solution.converged) solution = solve_carefully(points, at, first_radii(points, at), bound);
+    return solution;
 }
 
 /// By how much the variance of the noise exceeds what the fit's corrections bear.
@@ -84,7 +89,7 @@ Fitted fit(const Points& points, const Parameters& start) {
     const Index samples = points.force.size(), first_neighbours = neighbours_of_a_first_solution(samples);
     const Index most = std::max<Index>(1, samples / fewest_means);
     Fitted first{.points = first_neighbours > 1 ? averaged(points, first_neighbours) : points};
-    Parameters near = points.channels.contact_radius ? start : on_the_better_side(first.points, start);
+    Parameters near = points.channels.contact_radius ? start : on_the_adhesive_side(first.points, start);
     Index neighbours = 1;
     if (first_neighbours > 1) {
         first.solution =
@@ -100,6 +105,8 @@ Fitted fit(const Points& points, const Parameters& start) {
     }
     Fitted all{.points = neighbours > 1 ? averaged(points, neighbours) : points};
     all.solution = solve_from(all.points, near);
+    if (!points.channels.contact_radius && all.solution.parameters[1] < 0.0)
+        all.solution = without_adhesion(all.points, all.solution);
     return all;
 }
 

@@ -15,7 +15,7 @@ struct Fitted {
     Solution solution;
 };
 
-/// Solved for means of neighbours first, then for all samples from there.
+/// Solved for means of neighbours first, then for all samples from there. Without contact radius W >= 0.
 ///
 /// What is left of the noise's offset behind the curvature's correction grows with the fourth power of the noise:
 /// samples whose noise exceeds a tenth of the curve's smallest radius of curvature (in units of the noise) are replaced

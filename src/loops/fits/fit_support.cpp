@@ -84,7 +84,43 @@ Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBod
     return result;
 }
 
+namespace {
+
+/// From 0 to what a W of 0 could be by chance, where the best W is below 0.
+void bound_interval(JkrFit& fit) {
+    if (!fit.unbounded_work) return;
+    Estimate zero = fit.work_of_adhesion;
+    zero.interval.reset();
+    if (const auto around = interval_of(zero))
+        fit.work_of_adhesion.interval = Interval{.lower = 0.0, .upper = around->upper, .level = around->level};
+}
+
+/// W ∝ p|p|, and the sum of squares is a parabola in p: at p = 0 the other parameters have changed by
+/// −cov(x, p) p/var p = −2 cov(x, W) W/var W.
+void keep_work_positive(JkrFit& fit) {
+    const double work = fit.work_of_adhesion.value;
+    if (!(work < 0.0)) return;
+    fit.unbounded_work = fit.work_of_adhesion;
+    const auto moved = [&](double value, Index parameter) {
+        const double change = -2.0 * fit.covariance(parameter, 1) * work / fit.covariance(1, 1);
+        return std::isfinite(change) ? value + change : value;
+    };
+    const double modulus = moved(fit.contact_modulus.value, 0);
+    if (modulus > 0.0) fit.contact_modulus.value = modulus;
+    if (fit.covariance.rows() > 2) fit.contact_point.value = moved(fit.contact_point.value, 2);
+    fit.work_of_adhesion.value = 0.0;
+    bound_interval(fit);
+}
+
+}  // namespace
+
 void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range) {
+    // records without noise leave residuals of rounding, which are not the error of the fit
+    constexpr double accuracy = 1e-6;
+    for (Estimate* estimate : {&fit.contact_modulus, &fit.work_of_adhesion})
+        if (std::isfinite(estimate->standard_error))
+            estimate->standard_error = std::max(estimate->standard_error, accuracy * std::abs(estimate->value));
+    keep_work_positive(fit);
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
     fit.correlation = fit.covariance(0, 1) / std::sqrt(fit.covariance(0, 0) * fit.covariance(1, 1));
     fit.converged = fit.converged && fit.covariance.allFinite();
@@ -104,6 +140,7 @@ void add_force_zero_error(JkrFit& fit, const JkrFit& shifted, const LensAndCount
     fit.contact_modulus.standard_error = std::hypot(fit.contact_modulus.standard_error, change[0]);
     fit.work_of_adhesion.standard_error = std::hypot(fit.work_of_adhesion.standard_error, change[1]);
     if (change.size() > 2) fit.contact_point.standard_error = std::hypot(fit.contact_point.standard_error, change[2]);
+    bound_interval(fit);
     fit.youngs_modulus = youngs_modulus(fit.contact_modulus, bodies);
     fit.correlation = fit.covariance(0, 1) / std::sqrt(fit.covariance(0, 0) * fit.covariance(1, 1));
 }

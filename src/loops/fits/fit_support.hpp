@@ -38,7 +38,9 @@ struct WorkFromRoot {
 /// steps to 10, so that W from far below to a hundred times what the force scale stands for is met.
 [[nodiscard]] Array1D shape_candidates();
 
-/// Fills E, correlation, runs, rms and relative residual from covariance, residuals and E*, W.
+/// Fills E, correlation, runs, rms and relative residual from covariance, residuals and E*, W, and keeps W >= 0: where
+/// the sum of squares is least at W < 0, W becomes 0 and E* and contact point go along the valley of the sum of squares
+/// to there; `unbounded_work` keeps what W would have been.
 void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range);
 
 /// Adds to the covariance of a fit what the zero of force leaves open: the square of the change to `shifted`, the same

@@ -27,12 +27,11 @@ constexpr std::array<std::pair<ContactModel, const char*>, 7> names{{{ContactMod
                                                                      {ContactModel::layer, "layer"},
                                                                      {ContactModel::large_strain, "large_strain"}}};
 
-/// What the zero of force leaves open: the change of all estimates to the same data with forces one standard error
-/// higher.
-void add_force_zero(ModelFit& fit, const BranchData& data, const LensAndCounterBody& bodies,
+/// The error of the zero of force: the change of all estimates to the same data with forces higher by one of its modes.
+void add_force_zero(ModelFit& fit, const BranchData& data, Index mode, const LensAndCounterBody& bodies,
                     const ModelFitOptions& options, const FitSolution& solution) {
     BranchData higher = data;
-    higher.force += data.force_zero_standard_error;
+    higher.force += data.force_zero_modes.col(mode);
     PreparedFit prepared = prepare(higher, bodies, options);
     const FitSolution moved = solve(prepared, solution.at);
     if (!moved.least_squares.converged) return;
@@ -175,10 +174,34 @@ ModelFit fit_model(const BranchData& data, const LensAndCounterBody& bodies, con
     return solved_fit(data, bodies, options).fit;
 }
 
+namespace {
+
+/// W >= 0: the fit with W = 0 in place of one below, with the error that W has there.
+SolvedFit without_adhesion(const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options,
+                           const FitSolution& below) {
+    ModelFitOptions bound = options;
+    bound.work_of_adhesion = 0.0;
+    SolvedFit solved = solved_fit(data, bodies, bound);
+    PreparedFit prepared = prepare(data, bodies, options);
+    ModelFit free{.model = options.model};
+    fill_estimates(free, prepared, below, bodies);
+    Estimate work{.value = 0.0};
+    if (free.work_of_adhesion) work.standard_error = free.work_of_adhesion->standard_error;
+    if (const auto around = interval_of(work)) work.interval = Interval{0.0, around->upper, around->level};
+    solved.fit.work_of_adhesion = work;
+    solved.fit.undetermined.push_back("W is 0: a contact smaller than one without adhesion would fit better");
+    return solved;
+}
+
+}  // namespace
+
 SolvedFit solved_fit(const BranchData& data, const LensAndCounterBody& bodies, const ModelFitOptions& options) {
     PreparedFit prepared = prepare(data, bodies, options);
     FitSolution solution = solve(prepared, find_start(prepared, data));
     const ModelCurve& curve = prepared.problem.curve();
+    const bool below = options.model != ContactModel::transition && prepared.is_free(1) &&
+                       curve.work_of_adhesion(solution.at.head<3>()) < 0.0;
+    if (below) return without_adhesion(data, bodies, options, solution);
     const bool zone_free = options.model == ContactModel::maugis_dugdale && prepared.is_free(2);
     PreparedFit reported = prepared;
     if (zone_free && !solution.least_squares.uncertainty.covariance.allFinite()) {
@@ -198,7 +221,8 @@ SolvedFit solved_fit(const BranchData& data, const LensAndCounterBody& bodies, c
     if (zone_free && !fit.transition_parameter) question_work(fit, prepared, solution);
     fit.converged = solution.least_squares.converged && fit.covariance.allFinite();
     fill_residuals(fit, prepared, solution);
-    if (data.force_zero_standard_error > 0.0) add_force_zero(fit, data, bodies, options, solution);
+    for (Index mode = 0; mode < data.force_zero_modes.cols(); ++mode)
+        add_force_zero(fit, data, mode, bodies, options, solution);
     fit.verdict = verdict(fit, data, curve.radius(), options.interaction_range);
     return {.fit = std::move(fit), .prepared = std::move(reported), .solution = std::move(solution)};
 }

@@ -17,7 +17,6 @@ struct Scan {
     const LoopAnalysis& analysis;
     const LensAndCounterBody& bodies;
     const AnalysisOptions& options;
-    Baseline zero;  ///< of the corrected record: its forces count from the baseline
 
     [[nodiscard]] Selection loading(Index dropped) const {
         const Segments& segments = analysis.segments;
@@ -34,7 +33,9 @@ struct Scan {
                 .force_share = force_share,
                 .fit = attempt([&] {
                     return primary_fit(
-                        as_half_space(branch_data(analysis.corrected, zero, selection, options), bodies, options),
+                        as_half_space(branch_data({analysis.corrected, analysis.segments.before, analysis.force_zero.modes},
+                                                  selection, options),
+                                      bodies, options),
                         bodies, options);
                 })};
     }
@@ -61,8 +62,7 @@ double slope_of(const std::vector<RangeFit>& fits) {
 }  // namespace
 
 RangeScan scan_ranges(const LoopAnalysis& analysis, const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    Scan scan{analysis, bodies, options, analysis.segments.before};
-    scan.zero.force = 0.0;
+    const Scan scan{analysis, bodies, options};
     RangeScan result;
     const auto samples = static_cast<Index>(scan.loading(0).samples.size());
     for (const Index dropped : {0, 1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100})

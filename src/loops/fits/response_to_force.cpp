@@ -74,8 +74,20 @@ struct Response {
                                           std::max(1.0, static_cast<double>(force.size() - parameters)));
     }
 
+    /// c and δ0 with p = 0, a contact without adhesion.
+    [[nodiscard]] SmallMinimum<parameters> without_adhesion() const {
+        const Array1D curve = model(force, 0.0).value, centred = curve - curve.mean();
+        const double scale = (centred * (values - values.mean())).sum() / centred.square().sum();
+        SmallMinimum<parameters> found{.parameters_found = Vector::Zero(), .converged = true, .iterations = 1};
+        found.parameters_found[0] = scale;
+        found.parameters_found[parameters - 1] = values.mean() - scale * curve.mean();
+        return found;
+    }
+
     [[nodiscard]] LeastSquaresSolution solve() const {
-        const SmallMinimum<parameters> found = minimum(start());
+        SmallMinimum<parameters> found = minimum(start());
+        // a depth goes on to p < 0 with a minimum of its own, which is no contact
+        if (is_depth && found.parameters_found[1] < 0.0) found = without_adhesion();
         LeastSquaresSolution solution{
             .parameters = found.parameters_found, .converged = found.converged, .iterations = found.iterations};
         const Vector& at = found.parameters_found;
@@ -162,7 +174,7 @@ JkrFit fit_radius_force(const BranchData& data, const LensAndCounterBody& bodies
 
 JkrFit fit_force_displacement(const BranchData& data, const LensAndCounterBody& bodies, DepthErrors errors) {
     require_data(data, bodies, {.displacement = true, .fewest = 4});
-    if (errors == DepthErrors::effective_variance && data.force_noise > 0.0 && data.displacement_noise > 0.0)
+    if (errors == DepthErrors::effective_variance && (data.force_noise > 0.0 || data.displacement_noise > 0.0))
         return errors_in_variables::force_displacement_route(data, bodies).fit;
     Scales scales{.radius = bodies.radius, .force = force_scale(data), .modulus_power = -1.5};
     const double origin = data.displacement[0];

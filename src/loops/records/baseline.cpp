@@ -27,19 +27,6 @@ double covariance_of(const Array1D& x, const FreeFlightNoise& of_x, const Array1
     return (second_differences(x) * second_differences(y)).mean() / 6.0 * (of_x.sigma * of_y.sigma / white);
 }
 
-/// Straight line through the force of a stretch: its slope, with the scatter about the line as error.
-void add_slope(Baseline& baseline, const Array1D& force, const Array1D& clock) {
-    const Index n = force.size();
-    constexpr Index fewest = 3;
-    if (n < fewest) return;
-    const Array1D since = clock - clock.mean();
-    const double spread = since.square().sum();
-    if (!(spread > 0.0)) return;
-    baseline.force_slope = (since * (force - force.mean())).sum() / spread;
-    const double squares = (force - force.mean() - baseline.force_slope * since).square().sum();
-    baseline.force_slope_standard_error = std::sqrt(squares / (static_cast<double>(n - 2) * spread));
-}
-
 }  // namespace
 
 Array1D clock_of(const Loop& loop) {
@@ -60,6 +47,11 @@ Baseline given_baseline(const Loop& loop, const GivenRange& given, const std::st
     return baseline_over(loop, range);
 }
 
+SampleNoise sample_noise(const Baseline& baseline) {
+    const double phi = baseline.force_noise_correlation;
+    return {.sigma = baseline.force_noise, .correlated_samples = (1.0 + phi) / (1.0 - phi)};
+}
+
 double median_of(Array1D values) { return median({values.data(), static_cast<std::size_t>(values.size())}); }
 
 Baseline baseline_over(const Loop& loop, const IndexRange& range) {
@@ -69,12 +61,9 @@ Baseline baseline_over(const Loop& loop, const IndexRange& range) {
                       .force = median_of(force),
                       .force_noise = noise.sigma,
                       .force_noise_correlation = noise.correlation};
-    baseline.force_scatter = std::sqrt((force - baseline.force).square().mean());
     // the median of n normal values: σ √(π/2n)
     baseline.force_standard_error =
-        baseline.force_scatter * std::sqrt(0.5 * pi * noise.correlated_samples() / static_cast<double>(range.count()));
-    add_slope(baseline, force, clock_of(loop).segment(range.first, range.count()));
-    baseline.force_slope_standard_error *= std::sqrt(noise.correlated_samples());
+        noise.sigma * std::sqrt(0.5 * pi * noise.correlated_samples() / static_cast<double>(range.count()));
     if (loop.displacement.size() > 0) {
         const Array1D displacement = loop.displacement.segment(range.first, range.count());
         const FreeFlightNoise of_displacement = free_flight_noise(displacement);

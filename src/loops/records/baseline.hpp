@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "force_minimum.hpp"
 #include "setae/loops/segments.hpp"
 
 namespace setae::loops {
@@ -12,6 +13,9 @@ namespace setae::loops {
 
 /// When each sample was: its time where all are known and none runs backwards, else its number.
 [[nodiscard]] Array1D clock_of(const Loop& loop);
+
+/// σ_F and how many samples count as one, from free flight.
+[[nodiscard]] SampleNoise sample_noise(const Baseline& baseline);
 
 /// A baseline where the user sees free flight. @throws InvalidArgument for fewer than five samples, and as samples_of.
 [[nodiscard]] Baseline given_baseline(const Loop& loop, const GivenRange& range, const std::string& name);

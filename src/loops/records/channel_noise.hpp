@@ -9,6 +9,11 @@ namespace setae::loops {
 /// three samples.
 [[nodiscard]] double white_noise(const ArrayView1D& series);
 
+/// The same of a whole record, in which jumps and turns are few: 1.4826 times the median of the magnitudes of third
+/// differences over √20. Where a tenth of neighbours or more are equal and 95 % of the other differences are multiples
+/// of one step, it is at least that step over √12. 0 for fewer than four samples.
+[[nodiscard]] double record_noise(const ArrayView1D& series);
+
 /// Noise of one channel in free flight.
 struct FreeFlightNoise {
     double sigma = 0.0;        ///< σ of one sample [unit of the series]

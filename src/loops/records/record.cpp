@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "baseline.hpp"
+#include "local_lines.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 
@@ -14,8 +15,6 @@ namespace setae::loops {
 namespace {
 
 constexpr Index fewest_samples = 20;
-constexpr Index fewest_free_samples = 5;
-
 void require_series(const Array1D& series, const char* name, Index expected, bool may_be_undefined) {
     if (series.size() == 0) return;
     if (series.size() != expected)
@@ -27,23 +26,20 @@ void require_series(const Array1D& series, const char* name, Index expected, boo
                 fmt::format("{} is undefined at sample {}; remove such samples from every series", name, i));
 }
 
-/// Samples before the first with a contact radius > 0.
-Index leading_free_samples(const Array1D& contact_radius) {
-    Index i = 0;
-    while (i < contact_radius.size() && !(contact_radius[i] > 0.0)) ++i;
-    return i;
-}
-
-/// Samples before the force leaves free flight for good: the first two in a row (or the last one) so far from the
-/// median that no noise takes them there, the scatter being that of the middle half. All of them where there are none.
-Index samples_before_contact(const ArrayView1D& force) {
-    constexpr double far = 8.0, scatter_over_median_deviation = 1.4826;
-    const double zero = median_of(force);
-    const double limit = far * scatter_over_median_deviation * median_of((force - zero).abs());
-    const auto is_far = [&](Index i) { return i == force.size() || std::abs(force[i] - zero) > limit; };
-    for (Index i = 0; i < force.size() && limit > 0.0; ++i)
-        if (is_far(i) && is_far(i + 1)) return i;
-    return force.size();
+/// Scatter of the force in free flight, averaged over so many neighbours on both sides: 1.4826 times the median of its
+/// magnitude, so that a stretch that reaches into contact counts as the free flight that most of it is.
+double scatter_in_free_flight(const Array1D& level, const Segments& segments, Index neighbours) {
+    constexpr double normal_scale = 1.4826;
+    double largest = 0.0;
+    const auto add = [&](const std::optional<IndexRange>& range) {
+        if (!range) return;
+        const Array1D means = local_means(level.segment(range->first, range->count()), neighbours);
+        largest = std::max(largest, normal_scale * median_of(means.abs()));
+    };
+    add(segments.before.range);
+    if (segments.after) add(segments.after->range);
+    if (segments.before.range || segments.after) return largest;
+    return segments.before.force_noise / std::sqrt(static_cast<double>(2 * neighbours + 1));
 }
 
 }  // namespace
@@ -70,45 +66,31 @@ void require_valid(const Loop& loop) {
     require_series(loop.contact_radius, "contact radius", n, true);
 }
 
-Baseline find_baseline(const Loop& loop, const SegmentOptions& options) {
-    if (!(options.baseline_share > 0.0 && options.baseline_share < 1.0))
-        throw InvalidArgument(fmt::format("baseline share must lie in (0, 1), got {}", options.baseline_share));
-    if (options.force_baseline) return {.force = *options.force_baseline};
-    if (options.edits.baseline_before) return given_baseline(loop, *options.edits.baseline_before, "baseline");
-    auto count = static_cast<Index>(options.baseline_share * static_cast<double>(loop.force.size()));
-    count = std::max(count, fewest_free_samples);
-    if (loop.contact_radius.size() > 0) {
-        count = std::min(count, leading_free_samples(loop.contact_radius));
-        if (count < fewest_free_samples) return {};  // recorded in contact only: the zero of force is taken as given
-    }
-    // a share of a long record can reach into the contact, which a camera slower than the force shows late
-    if (const Index free = samples_before_contact(loop.force.head(count)); free >= fewest_free_samples) count = free;
-    const Baseline baseline = baseline_over(loop, {.first = 0, .last = count - 1});
-    const double range = loop.force.maxCoeff() - loop.force.minCoeff();
-    constexpr double wander_limit = 0.05;  // of the force range
-    constexpr double wander_over_noise = 2.0;
-    if (baseline.force_scatter > wander_limit * range &&
-        baseline.force_scatter > wander_over_noise * baseline.force_noise)
-        throw UndefinedDataError(
-            fmt::format("the first {} samples are no free flight: their force wanders by {}, {:.0f} % of the whole "
-                        "range; shorten the baseline share or give the zero of force",
-                        count, format_value(baseline.force_scatter, "N", 3), 100.0 * baseline.force_scatter / range));
-    return baseline;
-}
-
-Record make_record(const Loop& loop, const Baseline& baseline, const SegmentOptions& options) {
-    Record record{.loop = loop, .force = loop.force - baseline.force};
-    record.range = record.force.maxCoeff() - record.force.minCoeff();
-    if (!(record.range > 0.0)) throw UndefinedDataError("the force is constant: no contact to analyse");
+Record make_record(const Loop& loop, const Array1D& level, const Segments& segments, const SegmentOptions& options) {
+    Record record{.loop = loop, .level = level, .force = level};
+    record.noise = sample_noise(segments.before);
+    record.range = level.maxCoeff() - level.minCoeff();
+    if (!(record.range > 0.0)) throw UndefinedDataError("the force follows its drift: no contact to analyse");
+    double scatter = scatter_in_free_flight(level, segments, 0);
     constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
-    if (record.range <= range_of_noise * baseline.force_scatter)
+    if (record.range <= range_of_noise * scatter)
         throw UndefinedDataError(
             fmt::format("the force never leaves its noise: range {}, scatter of free flight "
                         "{}; no contact to analyse",
-                        format_value(record.range, "N", 3), format_value(baseline.force_scatter, "N", 3)));
+                        format_value(record.range, "N", 3), format_value(scatter, "N", 3)));
+    // noise hides no feature of so small a share of the range
+    constexpr double visible_share = 0.03;
+    const Index most = level.size() / 100;
+    Index neighbours = 0;
+    while (neighbours < most && options.feature_factor * scatter > visible_share * record.range)
+        scatter = scatter_in_free_flight(level, segments, ++neighbours);
+    if (neighbours > 0) {
+        record.force = local_means(level, neighbours);
+        record.range = record.force.maxCoeff() - record.force.minCoeff();
+    }
     constexpr double rounding = 1e-9;  // of the range: what counts as zero in a record without noise
     constexpr double free_share = 0.01;
-    record.feature = std::max(options.feature_factor * baseline.force_scatter, rounding * record.range);
+    record.feature = std::max(options.feature_factor * scatter, rounding * record.range);
     record.free_level = std::max(record.feature, free_share * record.range);
     record.turning = std::max(options.turning_share * record.range, record.feature);
     return record;

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "force_minimum.hpp"
 #include "setae/loops/segments.hpp"
 
 namespace setae::loops {
 
-/// A loop with its force counted from the baseline, and the levels that tell features from noise.
+/// A loop with its force counted from its zero, and the levels that tell features from noise.
 struct Record {
     const Loop& loop;
-    Array1D force;            ///< [N], baseline removed
+    Array1D level;            ///< force [N], zero and drift taken off
+    Array1D force;            ///< the same, averaged over neighbours where it is noisy [N]
+    SampleNoise noise;        ///< of `level`
     double range = 0.0;       ///< largest minus smallest force [N]
     double feature = 0.0;     ///< a force further from zero is no noise [N]
     double free_level = 0.0;  ///< a force within is that of free flight [N]
@@ -26,10 +29,9 @@ struct Record {
 /// @throws InvalidArgument for series of different length, an undefined force or displacement, or a short record.
 void require_valid(const Loop& loop);
 
-/// Zero of force and noise at the start of the record. @throws UndefinedDataError where the start is no free flight.
-[[nodiscard]] Baseline find_baseline(const Loop& loop, const SegmentOptions& options);
-
-/// @throws UndefinedDataError for a force that is constant or never leaves its noise.
-[[nodiscard]] Record make_record(const Loop& loop, const Baseline& baseline, const SegmentOptions& options);
+/// level: the force with its zero taken off. segments: the baselines. @throws UndefinedDataError for a force that is
+/// constant or never leaves its noise.
+[[nodiscard]] Record make_record(const Loop& loop, const Array1D& level, const Segments& segments,
+                                 const SegmentOptions& options);
 
 }  // namespace setae::loops

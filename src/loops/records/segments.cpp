@@ -9,6 +9,12 @@
 #include <fmt/format.h>
 
 #include "baseline.hpp"
+#include "channel_fault_search.hpp"
+#include "channel_noise.hpp"
+#include "contact_edges.hpp"
+#include "force_zero.hpp"
+#include "free_flight_steps.hpp"
+#include "jump.hpp"
 #include "record.hpp"
 #include "setae/core/errors.hpp"
 #include "turning_points.hpp"
@@ -45,6 +51,13 @@ void drop_slips(const Record& record, Touch& touch) {
     }
 }
 
+/// Removes a last rise of the force while the bodies are drawn apart: under fixed grips a contact goes on past its
+/// smallest force, and the record may end there.
+void drop_rise_before_parting(const Record& record, Touch& touch) {
+    if (touch.peaks.size() < 2 || touch.troughs.size() != touch.peaks.size()) return;
+    if (record.position(touch.peaks.back()) < record.position(touch.troughs.back())) touch.peaks.pop_back();
+}
+
 std::vector<Touch> find_touches(const Record& record) {
     std::vector<Touch> touches(1);
     Index free_from = 0;
@@ -65,7 +78,10 @@ std::vector<Touch> find_touches(const Record& record) {
     }
     if (touches.back().peaks.empty()) touches.pop_back();
     else touches.back().end = record.size() - 1;
-    for (Touch& touch : touches) drop_slips(record, touch);
+    for (Touch& touch : touches) {
+        drop_rise_before_parting(record, touch);
+        drop_slips(record, touch);
+    }
     return touches;
 }
 
@@ -100,8 +116,13 @@ void find_separation(const Record& record, const Touch& touch, ContactSegments& 
     while (free < touch.end && !record.is_free(free)) ++free;
     if (record.has_radius())
         while (last > peak && !(record.loop.contact_radius[last] > 0.0)) --last;
+    const bool parts = pulled && record.is_free(free) && free > last;
+    if (parts) {
+        const Index before_jump = largest_step(record.level, {.first = last, .last = free});
+        last = smallest_force(record.level, {.first = peak, .last = before_jump}, record.noise).sample;
+        contact.pull_off = {.first = last, .last = free};
+    }
     contact.unloading = {.first = peak, .last = last};
-    if (pulled && record.is_free(free)) contact.pull_off = {.first = last, .last = free};
 }
 
 /// The stretch around the largest force in which it hardly changes, if it is longer than a turn takes.
@@ -175,26 +196,113 @@ void require_adhesion(const Record& record, const Segments& segments) {
         format_value(record.feature, "N", 3)));
 }
 
-/// Free flight after the last contact, its first quarter left out: the sensor settles there.
-std::optional<Baseline> baseline_after(const Record& record, const ContactSegments& contact) {
-    constexpr Index fewest = 8;
-    if (!contact.unloading) return std::nullopt;
-    const Index free = contact.pull_off ? contact.pull_off->last : contact.unloading->last + 1;
-    const Index first = free + (record.size() - free) / 4;
-    if (record.size() - first < fewest) return std::nullopt;
-    return baseline_over(record.loop, {.first = first, .last = record.size() - 1});
+/// Why a record without free flight is not analysed.
+[[noreturn]] void refuse(const Loop& loop, const ContactEdges& edges) {
+    if (edges.found)
+        throw UndefinedDataError(
+            "no free flight and no jump of the force into or out of contact: the record shows no contact, or it begins and ends "
+            "in contact and the zero of force is not known; record free flight before or after contact, or give the zero of "
+            "force (--force-zero)");
+    constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
+    const double range = loop.force.maxCoeff() - loop.force.minCoeff(), noise = record_noise(loop.force);
+    if (range <= range_of_noise * noise)
+        throw UndefinedDataError(fmt::format("the force never leaves its noise: range {}, noise {}; no contact to analyse",
+                                             format_value(range, "N", 3), format_value(noise, "N", 3)));
+    throw UndefinedDataError(
+        "no contact: nowhere does the force rise with the displacement as in contact, between free flight before and after it; "
+        "check the signs of force and displacement, and which columns they are");
+}
+
+/// Contact and free flight that the record itself shows. @throws ChannelFaultError unless the user has said where free
+/// flight is.
+ContactEdges edges_of(const Loop& loop, bool said) {
+    ContactEdges edges;
+    if (loop.displacement.size() > 0) edges = find_contact_edges(loop);
+    if (loop.contact_radius.size() == 0) {
+        if (!edges.found && !said)
+            if (const auto fault = channel_fault(loop)) throw ChannelFaultError(*fault);
+        return edges;
+    }
+    const ContactEdges seen = contact_edges_of_frames(loop);
+    if (!edges.found || !seen.found) return seen;
+    // the frames know which samples are in contact, the force between which frames it began
+    if (edges.before && seen.before) edges.before->last = std::min(edges.before->last, seen.before->last);
+    else edges.before = seen.before;
+    if (edges.after && seen.after) edges.after->first = std::max(edges.after->first, seen.after->first);
+    else edges.after = seen.after;
+    return edges;
+}
+
+/// Free flight after contact from where the sensor has settled.
+IndexRange settled(IndexRange after) {
+    constexpr Index fewest = 5;
+    const Index left_out = std::min(1 + after.count() / 10, after.count() - fewest);
+    return {after.first + std::max<Index>(left_out, 0), after.last};
+}
+
+/// Noise of a record whose zero of force is given.
+Baseline baseline_with_zero(const Loop& loop, double force) {
+    Baseline baseline{.force = force, .force_noise = record_noise(loop.force)};
+    if (loop.displacement.size() > 0) baseline.displacement_noise = record_noise(loop.displacement);
+    return baseline;
+}
+
+/// The share of the record, from its start, that is said to be free flight.
+IndexRange share_of(const Loop& loop, double share, const ContactEdges& edges) {
+    if (!(share > 0.0 && share < 1.0))
+        throw InvalidArgument(fmt::format("baseline share must lie in (0, 1), got {}", share));
+    constexpr Index fewest = 5;
+    const auto count = static_cast<Index>(share * static_cast<double>(loop.force.size()));
+    const IndexRange range{0, std::max(count, fewest) - 1};
+    const Index free = edges.before ? edges.before->count() : 0;
+    if (edges.found && range.count() > free)
+        throw UndefinedDataError(fmt::format("the first {} samples are no free flight: contact begins after sample {}; shorten the "
+                                             "baseline share or leave it out",
+                                             range.count(), free));
+    return range;
+}
+
+/// Baselines before and after contact, and no more.
+Segments find_free_flight(const Loop& loop, const SegmentOptions& options) {
+    Segments segments;
+    if (options.force_baseline) {
+        segments.before = baseline_with_zero(loop, *options.force_baseline);
+        return segments;
+    }
+    const SegmentEdits& edits = options.edits;
+    const ContactEdges edges = edges_of(loop, edits.baseline_before || edits.baseline_after);
+    if (edits.baseline_before) segments.before = given_baseline(loop, *edits.baseline_before, "baseline");
+    else if (options.baseline_share)
+        segments.before = baseline_over(loop, share_of(loop, *options.baseline_share, edges));
+    else if (edges.before)
+        segments.before = baseline_over(loop, cut_at_steps(loop, *edges.before, true, segments.steps));
+    if (edges.after)
+        segments.after = baseline_over(loop, cut_at_steps(loop, settled(*edges.after), false, segments.steps));
+    else if (edits.baseline_after) segments.after = given_baseline(loop, *edits.baseline_after, "baseline_after");
+    if (segments.before.range) return segments;
+    if (segments.after) {
+        segments.before = *segments.after;
+        segments.before.range.reset();
+        return segments;
+    }
+    if (loop.contact_radius.size() == 0) refuse(loop, edges);
+    segments.before = baseline_with_zero(loop, 0.0);  // recorded in contact only: the zero of force is taken as given
+    return segments;
 }
 
 }  // namespace
 
 Segments find_segments(const Loop& loop, const SegmentOptions& options) {
     require_valid(loop);
-    Segments segments{.before = find_baseline(loop, options)};
-    const Record record = make_record(loop, segments.before, options);
+    if (!(loop.force.maxCoeff() > loop.force.minCoeff()))
+        throw UndefinedDataError("the force is constant: no contact to analyse");
+    Segments segments = find_free_flight(loop, options);
+    const Array1D level = loop.force - force_zero(loop, segments, options.drift).value;
+    const Record record = make_record(loop, level, segments, options);
     const std::vector<Touch> touches = find_touches(record);
     if (touches.empty())
         throw UndefinedDataError(
-            "no contact: the force has no maximum above the baseline, or the contact radius is never > 0");
+            "no contact: the force has no maximum above its zero, or the contact radius is never > 0");
     Index start = 0;
     for (const Touch& touch : touches) {
         segments.contacts.push_back(describe(record, start, touch));
@@ -203,7 +311,6 @@ Segments find_segments(const Loop& loop, const SegmentOptions& options) {
         start = touch.end + 1;
     }
     require_adhesion(record, segments);
-    segments.after = baseline_after(record, segments.contacts.back());
     return apply(options.edits, std::move(segments), loop);
 }
 

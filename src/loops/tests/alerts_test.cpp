@@ -29,8 +29,12 @@ TEST(LoopAlerts, SayThatFreeFlightIsMissing) {
     const Index contact = shape.samples + 1;
     EXPECT_FALSE(has(whole, "NO_BASELINE"));
     EXPECT_FALSE(has(whole, "DRIFT_UNKNOWN"));
-    EXPECT_TRUE(has(tests::from(whole, contact), "NO_BASELINE"));
-    EXPECT_TRUE(has(tests::from(whole, contact), "DRIFT_UNKNOWN"));
+    EXPECT_FALSE(has(whole, "ONE_BASELINE"));
+    EXPECT_TRUE(has(tests::from(whole, contact), "ONE_BASELINE"));
+    EXPECT_TRUE(has(tests::piece(whole, 0, 2 * contact), "ONE_BASELINE"));
+    EXPECT_TRUE(has(tests::piece(whole, contact, contact), "NO_BASELINE"));
+    const auto alerts = analyse(whole, tests::rubber_on_diamond(), {.segments = {.drift = DriftModel::constant}}).alerts;
+    EXPECT_TRUE(std::any_of(alerts.begin(), alerts.end(), [](const Alert& a) { return a.code == "DRIFT_UNKNOWN"; }));
 }
 
 // At pull-off the machine springs back by F/k; the contact has some 200 N/m.

@@ -78,8 +78,10 @@ TEST(Analysis, FitsTheRetractionBehindThePinnedStretch) {
         const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
         ASSERT_TRUE(analysis.pinned) << radius_measured;
         EXPECT_EQ(analysis.pinned->first, peak);
-        // where the edge lets go, give or take the rounding of a, 1e-6, over that of a step of the branch
-        EXPECT_NEAR(static_cast<double>(analysis.pinned->last), static_cast<double>(released), 1.0) << radius_measured;
+        // where the edge lets go, give or take the rounding of a, 1e-6, over that of a step of the branch; without radius
+        // behind it by what 1 % of the force hides
+        EXPECT_GE(analysis.pinned->last, released - 1) << radius_measured;
+        EXPECT_LE(analysis.pinned->last, released + (radius_measured ? 1 : rough.samples / 20)) << radius_measured;
         const JkrFit& fit = *analysis.unloading->force_displacement;
         // the sample of the smallest force may lie a step beyond the fold of δ(F), where the fit expects the other
         // branch
@@ -110,7 +112,6 @@ TEST(Analysis, TakesTheLastFramesBeforePullOffWhereTheCameraIsSlow) {
     EXPECT_EQ(analysis.retraction->n, 6);
     EXPECT_EQ(analysis.retraction->last - analysis.retraction->first, 50);
     EXPECT_NEAR(analysis.retraction->work_of_adhesion.value / 0.070, 1.0, 1e-6);
-    EXPECT_EQ(analysis.retraction->work_of_adhesion.degrees_of_freedom, 5.0);
 }
 
 TEST(Analysis, OfNoisyFramesDoesNotTakeTheLargest) {

@@ -221,6 +221,28 @@ Json segments_json(const loops::Segments& segments) {
     return json;
 }
 
+Json steps_json(const std::vector<loops::ForceStep>& steps) {
+    Json json = Json::array();
+    for (const auto& step : steps) {
+        Json row{{"sample", step.sample}};
+        add(row, quantity("size", "dF", step.size, "N"));
+        json.push_back(row);
+    }
+    return json;
+}
+
+/// What was found of the zero of force, and taken off.
+Json force_zero_json(const loops::LoopAnalysis& analysis) {
+    const auto& drift = analysis.force_zero.drift;
+    Json json{{"degree", drift.degree}, {"stretches", drift.stretches}, {"irregular", drift.irregular}};
+    add(json, quantity("change", "dF0", drift.change, "N"));
+    add(json, quantity("largest_in_contact", "dF0", drift.largest_in_contact, "N"));
+    add(json, quantity("bend", "dF0", drift.bend, "N"));
+    json["steps"] = steps_json(analysis.segments.steps);
+    json["steps_in_contact"] = steps_json(analysis.steps_in_contact);
+    return json;
+}
+
 template <class Contact>
 void add_energies(Json& json, const Contact& analysis) {
     add_outcome(json, "loop", analysis.loop,
@@ -316,6 +338,7 @@ Json to_json(const loops::LoopAnalysis& analysis) {
     }
     json["further_contacts"] = further;
     json["segments"] = segments_json(analysis.segments);
+    json["force_zero"] = force_zero_json(analysis);
     Json cycles = Json::array();
     for (const auto& cycle : analysis.cycles) cycles.push_back(cycle_json(cycle));
     json["cycles"] = cycles;

@@ -57,7 +57,7 @@ std::string loading_text(const loops::LoopAnalysis& loop) {
     const auto& fit = loop.loading.primary();
     if (!fit.converged) return "E* –, W – on loading (the fit did not converge)";
     return fmt::format("E* {}, W {} on loading{}", format_uncertain(fit.contact_modulus, "Pa"),
-                       work_with_range(loop.loading), fits_poorly(loop) ? ", which is no JKR curve" : "");
+                       work_with_range(loop.loading), fits_poorly(loop) ? fmt::format(" (poor fit: χ²_red {:.3g})", fit.chi2_reduced) : "");
 }
 
 /// Reasons of what curves do not say, the most frequent first.

@@ -50,6 +50,10 @@ void read_share(TomlReader& reader, ExperimentInput& e) {
     }
 }
 
+void read_force_drift(TomlReader& reader, ExperimentInput& e) {
+    if (reader.boolean("force_drift") == false) e.options.segments.drift = loops::DriftModel::constant;
+}
+
 Keys<ExperimentInput> keys_of_loops() {
     using Analysis = loops::AnalysisOptions;
     using Models = LoopModelOptions;
@@ -60,10 +64,17 @@ Keys<ExperimentInput> keys_of_loops() {
                "samples before pull-off that (S2) rests on")
         .add("effective_variance", analysis(&Analysis::effective_variance),
              "fits allow for the errors of force too, where they are known")
-        .add("force_drift", analysis(&Analysis::force_drift),
-             "the zero of force runs from the free flight before to that after")
-        .add("extrapolate_force_drift", analysis(&Analysis::extrapolate_force_drift),
-             "or, where there is none after, on with the slope of that before")
+        .parsed(
+            "drift", "`auto`, `none`, `linear`, `quadratic`, `cubic`, `extrapolate`",
+            [](ExperimentInput& e, const std::string& text) {
+                e.options.segments.drift = loops::drift_model_named(text);
+            },
+            "curve that the zero of force follows in time ([loops](../theory/loops.md#drift))")
+        .by_default("`auto`")
+        .add({"force_drift", "true or false", "", "true", "false: the same as `drift = \"none\"`"}, read_force_drift)
+        .add(
+            "force_zero", [](auto& e) -> auto& { return e.options.segments.force_baseline; }, dimension::force,
+            "zero of force where no free flight shows it; no drift is then removed")
         .add("leave_pinned_out", analysis(&Analysis::leave_pinned_out),
              "unloading fits begin where the contact edge lets go")
         .add("retraction_modulus_free", analysis(&Analysis::retraction_modulus_free),
@@ -75,7 +86,7 @@ Keys<ExperimentInput> keys_of_loops() {
         .by_default("3e-10")
         .add(
             "baseline_share", [](auto& e) -> auto& { return e.options.segments.baseline_share; },
-            {dimension::none, domain::share}, "share of the record taken as free flight")
+            {dimension::none, domain::share}, "share of the record, from its start, that is free flight; where it is missing, free flight is found")
         .add("contact_radius_noise", analysis(&Analysis::contact_radius_noise), positive(dimension::length),
              "of a radius; where it is missing, from the radii's second differences")
         .add({"machine_stiffness", "quantity ± error", si_unit(dimension::stiffness), "",

@@ -173,25 +173,28 @@ SETAE_KEEP(TimeRange, first, last)
 SETAE_KEEP(ContactEdits, jump_in, loading, hold, unloading, pull_off, cuts)
 SETAE_KEEP(IgnoredSamples, range, reason)
 SETAE_KEEP(SegmentEdits, baseline_before, baseline_after, contacts, ignored)
-SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, feature_factor, turning_share, edits)
+SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, drift, feature_factor, turning_share, edits)
 SETAE_KEEP(ContactPointChoice, mode, estimator, value)
 SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness,
            contact_radius_per_unknown_height, tabor_parameter, relative_residual, contact_point_share,
-           loop_sampling_share, stiffness_ratio, pinned_modulus_ratio, frames_missing, contact_modulus_least,
+           loop_sampling_share, reduced_chi_squared, residual_correlation, relative_misfit, work_deviations, drift_share,
+           stiffness_ratio, pinned_modulus_ratio, frames_missing, contact_modulus_least,
            contact_modulus_most, work_of_adhesion_most, work_spread)
-SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, force_drift,
-           extrapolate_force_drift, displacement_drift_rate, leave_pinned_out, contact_radius_noise, machine_stiffness,
+SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance,
+           displacement_drift_rate, leave_pinned_out, contact_radius_noise, machine_stiffness,
            machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free,
            interaction_range, relaxation, limits)
 SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, force_noise_correlation, displacement_noise,
-           displacement_noise_correlation, force_displacement_covariance, force_scatter, force_slope,
-           force_slope_standard_error)
+           displacement_noise_correlation, force_displacement_covariance)
 SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
 SETAE_KEEP(ContactSegments, extent, jump_in, loading, hold, unloading, pull_off, cycles)
-SETAE_KEEP(Segments, before, after, contacts, cycles, ignored)
+SETAE_KEEP(ForceStep, sample, size)
+SETAE_KEEP(Segments, before, after, contacts, cycles, ignored, steps)
+SETAE_KEEP(ForceDrift, degree, change, largest_in_contact, bend, irregular, stretches)
+SETAE_KEEP(ForceZero, value, modes, drift)
 SETAE_KEEP(RunsTest, runs, above, below, p_value)
 SETAE_KEEP(JkrFit, method, converged, iterations, contact_modulus, youngs_modulus, work_of_adhesion, contact_point,
-           covariance, correlation, correlated_samples, n, residuals, residual_unit, depth_residuals, rms_residual,
+           unbounded_work, covariance, correlation, correlated_samples, n, residuals, residual_unit, depth_residuals, rms_residual,
            relative_residual, chi2_reduced, runs)
 SETAE_KEEP(PointwiseModulus, contact_modulus, youngs_modulus, contact_point, pointwise, rms_residual, relative_residual,
            n)
@@ -227,7 +230,8 @@ SETAE_KEEP(CrackSpeedFit, law, threshold, reference_speed, exponent, contact_mod
 SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_error)
 template <class Archive>
 void serialize(Archive& archive, LoopAnalysis& of) {
-    archive(static_cast<ContactAnalysis&>(of), of.corrected, of.segments, of.further_contacts, of.cycles, of.faults,
+    archive(static_cast<ContactAnalysis&>(of), of.corrected, of.force_zero, of.segments, of.further_contacts, of.cycles,
+            of.steps_in_contact, of.faults,
             of.bulk, of.alerts);
 }
 

@@ -156,7 +156,7 @@ TEST(JointFit, CoversTheTruthWithNoiseThatFollowsItsNeighbours) {
 
 TEST(JointFit, SaysWhatIsMissing) {
     BranchData data = clean(lens);
-    data.displacement_noise = 0.0;
+    data.force_noise = data.displacement_noise = 0.0;
     EXPECT_THROW((void)fit_joint(data, rubber_on_diamond()), InvalidArgument);
     data = clean(lens);
     data.contact_radius_noise = 0.0;

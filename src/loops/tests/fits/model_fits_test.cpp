@@ -317,7 +317,7 @@ TEST(ModelFits, ErrorOfTheZeroOfForceIsAdded) {
     std::mt19937_64 generator(13);
     BranchData data = noisy(jkr_branch(), 0.01, generator);
     const ModelFit sure = fit_model(data, rubber_on_diamond());
-    data.force_zero_standard_error = 2e-5;
+    data.force_zero_modes = Array2D::Constant(data.force.size(), 1, 2e-5);
     const ModelFit unsure = fit_model(data, rubber_on_diamond());
     EXPECT_GT(unsure.work_of_adhesion->standard_error, 1.5 * sure.work_of_adhesion->standard_error);
     EXPECT_NEAR(std::sqrt(unsure.covariance(0, 0)) / unsure.contact_modulus.standard_error, 1.0, 1e-12);

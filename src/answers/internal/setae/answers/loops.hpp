@@ -47,15 +47,17 @@ struct LoopBodies {
 /// How a loop is analysed.
 struct LoopSettings {
     std::string machine_stiffness, rigid_contact, contact_point = "auto", displacement_drift;
+    std::string drift = "auto", force_zero;  ///< loops::DriftModel; the zero of force where it is known
     std::vector<std::string> segments, relaxation;
-    double baseline_share = loops::SegmentOptions{}.baseline_share, area_ratio = 1.0;
+    std::optional<double> baseline_share;
+    double area_ratio = 1.0;
     long samples_dropped = 3;
-    bool unweighted = false, modulus_free = false, no_drift = false, extrapolate_drift = false,
-         whole_retraction = false;
+    bool unweighted = false, modulus_free = false, no_drift = false, whole_retraction = false;
 
     /// What is said here; the machine's stiffness else from the loop's metadata.
     /// @throws as reading and analysing the rigid contact.
     [[nodiscard]] loops::AnalysisOptions options(const Table& loop) const;
+    [[nodiscard]] loops::DriftModel drift_model() const;
 };
 
 /// What is fitted to a loop beside JKR's own routes.

@@ -25,7 +25,12 @@ struct AlertLimits {
     double contact_radius_per_thickness = 0.1;        ///< THIN_LAYER
     double contact_radius_per_unknown_height = 0.01;  ///< HEIGHT_UNKNOWN, of R: E* from F–δ is then 1 % high and more
     double tabor_parameter = 5.0;                     ///< TABOR_RANGE: JKR holds above
-    double relative_residual = 0.015;                 ///< POOR_FIT: rms residual over the range of the fitted quantity
+    double relative_residual = 0.015;                 ///< POOR_FIT: rms residual over the fitted range, noise unknown
+    double reduced_chi_squared = 4.0;                 ///< POOR_FIT where the noise is known, together with
+    double residual_correlation = 0.5;                ///< of neighbours, and
+    double relative_misfit = 0.003;                   ///< of the fitted range
+    double work_deviations = 3.0;                     ///< WORK_NEGATIVE: W below 0 by so many standard errors
+    double drift_share = 0.05;                        ///< FORCE_DRIFT: of the largest tension
     double contact_point_share = 0.05;                ///< CONTACT_POINT_SPREAD: of the largest penetration
     double loop_sampling_share = 0.05;                ///< LOOP_UNDERSAMPLED: sampling error over energy
     double stiffness_ratio = 10.0;                    ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
@@ -41,8 +46,6 @@ struct AnalysisOptions {
     Index samples_dropped = 3;  ///< after the jump-in; the result depends on it, see BranchAnalysis::sensitivity
     std::vector<Index> sensitivity_dropped{0, 3, 10, 30};
     bool effective_variance = true;        ///< fits allow for the errors of force too, where they are known
-    bool force_drift = true;               ///< the zero of force runs from the first baseline to the second
-    bool extrapolate_force_drift = false;  ///< …, or where there is no second, on with the first one's slope
     double displacement_drift_rate =
         0.0;                       ///< [m/s] of the displacement where a reference tells it, such as thermal drift
     bool leave_pinned_out = true;  ///< the unloading fits begin where the contact edge lets go
@@ -161,9 +164,11 @@ struct BulkRelaxation {
 struct LoopAnalysis : ContactAnalysis {
     Loop corrected;  ///< the record as analysed: force counted from its zero, drift and the machine's own deflection
                      ///< taken off
+    ForceZero force_zero;  ///< what was taken off the force
     Segments segments;
     std::vector<Outcome<ContactAnalysis>> further_contacts;  ///< of segments.contacts 1, 2, …
     std::vector<CycleAnalysis> cycles;
+    std::vector<ForceStep> steps_in_contact;  ///< sudden changes of the force
     RecordFaults faults;
     /// Where a relaxation is stated. F₁ is taken off the force before everything else is found in it; the loop's energy
     /// has what it costs.

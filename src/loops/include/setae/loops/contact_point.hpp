@@ -70,8 +70,9 @@ struct ContactPoints {
 
 /// What the estimators draw on, besides the record.
 struct ContactPointInputs {
-    const Loop& loop;  ///< force with its drift taken off
+    const Loop& loop;  ///< force counted from its zero
     const Segments& segments;
+    const ForceZero& force_zero;
     Index contact = 0;
     BranchData loading;                       ///< samples of the loading fit
     Outcome<JkrFit> force_displacement;       ///< of loading, δ0 free

@@ -47,7 +47,7 @@ struct LedgerInputs {
     double largest_contact_area = 0.0;       ///< [m²]
     double true_area_ratio = 1.0;            ///< >= 1
     double machine_stiffness = 0.0;          ///< [N/m], > 0; infinite for fixed grips
-    DriftModel drift = DriftModel::between_baselines;
+    DriftModel drift = DriftModel::automatic;
     std::optional<Estimate> displacement_stiffness;  ///< k that made δ = stage − F/k of the record
 };
 

@@ -8,18 +8,10 @@
 
 namespace setae::loops {
 
-/// Where the zero of force lies along a record.
-enum class DriftModel {
-    constant,           ///< where the first baseline has it
-    between_baselines,  ///< on the straight line from the first baseline to the second; constant where there is no
-                        ///< second
-    extrapolated,       ///< on the straight line through the first baseline, with its slope
-};
-
 /// One standard deviation of each cause of error of a loop energy [J].
 struct LoopErrorBudget {
     double noise = 0.0;  ///< of force and displacement, sample by sample
-    double drift = 0.0;  ///< of the two baselines between which drift is interpolated; NaN without the second
+    double drift = 0.0;  ///< of the zero of force and its drift; NaN where no drift was looked for
     double compliance =
         0.0;  ///< of the machine's stiffness: 0 over a closed loop, where the spring gives back what it took
     double sampling = 0.0;        ///< where within one sampling step the jumps happened
@@ -29,8 +21,8 @@ struct LoopErrorBudget {
 
 /// Energy lost in a closed loop.
 struct LoopEnergy {
-    double energy = 0.0;         ///< ∮F dδ [J] with baseline and linear drift of force removed; > 0 is lost
-    double without_drift = 0.0;  ///< the same with the first baseline only
+    double energy = 0.0;         ///< ∮F dδ [J], force counted from its drifting zero; > 0 is lost
+    double without_drift = 0.0;  ///< the same with the constant zero of the first free flight
     LoopErrorBudget standard_error;
     double opening = 0.0;  ///< displacement at the end minus at the start [m]; free flight, so no energy
 
@@ -44,17 +36,19 @@ struct LoopEnergy {
     }
 };
 
-/// Loss of one contact, ∮F dδ by the trapezoid rule over its extent.
+/// Loss of one contact, ∮F dδ by the trapezoid rule from the last sample of free flight before it to the first after it;
+/// in free flight the force is zero.
 ///
 /// The rule is exact along a jump that follows the machine's straight unloading line, and for a vertical jump sampled
 /// at both ends; between, it is of second order in the step for a curve sampled evenly in contact radius, and of order
 /// 3/2 for one sampled evenly in displacement, whose slope diverges at the pull-off under fixed grips.
 /// @throws UndefinedDataError without displacement or without return to free flight.
 [[nodiscard]] LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact = 0,
-                                     DriftModel drift = DriftModel::between_baselines);
+                                     DriftModel drift = DriftModel::automatic);
 
 /// ∮F dδ [J] of a partial release and reload, with the error of noise, drift and discretisation: from the reversal to
 /// where the displacement is reached again. Nothing where it never is.
-[[nodiscard]] std::optional<Estimate> partial_loop_energy(const Loop& loop, const Segments& segments, Index cycle);
+[[nodiscard]] std::optional<Estimate> partial_loop_energy(const Loop& loop, const Segments& segments, Index cycle,
+                                                          DriftModel drift = DriftModel::automatic);
 
 }  // namespace setae::loops

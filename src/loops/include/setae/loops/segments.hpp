@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "setae/loops/force_drift.hpp"
 #include "setae/loops/loop.hpp"
 #include "setae/loops/segment_edits.hpp"
 
@@ -11,17 +12,14 @@ namespace setae::loops {
 
 /// A stretch of free flight: where the zero of force is, and how noisy the record.
 struct Baseline {
-    std::optional<IndexRange> range;       ///< none where the zero of force was given, not measured
-    double force = 0.0;                    ///< median [N]
+    std::optional<IndexRange> range;       ///< none where there is none, or where the zero of force was given
+    double force = 0.0;                    ///< median [N]; without a range the zero of force given
     double force_standard_error = 0.0;     ///< of the median [N]
     double force_noise = 0.0;              ///< σ_F of one sample [N], a slope taken off
     double force_noise_correlation = 0.0;  ///< φ of neighbouring samples, ρ_k = φ^k; 0 where they tell none
     double displacement_noise = 0.0;       ///< σ_δ of one sample [m], likewise
     double displacement_noise_correlation = 0.0;
     double force_displacement_covariance = 0.0;  ///< [N m]: a deflection sensor enters both channels
-    double force_scatter = 0.0;                  ///< standard deviation about the median [N], slow wander included
-    double force_slope = 0.0;  ///< of the force along the stretch [N a unit of its clock: s, else sample]
-    double force_slope_standard_error = 0.0;
 };
 
 /// One press and release within a contact.
@@ -44,30 +42,38 @@ struct ContactSegments {
 };
 
 struct Segments {
-    Baseline before;
+    Baseline before;                ///< without a range where the record begins in contact; then the noise is that after
     std::optional<Baseline> after;  ///< none where the record ends in contact
     std::vector<ContactSegments> contacts;
     std::vector<Cycle> cycles;
-    std::vector<IndexRange> ignored;  ///< samples no fit uses: those of the edits, and those of a saturated force
+    std::vector<IndexRange> ignored;    ///< samples no fit uses: those of the edits, and those of a saturated force
+    std::vector<ForceStep> steps;  ///< at which free flight was cut; the part next to contact is the baseline
 };
 
 struct SegmentOptions {
-    double baseline_share = 0.05;          ///< share of the record, from its start, taken as free flight
-    std::optional<double> force_baseline;  ///< zero of force [N] where known; nothing is then read from the start
-    double feature_factor = 6.0;           ///< a feature deeper than this many baseline scatters is real
-    double turning_share = 0.01;           ///< a reversal smaller than this share of the force range is noise
-    SegmentEdits edits;                    ///< what the user knows better, applied on top of what is found
+    std::optional<double> baseline_share;  ///< share of the record, from its start, that is free flight; else it is found
+    std::optional<double> force_baseline;  ///< zero of force [N] where known; no drift is then taken off
+    DriftModel drift = DriftModel::automatic;  ///< of the zero of force; contact is found without it
+    double feature_factor = 6.0;               ///< a feature deeper than this many scatters of free flight is real
+    double turning_share = 0.01;               ///< a reversal smaller than this share of the force range is noise
+    SegmentEdits edits;                        ///< what the user knows better, applied on top of what is found
 };
 
 /// Finds free flight, jump-in, loading, hold, unloading and pull-off of each contact, and the cycles within.
 ///
-/// Without contact radius a contact is known by its adhesion: a force below the baseline after approach (jump-in) or
-/// before separation (pull-off). With it, by a > 0. A reversal of force counts as a cycle only where the displacement
-/// (else the contact radius) turns with it, so that a slip is no cycle.
+/// Free flight is found first, by slopes and jumps of the force, which an offset and a drift of its zero do not change;
+/// where the displacement shows no contact, by the contact radius. It is cut at sudden steps of the force. The drift
+/// that it shows is taken off, then the rest is found: a force noisy against what it has to show is averaged over
+/// neighbours for that.
+///
+/// Without contact radius a contact is known by its adhesion: a force below zero after approach (jump-in) or before
+/// separation (pull-off). With it, by a > 0. A reversal of force counts as a cycle only where the displacement (else the
+/// contact radius) turns with it, so that a slip is no cycle.
 /// @throws InvalidArgument for series of different length, an undefined force or displacement, or fewer than 20
 /// samples.
-/// @throws UndefinedDataError for a constant force, a record without contact, a start that is no free flight, and a
-/// "contact" whose force falls as the displacement grows.
+/// @throws ChannelFaultError for a record that makes sense with another sign of force or displacement, or with both
+/// exchanged. @throws UndefinedDataError for a constant force, a record without contact, one without free flight whose
+/// zero of force is not given, and a "contact" whose force falls as the displacement grows.
 [[nodiscard]] Segments find_segments(const Loop& loop, const SegmentOptions& options = {});
 
 }  // namespace setae::loops

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "force_jumps.hpp"
+
+namespace setae::loops {
+
+/// Where a record's bodies touch first and part last.
+struct ContactEdges {
+    bool found = false;                ///< a stretch in which the force rises with the displacement
+    double contact_slope = 0.0;        ///< dF/dδ near the turn less that of free flight [N/m]
+    Index turn = 0;                    ///< sample of the deepest position
+    std::optional<ForceJump> entry;    ///< the jump into contact
+    std::optional<ForceJump> exit;     ///< the jump out of contact
+    std::optional<IndexRange> before;  ///< free flight up to contact
+    std::optional<IndexRange> after;   ///< free flight after it
+};
+
+/// Finds contact by slopes and jumps of the force, which no offset and no steady drift of its zero changes.
+///
+/// Lines are fitted to windows of samples wide enough that noise hides no slope. In contact the slope in time exceeds
+/// that at the record's own end by more than 15 % of the slope near the turn. Jumps into contact lead to less
+/// force, jumps out of it to more; the side of free flight is flat. Free flight needs five samples. Where nothing jumps into contact, free
+/// flight ends one window before the slope does; after contact there is free flight only where a jump ends it.
+///
+/// Needs displacement. Cost: n log n.
+[[nodiscard]] ContactEdges find_contact_edges(const Loop& loop);
+
+/// The same from contact radii: before the first, after the last one > 0. Nothing before and after where frames that
+/// show no contact are missing.
+[[nodiscard]] ContactEdges contact_edges_of_frames(const Loop& loop);
+
+}  // namespace setae::loops
