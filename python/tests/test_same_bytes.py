@@ -60,6 +60,7 @@ GAPS = {
     "jkr import": "`setae.loop(…, mapping=…)` reads what it would write",
     "lab make": "writes files; `subprocess` with `python -m setae lab make`",
     "lab loops": "as lab make",
+    "lab records": "as lab closure",
     "lab closure": "hours of studies; by the program",
     "lab contours": "as lab closure",
     "lab area": "as lab closure",

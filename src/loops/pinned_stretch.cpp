@@ -73,7 +73,7 @@ double error_of_largest_radius(double largest_force, const JkrFit& fit, double s
 /// F − 2a_max E* (δ − δ0 − a_max²/(3R)), the force of a flat punch of that radius and shape.
 Departure by_force(const Loop& loop, const Baseline& noise, const IndexRange& range, double largest, const JkrFit& fit,
                    double sphere_radius) {
-    constexpr double visible_share = 0.02, accuracy = 0.01;  // E* and contact point are of a fit
+    constexpr double visible_share = 0.02, accuracy = 0.01, most = 0.05;  // E* and contact point are of a fit
     Departure departure;
     for (Index i = range.first; i <= range.last; ++i) departure.samples.push_back(i);
     const double stiffness = 2.0 * largest * fit.contact_modulus.value;
@@ -90,7 +90,7 @@ Departure by_force(const Loop& loop, const Baseline& noise, const IndexRange& ra
     const Array1D by_radius = 2.0 * fit.contact_modulus.value * error_of_largest_radius(force[0], fit, sphere_radius) *
                               (2.0 / 3.0 * largest * largest / sphere_radius - below).abs();
     departure.allowed = (accuracy * (force[0] - force))
-                            .max(2.0 * by_radius)
+                            .max(by_radius.min(most * (force[0] - force)))
                             .max(deviations * sigma / std::sqrt(static_cast<double>(window)));
     return departure;
 }

@@ -46,6 +46,7 @@ namespace lab_next_command { Action declare(Options&); }
 namespace lab_conform_command { Action declare(Options&); }
 namespace lab_area_command { Action declare(Options&); }
 namespace lab_loops_command { Action declare(Options&); }
+namespace lab_records_command { Action declare(Options&); }
 namespace lab_contours_command { Action declare(Options&); }
 namespace lab_foil_command { Action declare(Options&); }
 namespace lab_recording_command { Action declare(Options&); }
@@ -129,6 +130,8 @@ constexpr Command table[] = {
     {"lab", "area", "compare the true area of self-affine maps with that of Gaussian slopes (Fig. S7)",
      lab_area_command::declare},
     {"lab", "loops", "fit many noisy loops that are known: bias and coverage of every fit", lab_loops_command::declare},
+    {"lab", "records", "analyse simulated records with the faults that laboratories meet: bias, coverage, what is said",
+     lab_records_command::declare},
     {"lab", "contours", "trace contours in rendered micrographs of known curves: errors, heights, spectra, overhangs",
      lab_contours_command::declare},
     {"lab", "recording", "render the edge of a contact as a camera records it: a recording whose truth is known",

@@ -35,7 +35,7 @@ LoopAnalysis analysed(const std::filesystem::path& path) {
 
 /// One baseline, ordinary least squares in depth, the whole of the retraction.
 const AnalysisOptions as_the_independent_program{
-    .effective_variance = false, .force_drift = false, .leave_pinned_out = false};
+    .segments = {.drift = DriftModel::constant}, .effective_variance = false, .leave_pinned_out = false};
 
 bool has_alert(const LoopAnalysis& analysis, const std::string& code) {
     return std::any_of(analysis.alerts.begin(), analysis.alerts.end(),

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "lab/closure_output.hpp"
+#include "program/command.hpp"
+#include "program/messages.hpp"
+#include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
+#include "setae/validation/record_trials.hpp"
+
+namespace setae::cli::lab_records_command {
+namespace {
+
+constexpr const char* explanation =
+    "records    simulated loops of a sphere, each with one fault that laboratories meet, or with two of them\n"
+    "columns    median bias in percent, median bias in standard errors, share of 95 % intervals that cover the known value\n"
+    "E*, W      modulus and work of adhesion of the fit to loading; W_ret: of the fit to retraction\n"
+    "W_pull_off from the smallest force; W_last_points: from the last samples before pull-off; E_loss: energy of the loop\n"
+    "refused    records that are not analysed; cause named: refused or warned with the fault named\n"
+    "silently   a quantity is off by more than four standard errors and 2 %, and neither a refusal nor a warning names the fault\n";
+
+struct Arguments {
+    Common common;
+    validation::RecordTrialOptions options;
+    std::string output = "records";
+    bool list = false;
+};
+
+output::Json json_of(const validation::RecordSummary& row) {
+    output::Json json{{"kinds", row.kinds},
+                      {"records", row.count},
+                      {"refused", row.refused},
+                      {"cause_named", row.named},
+                      {"silently_wrong", row.silent},
+                      {"warnings", row.warnings}};
+    json["routes"] = output::Json::array();
+    for (const auto& route : row.routes)
+        if (route.count > 0)
+            json["routes"].push_back({{"quantity", route.name},
+                                      {"n", route.count},
+                                      {"bias", route.bias},
+                                      {"bias_in_standard_errors", route.bias_in_errors},
+                                      {"coverage", route.coverage}});
+    return json;
+}
+
+ExitCode print_kinds() {
+    std::string text;
+    for (const auto& kind : validation::record_kinds()) text += fmt::format("{:<28} {}\n", kind.name, kind.meaning);
+    print(text);
+    return ExitCode::done;
+}
+
+ExitCode run(const Arguments& arguments) {
+    if (arguments.list) return print_kinds();
+    auto options = arguments.options;
+    options.threads = arguments.common.workers();
+    options.progress = progress_of(validation::number_of_trials(options));
+    const auto trials = validation::record_trials(options);
+    auto rows = validation::summary(trials);
+    rows.push_back(validation::summary(trials, "all"));
+    const auto table = validation::record_table(rows);
+    const std::filesystem::path folder(arguments.output);
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    bytes::write_whole_file((folder / "records.md").string(), table);
+    bytes::write_whole_file((folder / "records.csv").string(), validation::record_csv(trials));
+    if (arguments.common.json) {
+        output::Json json{{"runs", options.runs}, {"first_seed", options.first_seed}, {"pairs", options.pairs}};
+        json["rows"] = output::Json::array();
+        for (const auto& row : rows) json["rows"].push_back(json_of(row));
+        print_json(json);
+    } else {
+        print(table + fmt::format("\n{} records of each from seed {}; every result in {}\n", options.runs, options.first_seed,
+                                  (folder / "records.csv").string()));
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options.add("kinds", arguments->options.kinds, "kinds of records; default: all");
+    options.flag("--list", arguments->list, "print the kinds of records, then stop");
+    options.flag("--pairs", arguments->options.pairs, "every two kinds together, in place of each by itself");
+    options.add("--runs", arguments->options.runs, "records of each kind or pair").between(1, 1000000).default_shown();
+    options.add("--seed", arguments->options.first_seed, "of the first record").default_shown();
+    options.add("-o,--output", arguments->output, "folder of records.md and records.csv").default_shown();
+    options.example("setae lab records --runs 200 -o records", "bias and coverage of all results for every kind of record");
+    options.example("setae lab records drift_100 hold camera --pairs --runs 10", "three kinds, two by two");
+    return action(options, arguments, explanation, run);
+}
+
+}  // namespace setae::cli::lab_records_command

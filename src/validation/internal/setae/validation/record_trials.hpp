@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "setae/core/estimate.hpp"
+#include "setae/parallel/for_each.hpp"
+
+namespace setae::validation {
+
+/// One way in which a record differs from an ideal one, such as "drift_30": drift of the force by 30 % of the pull-off.
+struct RecordKind {
+    std::string name;
+    std::string group;     ///< what it is a level of: kinds of one group are not combined
+    std::string meaning;   ///< for users
+    /// Codes of warnings that name the cause where the record cannot be analysed as it is; a refusal whose message has
+    /// the text after "refused:" counts like them.
+    std::vector<std::string> causes{};
+};
+
+/// All kinds, in the order of the table. Percentages of forces are of the pull-off force 3/2 πRW_ret, those of
+/// displacements of the largest penetration.
+[[nodiscard]] const std::vector<RecordKind>& record_kinds();
+
+/// What is found of one quantity by one route, beside what was put in.
+struct RecordRoute {
+    std::string name;  ///< "E*", "W", "W_ret", "W_pull_off", "W_last_points", "E_loss"
+    double known = 0.0;
+    Estimate found;
+};
+
+/// One simulated record and what was made of it.
+struct RecordTrial {
+    std::vector<std::string> kinds;  ///< one, or two combined
+    std::uint64_t seed = 0;
+    std::string refused;  ///< why the record was refused; empty: it was analysed
+    std::vector<RecordRoute> routes{};
+    std::vector<std::string> warnings{};  ///< codes
+    bool cause_named = false;             ///< a warning or the refusal names the cause of one of the kinds
+};
+
+struct RecordTrialOptions {
+    std::vector<std::string> kinds;  ///< names; empty: all
+    bool pairs = false;              ///< every two kinds of different groups together, in place of each by itself
+    int runs = 20;                   ///< records of each kind, or of each pair
+    std::uint64_t first_seed = 1;
+    parallel::Threads threads;
+    std::function<void(int)> progress;  ///< trials done; one call at a time
+};
+
+/// Simulated records of a sphere under fixed grips: R from 6 µm to 2 mm, E* 0.2 to 8 MPa, W 20 to 60 mJ/m², W_ret 1.05
+/// to 2 times that, 200 to 600 samples from first touch to the largest force of four times the pull-off force, force
+/// noise of 1 % of the pull-off force. Trials are the same for any number of threads.
+/// @throws InvalidArgument for an unknown kind, with the names there are.
+[[nodiscard]] std::vector<RecordTrial> record_trials(const RecordTrialOptions& options);
+
+/// How many trials record_trials() makes.
+[[nodiscard]] int number_of_trials(const RecordTrialOptions& options);
+
+/// All trials of one route.
+struct RouteSummary {
+    std::string name;
+    int count = 0;
+    double bias = 0.0;            ///< median of found/known − 1; for a known 0, of found over the W of retraction
+    double bias_in_errors = 0.0;  ///< median of (found − known)/standard error
+    double coverage = 0.0;        ///< share of 95 % intervals that cover the known value
+};
+
+/// All trials of one kind, or of one pair.
+struct RecordSummary {
+    std::string kinds;  ///< "drift_30", "drift_30 + hold"
+    int count = 0;
+    int refused = 0;
+    int named = 0;  ///< refused or warned with the cause named
+    /// Trials in which a route is off by more than four standard errors and 2 %, and nothing names a cause.
+    int silent = 0;
+    std::vector<RouteSummary> routes;
+    std::map<std::string, int> warnings;  ///< by code
+};
+
+/// One summary a kind or pair, in the order of their first trial. together: all trials in one summary, named so.
+[[nodiscard]] std::vector<RecordSummary> summary(const std::vector<RecordTrial>& trials);
+[[nodiscard]] RecordSummary summary(const std::vector<RecordTrial>& trials, const std::string& together);
+
+/// A table in Markdown, a row a summary, and the same as CSV.
+[[nodiscard]] std::string record_table(const std::vector<RecordSummary>& rows);
+[[nodiscard]] std::string record_csv(const std::vector<RecordTrial>& trials);
+
+}  // namespace setae::validation
