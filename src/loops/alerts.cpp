@@ -14,21 +14,6 @@
 namespace setae::loops {
 namespace {
 
-/// Correlation of neighbouring residuals.
-double neighbours_correlation(const Array1D& residuals) {
-    const Index n = residuals.size();
-    if (n < 3) return 0.0;
-    const Array1D rest = residuals - residuals.mean();
-    return (rest.head(n - 1) * rest.tail(n - 1)).sum() / rest.square().sum();
-}
-
-/// Where the noise is known, residuals that exceed it and follow each other; else large ones.
-bool fits_poorly(const JkrFit& fit, const AlertLimits& limits) {
-    if (!std::isfinite(fit.chi2_reduced)) return fit.relative_residual > limits.relative_residual;
-    return fit.chi2_reduced > limits.reduced_chi_squared && fit.relative_residual > limits.relative_misfit &&
-           neighbours_correlation(fit.residuals) > limits.residual_correlation;
-}
-
 void check_fit(AlertList& list, const BranchAnalysis& branch, const char* name, const AlertLimits& limits) {
     const JkrFit& fit = branch.primary();
     if (!fit.converged)
@@ -39,14 +24,20 @@ void check_fit(AlertList& list, const BranchAnalysis& branch, const char* name, 
                  fmt::format("{}: the contact is smaller than without adhesion, W would be {}; 0 is reported", name,
                              format_uncertain(*fit.unbounded_work, "J/m2")),
                  "check the zero of force, the contact point and the machine's stiffness");
-    if (fits_poorly(fit, limits))
-        list.add("POOR_FIT",
-                 fmt::format("{}: the JKR curve does not fit: residuals of {} rms, {:.1f} % of the fitted range, {}", name,
-                             format_value(fit.rms_residual, fit.residual_unit), 100.0 * fit.relative_residual,
-                             fit.chi2_reduced > limits.reduced_chi_squared
-                                 ? fmt::format("follow each other and exceed the noise (χ²_red {:.3g})", fit.chi2_reduced)
-                                 : std::string("too large for noise")),
+    if (fit.within_noise == true || fit.relative_residual < limits.relative_misfit) return;
+    const std::string residuals =
+        fmt::format("residuals of {} rms, {:.1f} % of the fitted range",
+                    format_value(fit.rms_residual, fit.residual_unit), 100.0 * fit.relative_residual);
+    const std::string beyond =
+        fit.within_noise ? fmt::format(", follow each other and exceed the noise (χ²_red {:.3g})", fit.chi2_reduced)
+                         : "";
+    if (fit.relative_residual > limits.relative_residual)
+        list.add("POOR_FIT", fmt::format("{}: the JKR curve does not fit: {}{}", name, residuals, beyond),
                  "look at the residuals; slips, a second contact, drift or a bad sensor make E* and W meaningless");
+    else if (fit.within_noise)
+        list.add("BEYOND_NOISE",
+                 fmt::format("{}: the JKR curve does not fit within the noise: {}{}", name, residuals, beyond),
+                 "look at the residuals; E* and W depend on the fit range");
 }
 
 void check_sensitivity(AlertList& list, const BranchAnalysis& loading, const AlertLimits& limits) {
@@ -99,10 +90,10 @@ void check_size(AlertList& list, const LoopContext& context, const LensAndCounte
                              strain, 100.0 * strain * strain / 3.0),
                  "limit the load, or treat E* and W as those of an effective paraboloid");
     if (context.tabor_parameter.value < limits.tabor_parameter)
-        list.add(
-            "TABOR_RANGE",
-            fmt::format("tabor parameter {:.2g}: jkr holds above {}", context.tabor_parameter.value, limits.tabor_parameter),
-            "use the transition of maugis, or dmt below 0.1");
+        list.add("TABOR_RANGE",
+                 fmt::format("tabor parameter {:.2g}: jkr holds above {}", context.tabor_parameter.value,
+                             limits.tabor_parameter),
+                 "use the transition of maugis, or dmt below 0.1");
 }
 
 void check_contact_point(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const AlertLimits& limits) {

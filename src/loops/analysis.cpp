@@ -72,6 +72,18 @@ PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const 
 
 namespace {
 
+/// Where the edges let go, in rising order.
+std::vector<Index> ends_of_pinning(const LoopAnalysis& analysis) {
+    std::vector<Index> ends;
+    const auto add = [&](const ContactAnalysis& contact) {
+        if (contact.pinned) ends.push_back(contact.pinned->last);
+    };
+    add(analysis);
+    for (const auto& further : analysis.further_contacts)
+        if (further) add(*further);
+    return ends;
+}
+
 LoopAnalysis analyse_elastic(const Loop& recorded, const LensAndCounterBody& bodies, const AnalysisOptions& options,
                              const std::string& subject) {
     const RecordFaults faults = record_faults(recorded);
@@ -92,7 +104,7 @@ LoopAnalysis analyse_elastic(const Loop& recorded, const LensAndCounterBody& bod
     analysis.segments = segments;
     analysis.corrected = record.level;
     analysis.force_zero = record.zero;
-    analysis.steps_in_contact = steps_in_contact(record.level, segments);
+    analysis.steps_in_contact = steps_in_contact(record.level, segments, ends_of_pinning(analysis));
     analysis.alerts = alerts_of(analysis, record.level, bodies, options.limits, subject);
     return analysis;
 }

@@ -32,17 +32,16 @@ Selection loading_samples(const PreparedRecord& record, const ContactSegments& c
 
 BranchAnalysis analyse_loading(const PreparedRecord& record, const ContactSegments& contact,
                                const LensAndCounterBody& bodies, const AnalysisOptions& options) {
-    BranchAnalysis branch = analyse_branch(
-        record.levelled(), loading_samples(record, contact, options.samples_dropped), bodies, options);
+    BranchAnalysis branch =
+        analyse_branch(record.levelled(), loading_samples(record, contact, options.samples_dropped), bodies, options);
     for (const Index dropped : options.sensitivity_dropped)
         branch.sensitivity.push_back(
-            {.dropped = dropped, .fit = attempt([&] {
-                                     const Selection selection = loading_samples(record, contact, dropped);
-                                     return primary_fit(
-                                         as_half_space(branch_data(record.levelled(), selection, options), bodies,
-                                                       options),
-                                         bodies, options);
-                                 })});
+            {.dropped = dropped,
+             .fit = attempt([&] {
+                 const Selection selection = loading_samples(record, contact, dropped);
+                 return primary_fit(as_half_space(branch_data(record.levelled(), selection, options), bodies, options),
+                                    bodies, options);
+             })});
     return branch;
 }
 
@@ -101,9 +100,10 @@ Outcome<PullOff> find_pull_off(const PreparedRecord& record, const ContactSegmen
                 contact::jkr::work_of_adhesion_from_pull_off(force.standard_error, radius, control), "baseline noise"};
     };
     result.work_of_adhesion = work(result.force, contact::jkr::Control::fixed_load);
-    result.last_force = {loop.force[largest_step(loop.force, *contact.pull_off)],
-                         std::hypot(record.segments.before.force_noise, record.zero.modes.row(result.index).matrix().norm()),
-                         "baseline noise"};
+    result.last_force = {
+        loop.force[largest_step(loop.force, *contact.pull_off)],
+        std::hypot(record.segments.before.force_noise, record.zero.modes.row(result.index).matrix().norm()),
+        "baseline noise"};
     result.machine_stiffness = stiffness_of_jump(loop, record.segments, contact);
     constexpr double stiff = 10.0;
     const double contact_stiffness =
@@ -139,6 +139,25 @@ Selection last_points(const Loop& loop, const Segments& segments, const IndexRan
     return selection;
 }
 
+/// @throws UndefinedDataError where noise of the displacement hides the contact radius that force and displacement
+/// imply: F = 2aE* (δ − δ0 − a²/(3R)), so that da/a = −dδ/(δ − δ0 − a²/R). Its square biases W.
+void require_resolved_radii(const BranchData& points, const ContactAnalysis& analysis, double contact_point,
+                            double radius) {
+    constexpr double most = 0.03;
+    if (points.contact_radius.size() > 0 || !(points.displacement_noise > 0.0)) return;
+    const double modulus = analysis.loading.primary().contact_modulus.value;
+    double largest = 0.0;
+    for (Index i = 0; i < points.force.size(); ++i) {
+        const double depth = points.displacement[i] - contact_point;
+        const double a = contact::jkr::contact_radius_at(points.force[i], depth, {radius, modulus});
+        largest = std::max(largest, points.displacement_noise / std::abs(depth - a * a / radius));
+    }
+    if (largest > most)
+        throw UndefinedDataError(fmt::format(
+            "noise of the displacement moves the contact radii that force and displacement imply by {:.0f} %",
+            100.0 * largest));
+}
+
 Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const ContactSegments& contact,
                                           const ContactAnalysis& analysis, const LensAndCounterBody& bodies,
                                           const AnalysisOptions& options) {
@@ -156,6 +175,7 @@ Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const Co
         // creep and drift during the loop move the contact point: the unloading branch knows its own best
         const bool known = analysis.unloading && analysis.unloading->force_displacement;
         const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
+        require_resolved_radii(points, analysis, contact_point, bodies.radius);
         const auto fitted = [&](const BranchData& samples) {
             return fit_retraction(samples, bodies.radius, analysis.loading.primary().contact_modulus, contact_point,
                                   options.retraction_modulus_free);
@@ -201,7 +221,8 @@ double radius_at_largest_force(const Loop& loop, const ContactSegments& contact,
 Estimate tabor_parameter_of(const JkrFit& fit, const contact::jkr::Contact& lens, const Estimate& range) {
     Estimate result{.value = contact::jkr::tabor_parameter(lens, range.value), .method = "delta"};
     const auto &modulus = fit.contact_modulus, &work = fit.work_of_adhesion;
-    if (!(work.value > 0.0) || !modulus.uncertain() || !work.uncertain() || !std::isfinite(fit.correlation)) return result;
+    if (!(work.value > 0.0) || !modulus.uncertain() || !work.uncertain() || !std::isfinite(fit.correlation))
+        return result;
     const double of_modulus = modulus.standard_error / modulus.value, of_work = work.standard_error / work.value;
     const double of_ratio = of_modulus * of_modulus + of_work * of_work - 2.0 * fit.correlation * of_modulus * of_work;
     result.standard_error =
@@ -221,9 +242,9 @@ LoopContext find_context(const Loop& loop, const ContactSegments& contact, const
     context.ideal_smooth_sphere_loss = contact::jkr::ideal_loop_loss(lens).total;
     context.tabor_parameter = tabor_parameter_of(fit, lens, options.interaction_range);
     if (lens.work_of_adhesion > 0.0)
-        context.applicable_model = contact::tabor::which_model(loop.force[contact.loading.last], lens,
-                                                               options.interaction_range.value)
-                                       .sentence;
+        context.applicable_model =
+            contact::tabor::which_model(loop.force[contact.loading.last], lens, options.interaction_range.value)
+                .sentence;
     return context;
 }
 

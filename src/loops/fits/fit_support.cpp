@@ -114,6 +114,17 @@ void keep_work_positive(JkrFit& fit) {
 
 }  // namespace
 
+namespace {
+
+double neighbours_correlation(const Array1D& residuals) {
+    const Index n = residuals.size();
+    if (n < 3) return 0.0;
+    const Array1D rest = residuals - residuals.mean();
+    return (rest.head(n - 1) * rest.tail(n - 1)).sum() / rest.square().sum();
+}
+
+}  // namespace
+
 void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range) {
     // records without noise leave residuals of rounding, which are not the error of the fit
     constexpr double accuracy = 1e-6;
@@ -128,6 +139,10 @@ void complete(JkrFit& fit, const LensAndCounterBody& bodies, double fitted_range
     fit.runs = runs_test(fit.residuals);
     fit.rms_residual = std::sqrt(fit.residuals.square().mean());
     fit.relative_residual = fit.rms_residual / fitted_range;
+    constexpr double largest_chi2 = 4.0, largest_correlation = 0.5;
+    if (std::isfinite(fit.chi2_reduced))
+        fit.within_noise =
+            !(fit.chi2_reduced > largest_chi2 && neighbours_correlation(fit.residuals) > largest_correlation);
 }
 
 void add_force_zero_error(JkrFit& fit, const JkrFit& shifted, const LensAndCounterBody& bodies) {

@@ -4,57 +4,63 @@
 #include <algorithm>
 #include <cmath>
 
-#include "force_jumps.hpp"
-#include "local_lines.hpp"
+#include "steps.hpp"
 
 namespace setae::loops {
 namespace {
 
-/// Loading and unloading of a contact without the neighbourhood of their ends.
-std::vector<IndexRange> inner_branches(const ContactSegments& contact, Index margin) {
+/// Stretches of a contact in which the force is smooth, without the neighbourhood of their ends.
+std::vector<IndexRange> inner_branches(const Segments& segments, const ContactSegments& contact,
+                                       const std::vector<Index>& bends) {
     std::vector<IndexRange> branches;
     const auto add = [&](Index first, Index last) {
+        const Index margin = std::max<Index>(6, (last - first) / 20);
+        for (const Index bend : bends) {
+            if (bend <= first || bend >= last) continue;
+            if (bend - margin > first + margin) branches.push_back({first + margin, bend - margin});
+            first = bend;
+        }
         if (last - margin > first + margin) branches.push_back({first + margin, last - margin});
     };
-    add(contact.loading.first, contact.hold ? contact.hold->first : contact.loading.last);
-    if (contact.unloading) add(contact.hold ? contact.hold->last : contact.unloading->first, contact.unloading->last);
+    for (const Index k : contact.cycles) {
+        const Cycle& cycle = segments.cycles[static_cast<std::size_t>(k)];
+        const auto held = [&](Index sample) { return contact.hold && contact.hold->contains(sample); };
+        add(cycle.loading.first, held(cycle.loading.last) ? contact.hold->first : cycle.loading.last);
+        add(held(cycle.unloading.first) ? contact.hold->last : cycle.unloading.first, cycle.unloading.last);
+    }
+    if (contact.cycles.empty()) add(contact.loading.first, contact.hold ? contact.hold->first : contact.loading.last);
     return branches;
 }
 
-void add_steps(const Array1D& clock, const Loop& level, const IndexRange& branch, double noise, double tension,
-               std::vector<ForceStep>& steps) {
-    constexpr double visible = 0.02, motion_share = 0.5;
-    const Index width = std::clamp<Index>(branch.count() / 40, 4, 12);
-    std::vector<ForceJump> jumps =
-        force_jumps(clock, level.force, {.samples = branch, .noise = noise, .half_width = width});
-    const Array1D slopes = local_slopes(clock, level.force, width).abs();
-    std::erase_if(jumps, [&](const ForceJump& jump) {
-        const Index beside = std::max<Index>(jump.last - 2 * width, 0), after = std::min(jump.next + 2 * width, level.force.size() - 1);
-        const double motion = std::max(slopes[beside], slopes[after]) * (clock[jump.next] - clock[jump.last]) /
-                              static_cast<double>(jump.next - jump.last);
-        return std::abs(jump.size) < std::max(visible * tension, motion_share * static_cast<double>(width) * motion);
-    });
-    while (!jumps.empty()) {
-        const ForceJump clearest = *std::max_element(jumps.begin(), jumps.end(), [](const ForceJump& one, const ForceJump& other) {
-            return clarity(one) < clarity(other);
-        });
-        steps.push_back({.sample = clearest.last, .size = clearest.size});
-        std::erase_if(jumps, [&](const ForceJump& jump) { return std::abs(jump.last - clearest.last) <= 4 * width; });
-    }
+/// Windows of about a third of a branch that overlap by half: a cubic follows the force in each.
+std::vector<IndexRange> windows_of(const IndexRange& branch) {
+    constexpr Index fewest = 24, most = 120;
+    const Index width = std::min(std::clamp(branch.count() / 3, fewest, most), branch.count());
+    std::vector<IndexRange> windows;
+    for (Index first = branch.first; first + width - 1 <= branch.last; first += std::max<Index>(width / 2, 1))
+        windows.push_back({first, first + width - 1});
+    if (!windows.empty() && windows.back().last < branch.last)
+        windows.push_back({branch.last - width + 1, branch.last});
+    return windows;
 }
 
 }  // namespace
 
-std::vector<ForceStep> steps_in_contact(const Loop& level, const Segments& segments) {
-    const Index n = level.force.size();
-    const Array1D clock = Array1D::LinSpaced(n, 0.0, static_cast<double>(n - 1));
-    const double tension = std::max(-level.force.minCoeff(), 0.0);
+std::vector<ForceStep> steps_in_contact(const Loop& level, const Segments& segments, const std::vector<Index>& bends) {
+    constexpr double visible = 0.02;  // of the largest tension
+    const double least = visible * std::max(-level.force.minCoeff(), 0.0);
     std::vector<ForceStep> steps;
-    for (const ContactSegments& contact : segments.contacts) {
-        const Index margin = std::max<Index>(6, contact.loading.count() / 20);
-        for (const IndexRange& branch : inner_branches(contact, margin))
-            add_steps(clock, level, branch, segments.before.force_noise, tension, steps);
-    }
+    for (const ContactSegments& contact : segments.contacts)
+        for (const IndexRange& branch : inner_branches(segments, contact, bends))
+            for (const IndexRange& window : windows_of(branch)) {
+                const auto step =
+                    step_in(level.force.segment(window.first, window.count()), {.degree = 3, .rivalling = 6});
+                if (!step || std::abs(step->size) < least) continue;
+                const Index sample = window.first + step->last;
+                // two windows may show one step
+                if (!steps.empty() && std::abs(steps.back().sample - sample) < window.count() / 4) continue;
+                steps.push_back({.sample = sample, .size = step->size});
+            }
     return steps;
 }
 

@@ -9,9 +9,11 @@ namespace setae::loops {
 
 /// Sudden changes of the force within contact: slips of the contact, steps of the sensor, knocks.
 ///
-/// A jump counts where it exceeds 2 % of the largest tension and what the force changes by in half of the window whose
-/// line shows it. The samples next to the turn, a hold and the jumps into and out of contact are left out.
-/// level: force counted from its zero.
-[[nodiscard]] std::vector<ForceStep> steps_in_contact(const Loop& level, const Segments& segments);
+/// Looked for in windows of a third of each branch, at most 120 samples: a cubic that steps must fit better than a
+/// polynomial of degree six, and the step must exceed 2 % of the largest tension. The samples next to the turns, a hold
+/// and the jumps into and out of contact are left out.
+/// level: force counted from its zero. bends: further samples at which the force may bend, as where the edge lets go.
+[[nodiscard]] std::vector<ForceStep> steps_in_contact(const Loop& level, const Segments& segments,
+                                                      const std::vector<Index>& bends);
 
 }  // namespace setae::loops

@@ -9,10 +9,7 @@
 namespace setae::loops {
 
 /// The part of free flight next to contact, cut at sudden steps of the force, which are added to `steps`.
-///
-/// A step is where a line that changes its level there fits the force better than a cubic curve does, and the change
-/// exceeds six standard errors, correlated noise allowed for. Each part keeps eight samples.
-/// Cost: linear, for each step.
+/// A line that steps must fit better than a cubic, and the step must exceed 0.1 % of the range of the force.
 [[nodiscard]] IndexRange cut_at_steps(const Loop& loop, IndexRange range, bool before_contact,
                                       std::vector<ForceStep>& steps);
 

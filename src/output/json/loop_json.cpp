@@ -27,6 +27,8 @@ Json fit_json(const JkrFit& fit) {
     json["correlated_samples"] = number(fit.correlated_samples);
     json["covariance"] = matrix(fit.covariance);
     json["n"] = fit.n;
+    json["within_noise"] = fit.within_noise ? Json(*fit.within_noise) : Json();
+    if (fit.unbounded_work) add(json, quantity("unbounded_work_of_adhesion", "W", *fit.unbounded_work, "J/m2"));
     json["chi_squared_reduced"] = number(fit.chi2_reduced);
     add(json, quantity("rms_residual", "rms", fit.rms_residual, fit.residual_unit));
     json["relative_residual"] = number(fit.relative_residual);

@@ -86,7 +86,7 @@ const std::vector<Bearing>& bearings() {
         {{"STEP_IN_CONTACT"}, "The force of {} changes at once within contact: E*, W and the energy may be off."},
         {{"FORCE_DRIFT", "DRIFT_NOT_LINEAR", "STEP_IN_FREE_FLIGHT"},
          "The zero of force of {} drifts or steps: the drift was removed, and the ± include what is not known of it."},
-        {{"POOR_FIT", "RANGE_SENSITIVE", "WORK_NEGATIVE"},
+        {{"POOR_FIT", "BEYOND_NOISE", "RANGE_SENSITIVE", "WORK_NEGATIVE"},
          "The JKR fit of {} leaves residuals or depends on its range: so do E* and W."},
         {{"LARGE_STRAIN", "TABOR_RANGE"}, "The contact of {} is outside the range of JKR's theory."},
         {{"CONTACT_POINT_UNKNOWN", "CONTACT_POINT_SPREAD"},

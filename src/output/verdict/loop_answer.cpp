@@ -47,17 +47,23 @@ std::string work_with_range(const loops::BranchAnalysis& loading) {
     return fmt::format("{} ({} to {} by range)", work, without_unit_of(work, from), without_unit_of(work, to));
 }
 
-bool fits_poorly(const loops::LoopAnalysis& loop) {
-    return std::any_of(loop.alerts.begin(), loop.alerts.end(), [](const Alert& alert) {
-        return alert.code == "POOR_FIT" && alert.message.starts_with("loading");
-    });
+/// " (poor fit, χ²_red 149)" where a warning says so of loading.
+std::string quality_of_loading(const loops::LoopAnalysis& loop) {
+    const auto warns = [&](const char* code) {
+        return std::any_of(loop.alerts.begin(), loop.alerts.end(), [&](const Alert& alert) {
+            return alert.code == code && alert.message.starts_with("loading");
+        });
+    };
+    if (warns("POOR_FIT")) return fmt::format(" (poor fit, χ²_red {:.3g})", loop.loading.primary().chi2_reduced);
+    if (warns("BEYOND_NOISE")) return fmt::format(" (χ²_red {:.3g})", loop.loading.primary().chi2_reduced);
+    return "";
 }
 
 std::string loading_text(const loops::LoopAnalysis& loop) {
     const auto& fit = loop.loading.primary();
     if (!fit.converged) return "E* –, W – on loading (the fit did not converge)";
     return fmt::format("E* {}, W {} on loading{}", format_uncertain(fit.contact_modulus, "Pa"),
-                       work_with_range(loop.loading), fits_poorly(loop) ? fmt::format(" (poor fit: χ²_red {:.3g})", fit.chi2_reduced) : "");
+                       work_with_range(loop.loading), quality_of_loading(loop));
 }
 
 /// Reasons of what curves do not say, the most frequent first.

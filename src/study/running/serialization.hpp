@@ -177,13 +177,11 @@ SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, drift, feature_factor
 SETAE_KEEP(ContactPointChoice, mode, estimator, value)
 SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness,
            contact_radius_per_unknown_height, tabor_parameter, relative_residual, contact_point_share,
-           loop_sampling_share, reduced_chi_squared, residual_correlation, relative_misfit, work_deviations, drift_share,
-           stiffness_ratio, pinned_modulus_ratio, frames_missing, contact_modulus_least,
-           contact_modulus_most, work_of_adhesion_most, work_spread)
-SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance,
-           displacement_drift_rate, leave_pinned_out, contact_radius_noise, machine_stiffness,
-           machine_stiffness_standard_error, contact_point, true_area_ratio, retraction_points, retraction_modulus_free,
-           interaction_range, relaxation, limits)
+           loop_sampling_share, relative_misfit, work_deviations, drift_share, stiffness_ratio, pinned_modulus_ratio,
+           frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most, work_spread)
+SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, displacement_drift_rate,
+           leave_pinned_out, contact_radius_noise, machine_stiffness, machine_stiffness_standard_error, contact_point,
+           true_area_ratio, retraction_points, retraction_modulus_free, interaction_range, relaxation, limits)
 SETAE_KEEP(Baseline, range, force, force_standard_error, force_noise, force_noise_correlation, displacement_noise,
            displacement_noise_correlation, force_displacement_covariance)
 SETAE_KEEP(Cycle, loading, unloading, contact, ends_in_pull_off)
@@ -194,8 +192,8 @@ SETAE_KEEP(ForceDrift, degree, change, largest_in_contact, bend, irregular, stre
 SETAE_KEEP(ForceZero, value, modes, drift)
 SETAE_KEEP(RunsTest, runs, above, below, p_value)
 SETAE_KEEP(JkrFit, method, converged, iterations, contact_modulus, youngs_modulus, work_of_adhesion, contact_point,
-           unbounded_work, covariance, correlation, correlated_samples, n, residuals, residual_unit, depth_residuals, rms_residual,
-           relative_residual, chi2_reduced, runs)
+           unbounded_work, covariance, correlation, correlated_samples, n, residuals, residual_unit, depth_residuals,
+           rms_residual, relative_residual, chi2_reduced, within_noise, runs)
 SETAE_KEEP(PointwiseModulus, contact_modulus, youngs_modulus, contact_point, pointwise, rms_residual, relative_residual,
            n)
 SETAE_KEEP(EnergyReleaseRate, contact_radius, energy_release_rate, standard_error, systematic, radius_measured)
@@ -231,8 +229,7 @@ SETAE_KEEP(CycleAnalysis, cycle, loading, unloading, energy, energy_standard_err
 template <class Archive>
 void serialize(Archive& archive, LoopAnalysis& of) {
     archive(static_cast<ContactAnalysis&>(of), of.corrected, of.force_zero, of.segments, of.further_contacts, of.cycles,
-            of.steps_in_contact, of.faults,
-            of.bulk, of.alerts);
+            of.steps_in_contact, of.faults, of.bulk, of.alerts);
 }
 
 }  // namespace setae::loops
@@ -247,8 +244,8 @@ SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, t
            references, unit, size, pipeline, steps, in_memory)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, spectrum_units, moments)
-SETAE_KEEP(SurfaceAnalysisOptions, spectrum, longest_wavelength, shortest_wavelength, conversion, contours, window, weighting, tip_percentile,
-           bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
+SETAE_KEEP(SurfaceAnalysisOptions, spectrum, longest_wavelength, shortest_wavelength, conversion, contours, window,
+           weighting, tip_percentile, bootstrap_resamples, seed, likelihood, largest_map, cutoff_scan)
 SETAE_KEEP(HeightPreview, positions, heights, map, size)
 SETAE_KEEP(InstrumentInputs, tip_radius, foil_thickness, height_calibration, lateral_calibration)
 SETAE_KEEP(MeasurementResult, file, name, error, channel, trend, processing, spectrum, real_space, arithmetic_height,

@@ -25,10 +25,8 @@ struct AlertLimits {
     double contact_radius_per_thickness = 0.1;        ///< THIN_LAYER
     double contact_radius_per_unknown_height = 0.01;  ///< HEIGHT_UNKNOWN, of R: E* from F–δ is then 1 % high and more
     double tabor_parameter = 5.0;                     ///< TABOR_RANGE: JKR holds above
-    double relative_residual = 0.015;                 ///< POOR_FIT: rms residual over the fitted range, noise unknown
-    double reduced_chi_squared = 4.0;                 ///< POOR_FIT where the noise is known, together with
-    double residual_correlation = 0.5;                ///< of neighbours, and
-    double relative_misfit = 0.003;                   ///< of the fitted range
+    double relative_residual = 0.015;                 ///< POOR_FIT: rms residual over the fitted range, beyond noise
+    double relative_misfit = 0.003;                   ///< BEYOND_NOISE: likewise
     double work_deviations = 3.0;                     ///< WORK_NEGATIVE: W below 0 by so many standard errors
     double drift_share = 0.05;                        ///< FORCE_DRIFT: of the largest tension
     double contact_point_share = 0.05;                ///< CONTACT_POINT_SPREAD: of the largest penetration
@@ -45,18 +43,18 @@ struct AnalysisOptions {
     SegmentOptions segments;
     Index samples_dropped = 3;  ///< after the jump-in; the result depends on it, see BranchAnalysis::sensitivity
     std::vector<Index> sensitivity_dropped{0, 3, 10, 30};
-    bool effective_variance = true;        ///< fits allow for the errors of force too, where they are known
+    bool effective_variance = true;  ///< fits allow for the errors of force too, where they are known
     double displacement_drift_rate =
         0.0;                       ///< [m/s] of the displacement where a reference tells it, such as thermal drift
     bool leave_pinned_out = true;  ///< the unloading fits begin where the contact edge lets go
-    std::optional<double> contact_radius_noise;     ///< σ_a [m]; else from the radii's second differences
-    std::optional<double> machine_stiffness;        ///< [N/m] where `displacement` is the stage's: δ = stage − F/k
-    double machine_stiffness_standard_error = 0.0;  ///< [N/m]
-    ContactPointChoice contact_point;               ///< where F–δ fits take the contact point from
-    double true_area_ratio = 1.0;                   ///< r of the hard surface, for losses per true area
-    Index retraction_points = 6;                    ///< of (S2)
-    bool retraction_modulus_free = false;           ///< E* of (S2) fitted, not taken from loading
-    Estimate interaction_range{.value = 0.3e-9};    ///< z0 of the Tabor parameter [m]
+    std::optional<double> contact_radius_noise;       ///< σ_a [m]; else from the radii's second differences
+    std::optional<double> machine_stiffness;          ///< [N/m] where `displacement` is the stage's: δ = stage − F/k
+    double machine_stiffness_standard_error = 0.0;    ///< [N/m]
+    ContactPointChoice contact_point;                 ///< where F–δ fits take the contact point from
+    double true_area_ratio = 1.0;                     ///< r of the hard surface, for losses per true area
+    Index retraction_points = 6;                      ///< of (S2)
+    bool retraction_modulus_free = false;             ///< E* of (S2) fitted, not taken from loading
+    Estimate interaction_range{.value = 0.3e-9};      ///< z0 of the Tabor parameter [m]
     std::vector<contact::RelaxationTerm> relaxation;  ///< by which the bulk relaxes: LoopAnalysis::bulk
     AlertLimits limits;
 };

@@ -20,7 +20,8 @@ struct BranchData {
     double displacement_noise = 0.0;
     double force_displacement_covariance = 0.0;
     double contact_radius_noise = 0.0;
-    /// Independent errors of the zero that forces are counted from [N]: samples × modes, each of one standard deviation.
+    /// Independent errors of the zero that forces are counted from [N]: samples × modes, each of one standard
+    /// deviation.
     Array2D force_zero_modes{};
 };
 
@@ -29,20 +30,20 @@ struct BranchData {
 /// Standard errors and covariance are scaled by the scatter of the residuals themselves and allow for residuals that
 /// follow their neighbours, as autoregressive; where fewer than about ten independent ones are left (n over
 /// `correlated_samples`) they are still too small. `chi2_reduced` compares that scatter with the noise of free flight,
-/// so that a value far above 1 says that the model, not the noise, makes the residuals. W >= 0: where a contact is smaller
-/// than Hertz's, W is 0 with the error that it would have, and its interval begins at 0.
+/// so that a value far above 1 says that the model, not the noise, makes the residuals. W >= 0: where a contact is
+/// smaller than Hertz's, W is 0 with the error that it would have, and its interval begins at 0.
 struct JkrFit {
     std::string
         method;  ///< "radius_force", "radius_force_effective_variance", "linear_form", "force_displacement", "joint"
     bool converged = false;  ///< and the data determine the unknowns: covariance defined
     int iterations = 0;
-    Estimate contact_modulus;         ///< E* [Pa]
-    Estimate youngs_modulus;          ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
-    Estimate work_of_adhesion;        ///< W [J/m²]
-    Estimate contact_point;           ///< δ at first touch [m]; NaN where the method has none
+    Estimate contact_modulus;   ///< E* [Pa]
+    Estimate youngs_modulus;    ///< E of the soft body [Pa]; NaN where E* exceeds what the counter-body allows
+    Estimate work_of_adhesion;  ///< W [J/m²]
+    Estimate contact_point;     ///< δ at first touch [m]; NaN where the method has none
     std::optional<Estimate> unbounded_work{};  ///< W < 0 at which the sum of squares is least, where it is
-    Eigen::MatrixXd covariance;       ///< of E*, W and, where fitted, the contact point
-    double correlation = 0.0;         ///< of E* and W
+    Eigen::MatrixXd covariance;                ///< of E*, W and, where fitted, the contact point
+    double correlation = 0.0;                  ///< of E* and W
     double correlated_samples = 1.0;  ///< τ = 1 + 2 Σ ρ_k of the residuals: n/τ of them count as independent
     Index n = 0;
     Array1D residuals;               ///< measured − fitted, in `residual_unit`
@@ -51,7 +52,10 @@ struct JkrFit {
     double rms_residual = 0.0;       ///< in `residual_unit`
     double relative_residual = 0.0;  ///< rms residual over the range of the fitted quantity
     double chi2_reduced = 0.0;       ///< NaN where the noise is unknown
-    RunsTest runs;                   ///< of the residuals' signs
+    /// Whether noise alone can make the residuals: not where χ²_red > 4 and neighbours are correlated by more than 1/2.
+    /// Nothing where the noise is unknown.
+    std::optional<bool> within_noise{};
+    RunsTest runs;  ///< of the residuals' signs
 };
 
 /// Which errors the fit of a(F) allows for.
