@@ -13,6 +13,7 @@
 #include "setae/bytes/rehearsal.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/force_curve.hpp"
 #include "storage/tiff_pixels.hpp"
 #include "text/text_start.hpp"
 
@@ -25,6 +26,7 @@ const std::vector<Format>& formats() {
         x3p_format(),
         sdf_format(),
         gwy_format(),
+        gsf_format(),
 
         // arrays
         netcdf_format(),
@@ -34,6 +36,7 @@ const std::vector<Format>& formats() {
         hdf5_format(),
         datx_format(),
         jpk_hdf5_format(),
+        topostats_format(),
 
         // scanning probes
         nanoscope_format(),
@@ -46,6 +49,7 @@ const std::vector<Format>& formats() {
         wsxm_format(),
         mdt_format(),
         nmm_format(),
+        nanonis_format(),
 
         // optical and stylus profilers
         opd_format(),
@@ -70,9 +74,11 @@ const std::vector<Format>& formats() {
         lext_format(),
         oir_format(),
         poir_format(),
+        height_tiff_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         mitutoyo_format(),
+        workbook_format(),
         dektak_csv_format(),
         hfm_format(),
         dabam_format(),
@@ -246,7 +252,20 @@ std::optional<topography::TiledMap> tiled(const Channel& channel) {
                                 false,         info.metadata, channel.lines};
 }
 
+namespace {
+
+/// Refuses what readers of force curves recognise by its header: its numbers are none of heights.
+void require_no_force_curve(const bytes::Source& source, const Format& format) {
+    if (format.carries_scale || format.is_container) return;
+    if (const auto curve = tables::stated_force_curve_format(source))
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("a force curve ({}), no heights; `setae jkr fit` reads it", *curve));
+}
+
+}  // namespace
+
 std::vector<Channel> open(const bytes::Source& source, const Format& format, const ReadOptions& options) {
+    require_no_force_curve(source, format);
     auto channels = format.open(source, options);
     compare_sizes(channels, options, source);
     return channels;
@@ -262,21 +281,7 @@ std::vector<Channel> open(const std::string& path, const ReadOptions& options) {
     return open(bytes::file_source(path), options);
 }
 
-std::vector<std::size_t> chosen_channels(const std::string& path, const std::vector<Channel>& channels,
-                                         std::optional<std::size_t> wanted, bool all) {
-    if (wanted && *wanted >= channels.size())
-        throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", path, *wanted, channels.size()));
-    if (wanted) return {*wanted};
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < channels.size(); ++i)
-        if (channels[i].info.is_height && (all || chosen.empty())) chosen.push_back(i);
-    if (chosen.empty())
-        throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", path, channels.size()));
-    return chosen;
-}
-
-std::vector<Channel> open_chosen(const std::string& path, std::optional<std::size_t> wanted,
-                                 const ReadOptions& options) {
+std::vector<Channel> open_chosen(const std::string& path, const ChannelChoice& wanted, const ReadOptions& options) {
     const auto source = bytes::unpacked(bytes::file_source(path));
     const auto& format = detected(source, options);
     const auto channels = open(source, format, options);
@@ -285,8 +290,12 @@ std::vector<Channel> open_chosen(const std::string& path, std::optional<std::siz
     return chosen;
 }
 
-topography::Measurement read(const std::string& path, std::size_t channel, const ReadOptions& options) {
+topography::Measurement read(const std::string& path, const ChannelChoice& channel, const ReadOptions& options) {
     return open_chosen(path, channel, options).front().read();
+}
+
+topography::Measurement read(const std::string& path, std::size_t channel, const ReadOptions& options) {
+    return read(path, ChannelChoice(fmt::format("{}", channel)), options);
 }
 
 }  // namespace setae::formats

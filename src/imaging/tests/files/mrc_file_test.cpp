@@ -51,8 +51,8 @@ TEST(MrcFile, StepsOverExtendedHeadersAndReadsTheSectionAskedFor) {
     const auto first = read_bytes(file.bytes());
     expect_common_picture(first);
     EXPECT_TRUE(has_alert(first, "SEVERAL_IMAGES"));
-    EXPECT_FLOAT_EQ(read_bytes(file.bytes(), {.image = 1}).pixels(1, 2), 16.0f);
-    EXPECT_THROW((void)read_bytes(file.bytes(), {.image = 2}), InvalidArgument);
+    EXPECT_FLOAT_EQ(read_bytes(file.bytes(), {.image = "1"}).pixels(1, 2), 16.0f);
+    EXPECT_THROW((void)read_bytes(file.bytes(), {.image = "2"}), InvalidArgument);
 }
 
 TEST(MrcFile, TakesThePixelSizeOfFeisExtendedHeaderWhereItIsSensible) {

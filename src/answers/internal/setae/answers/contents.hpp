@@ -49,7 +49,7 @@ struct ListedFile {
 struct ContentsRequest {
     std::vector<std::string> paths;  ///< files, or folders of them
     study::FileQuestions questions;
-    std::optional<std::size_t> channel;  ///< the only one that is shown
+    formats::ChannelChoice channel;  ///< the only one that is shown
     bool heights = false;                ///< read heights of files above 64 MB too
     bool no_heights = false;             ///< read headers alone
 };

@@ -35,7 +35,7 @@ struct HeightsInMemory {
 struct MeasurementInput {
     std::string
         file;  ///< path, relative to the study file where not absolute; of heights in memory what they are called
-    std::optional<std::size_t> channel;      ///< default: the first channel of heights; of a container: every one
+    std::optional<std::string> channel;  ///< number from 0 or name; default: the preferred one, of a container every one
     std::string instrument;                  ///< type: "stylus", "afm", "tem", "optical"
     std::optional<Estimate> tip_radius;      ///< [m]
     std::string tip_shape;                   ///< "sphere", "cone", "paraboloid"; empty: sphere

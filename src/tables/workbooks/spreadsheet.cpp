@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "setae/bytes/archive.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/tables/column_guess.hpp"
+#include "setae/tables/dialect.hpp"
 #include "setae/tables/header.hpp"
 #include "setae/tables/workbook.hpp"
 
@@ -22,6 +24,37 @@ namespace {
 bool is_number(const std::string& cell) {
     double value = undefined;
     return bytes::parse_cell(cell, '.', value) && !std::isnan(value);
+}
+
+/// Cells of text that spell numbers with a decimal comma become such with a point, column by column: where one of the
+/// column's cells decides that its comma does not group thousands.
+void read_decimal_commas(SheetRows& rows) {
+    const Dialect comma{.separator = '\t', .decimal_point = ',', .grouped = true};
+    struct Found {
+        std::vector<std::string*> cells;
+        bool decided = false;
+    };
+    std::map<std::size_t, Found> columns;
+    for (auto& [row, cells] : rows)
+        for (auto& [column, cell] : cells) {
+            double value = 0.0;
+            if (cell.find(',') == std::string::npos || is_number(cell) || !parse_cell(cell, comma, value) ||
+                std::isnan(value))
+                continue;
+            columns[column].cells.push_back(&cell);
+            columns[column].decided = columns[column].decided || !is_grouped(cell, ',', true);
+        }
+    for (auto& [column, found] : columns)
+        for (auto* cell : found.cells) {
+            double value = 0.0;
+            if (found.decided && parse_cell(*cell, comma, value)) *cell = fmt::format("{}", value);
+        }
+}
+
+SheetRows rows_of_sheet(const Workbook& book, const Sheet& sheet) {
+    auto rows = book.rows(sheet);
+    read_decimal_commas(rows);
+    return rows;
 }
 
 /// Where the table of a sheet stands.
@@ -93,7 +126,7 @@ std::vector<std::string> lines_above(const SheetRows& rows, const Place& place, 
 }
 
 RawTable table_of(const SheetRows& rows, const Place& place, const Sheet& sheet, const bytes::Source& source) {
-    RawTable table{{}, lines_above(rows, place, sheet.name), {}, '\t', '.'};
+    RawTable table{{}, lines_above(rows, place, sheet.name), {{"sheet", sheet.name}}, '\t', '.'};
     std::vector<std::vector<double>> values(place.columns.size());
     table.columns.resize(place.columns.size());
     for (auto row = rows.lower_bound(place.first_row); row != rows.end(); ++row)
@@ -138,29 +171,102 @@ std::string without_table(const SheetRows& rows, const Sheet& sheet) {
 
 }  // namespace
 
-bool is_spreadsheet(const bytes::Source& source) {
-    if (!bytes::is_zip(source.head(4))) return false;
-    return bytes::Archive(source).has("xl/workbook.xml");
+namespace {
+
+/// A sheet's table, or why there is none.
+struct SheetTable {
+    std::string sheet;
+    std::optional<RawTable> table;
+    std::string problem;
+};
+
+SheetTable sheet_table(const Workbook& book, const Sheet& sheet, const bytes::Source& source) {
+    try {
+        const auto rows = rows_of_sheet(book, sheet);
+        const auto place = find_table(rows);
+        if (!place) return {sheet.name, std::nullopt, without_table(rows, sheet)};
+        return {sheet.name, table_of(rows, *place, sheet, source), {}};
+    } catch (const FormatError& error) {
+        const std::string what = error.what();
+        return {sheet.name, std::nullopt, what.starts_with(source.name + ": ") ? what.substr(source.name.size() + 2) : what};
+    }
+}
+
+bool is_loop(const RawTable& table) {
+    const auto guess = guess_columns(table, "");
+    const auto has = [&](std::string_view role) {
+        return std::any_of(guess.roles.begin(), guess.roles.end(), [&](const RoleGuess& found) {
+            return found.role == role && !found.candidates.empty();
+        });
+    };
+    return has("force") && (has("displacement") || has("contact_radius"));
+}
+
+/// The rows of a table's numeric columns between tabs; above them what the sheet says there, whole rows but for the two
+/// that may be names and units.
+std::string text_of(const SheetRows& rows, const Place& place) {
+    std::vector<std::size_t> numeric;
+    for (std::size_t k = 0; k < place.columns.size(); ++k)
+        if (!place.text[k]) numeric.push_back(place.columns[k]);
+    std::string text;
+    const auto add = [&](const std::map<std::size_t, std::string>& cells, std::size_t column, bool first) {
+        if (!first) text += '\t';
+        const auto cell = cells.find(column);
+        if (cell == cells.end()) return;
+        for (const char c : std::string(trimmed(cell->second))) text += c == '\n' || c == '\t' || c == '\r' ? ' ' : c;
+    };
+    for (const auto& [row, cells] : rows) {
+        if (row + 2 < place.first_row) {
+            bool first = true;
+            for (const auto& [column, cell] : cells) add(cells, column, std::exchange(first, false));
+        } else {
+            if (row < place.first_row &&
+                std::none_of(numeric.begin(), numeric.end(), [&](std::size_t column) { return cells.contains(column); }))
+                continue;
+            for (const auto column : numeric) add(cells, column, column == numeric.front());
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+bool is_spreadsheet(const bytes::Source& source) { return workbook_kind(source) != WorkbookKind::none; }
+
+std::vector<SheetText> spreadsheet_texts(const bytes::Source& workbook) {
+    const Workbook book(workbook);
+    std::vector<SheetText> texts;
+    for (const auto& sheet : book.sheets()) {
+        const auto rows = rows_of_sheet(book, sheet);
+        const auto place = find_table(rows);
+        texts.push_back(place ? SheetText{sheet.name, text_of(rows, *place), {}}
+                              : SheetText{sheet.name, {}, without_table(rows, sheet)});
+    }
+    return texts;
 }
 
 RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std::string>& sheet) {
     const Workbook book(workbook);
-    std::optional<RawTable> table;
-    std::string empty, others;
+    std::vector<SheetTable> found;
+    std::string problems;
     for (const auto& candidate : book.sheets()) {
-        if (sheet && candidate.name != *sheet) continue;
-        const auto rows = book.rows(candidate);
-        const auto place = find_table(rows);
-        if (!place) empty += (empty.empty() ? "" : "; ") + without_table(rows, candidate);
-        else if (table) others += (others.empty() ? "" : ", ") + candidate.name;
-        else table = table_of(rows, *place, candidate, workbook);
+        if (sheet && bytes::lowered(candidate.name) != bytes::lowered(*sheet)) continue;
+        found.push_back(sheet_table(book, candidate, workbook));
+        if (!found.back().table) problems += (problems.empty() ? "" : "; ") + found.back().problem;
     }
-    if (!table && empty.empty())
+    if (found.empty())
         throw FormatError(workbook.name, {},
                           fmt::format("no sheet '{}', the workbook has {}", sheet.value_or(""), listed(book.sheets())));
-    if (!table) throw FormatError(workbook.name, {}, empty);
-    if (!others.empty()) table->metadata["other_sheets"] = others;
-    return std::move(*table);
+    std::erase_if(found, [](const SheetTable& candidate) { return !candidate.table; });
+    if (found.empty()) throw FormatError(workbook.name, {}, problems);
+    auto chosen = std::find_if(found.begin(), found.end(), [](const SheetTable& candidate) { return is_loop(*candidate.table); });
+    if (chosen == found.end()) chosen = found.begin();
+    std::string others;
+    for (const auto& candidate : found)
+        if (&candidate != &*chosen) others += (others.empty() ? "" : ", ") + candidate.sheet;
+    if (!others.empty()) chosen->table->metadata["other_sheets"] = others;
+    return std::move(*chosen->table);
 }
 
 }  // namespace setae::tables
