@@ -15,9 +15,11 @@ namespace {
 
 constexpr const char* workbook_identifier = "workbook";
 
-/// An error without the name of the sheet's text, which begins it.
+/// An error without the name of the sheet's text and the line of that text, which begin it.
 std::string reason_without(const std::string& text, const std::string& name) {
-    return text.starts_with(name + ": ") ? text.substr(name.size() + 2) : text;
+    if (!text.starts_with(name + ":")) return text;
+    const auto blank = text.find(": ", name.size());
+    return blank == std::string::npos ? text : text.substr(blank + 2);
 }
 
 std::string channel_name(const std::string& sheet, const std::string& name, bool several) {

@@ -121,13 +121,16 @@ PictureSize picture_size(const bytes::Source& file, std::uint64_t offset, std::u
 
 namespace {
 
-/// "0 'HAADF', 1 'FFT' (Fourier transform)".
+/// "0 'HAADF', 1 'HAADF' (Fourier transform)"; of many the first ones.
 std::string listed_images(const std::vector<ImageEntry>& images) {
-    std::vector<std::string> names;
-    for (const auto& image : images)
-        names.push_back(image.is_picture() ? image.title
-                                           : fmt::format("{}{}({})", image.title, image.title.empty() ? "" : " ", image.kind));
-    return numbered_names(names);
+    constexpr std::size_t most_listed = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(images.size(), most_listed); ++i) {
+        const auto& [title, kind] = images[i];
+        text += fmt::format("{}{}{}{}", i == 0 ? "" : ", ", i, title.empty() ? "" : fmt::format(" '{}'", title),
+                            images[i].is_picture() ? "" : fmt::format(" ({})", kind));
+    }
+    return images.size() > most_listed ? fmt::format("{}, … {}", text, images.size() - 1) : text;
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ struct Shared {
         const std::string value = local_child(cell, "v").child_value();
         if (type == "e") return {};  // #N/A, #DIV/0!
         if (value.empty())
-            if (const auto formula = local_child(cell, "f")) return fmt::format("={} (no result)", formula.child_value());
+            if (const auto formula = local_child(cell, "f")) return fmt::format("={}{}", formula.child_value(), formula_without_result);
         if (type == "s") return shared(value, cell, sheet);
         const auto style = cell.attribute("s").as_uint(std::numeric_limits<unsigned>::max());
         double days = 0.0;

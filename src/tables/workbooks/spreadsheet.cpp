@@ -51,8 +51,26 @@ void read_decimal_commas(SheetRows& rows) {
         }
 }
 
-SheetRows rows_of_sheet(const Workbook& book, const Sheet& sheet) {
+/// Refuses a sheet of formulas whose results were never stored: programs other than a spreadsheet write such.
+void require_results(const SheetRows& rows, const Sheet& sheet, const bytes::Source& source) {
+    std::size_t numbers = 0, formulas = 0;
+    std::string first;
+    for (const auto& [row, cells] : rows)
+        for (const auto& [column, cell] : cells) {
+            numbers += is_number(cell) ? 1 : 0;
+            if (!cell.starts_with('=') || !cell.ends_with(formula_without_result)) continue;
+            if (formulas++ == 0) first = cell_name(row, column);
+        }
+    if (formulas > 1 && 2 * formulas >= numbers)
+        throw FormatError(source.name, {},
+                          fmt::format("sheet '{}' has {} formulas whose results are not stored, the first in cell {}; open "
+                                      "the workbook in Excel or LibreOffice and save it again",
+                                      sheet.name, formulas, first));
+}
+
+SheetRows rows_of_sheet(const Workbook& book, const Sheet& sheet, const bytes::Source& source) {
     auto rows = book.rows(sheet);
+    require_results(rows, sheet, source);
     read_decimal_commas(rows);
     return rows;
 }
@@ -173,6 +191,11 @@ std::string without_table(const SheetRows& rows, const Sheet& sheet) {
 
 namespace {
 
+/// What an error says behind the file's name.
+std::string without_file(const std::string& what, const bytes::Source& source) {
+    return what.starts_with(source.name + ": ") ? what.substr(source.name.size() + 2) : what;
+}
+
 /// A sheet's table, or why there is none.
 struct SheetTable {
     std::string sheet;
@@ -182,13 +205,12 @@ struct SheetTable {
 
 SheetTable sheet_table(const Workbook& book, const Sheet& sheet, const bytes::Source& source) {
     try {
-        const auto rows = rows_of_sheet(book, sheet);
+        const auto rows = rows_of_sheet(book, sheet, source);
         const auto place = find_table(rows);
         if (!place) return {sheet.name, std::nullopt, without_table(rows, sheet)};
         return {sheet.name, table_of(rows, *place, sheet, source), {}};
     } catch (const FormatError& error) {
-        const std::string what = error.what();
-        return {sheet.name, std::nullopt, what.starts_with(source.name + ": ") ? what.substr(source.name.size() + 2) : what};
+        return {sheet.name, std::nullopt, without_file(error.what(), source)};
     }
 }
 
@@ -202,12 +224,27 @@ bool is_loop(const RawTable& table) {
     return has("force") && (has("displacement") || has("contact_radius"));
 }
 
+/// Whether the first column of a table counts its rows, as pandas writes its index without a name above it.
+bool counts_rows(const SheetRows& rows, const Place& place, std::size_t column) {
+    double expected = undefined;
+    for (auto row = rows.lower_bound(place.first_row); row != rows.end(); ++row) {
+        const auto cell = row->second.find(column);
+        double value = 0.0;
+        if (cell == row->second.end() || !bytes::parse_cell(cell->second, '.', value)) return false;
+        if (std::isnan(expected) && (value == 0.0 || value == 1.0)) expected = value;
+        if (value != expected) return false;
+        ++expected;
+    }
+    return true;
+}
+
 /// The rows of a table's numeric columns between tabs; above them what the sheet says there, whole rows but for the two
 /// that may be names and units.
 std::string text_of(const SheetRows& rows, const Place& place) {
     std::vector<std::size_t> numeric;
     for (std::size_t k = 0; k < place.columns.size(); ++k)
         if (!place.text[k]) numeric.push_back(place.columns[k]);
+    const bool indexed = numeric.size() > 1 && counts_rows(rows, place, numeric.front());
     std::string text;
     const auto add = [&](const std::map<std::size_t, std::string>& cells, std::size_t column, bool first) {
         if (!first) text += '\t';
@@ -223,6 +260,7 @@ std::string text_of(const SheetRows& rows, const Place& place) {
             if (row < place.first_row &&
                 std::none_of(numeric.begin(), numeric.end(), [&](std::size_t column) { return cells.contains(column); }))
                 continue;
+            if (row + 1 == place.first_row && indexed && !cells.contains(numeric.front())) text += "index";
             for (const auto column : numeric) add(cells, column, column == numeric.front());
         }
         text += '\n';
@@ -238,10 +276,14 @@ std::vector<SheetText> spreadsheet_texts(const bytes::Source& workbook) {
     const Workbook book(workbook);
     std::vector<SheetText> texts;
     for (const auto& sheet : book.sheets()) {
-        const auto rows = rows_of_sheet(book, sheet);
-        const auto place = find_table(rows);
-        texts.push_back(place ? SheetText{sheet.name, text_of(rows, *place), {}}
-                              : SheetText{sheet.name, {}, without_table(rows, sheet)});
+        try {
+            const auto rows = rows_of_sheet(book, sheet, workbook);
+            const auto place = find_table(rows);
+            texts.push_back(place ? SheetText{sheet.name, text_of(rows, *place), {}}
+                                  : SheetText{sheet.name, {}, without_table(rows, sheet)});
+        } catch (const FormatError& error) {
+            texts.push_back({sheet.name, {}, without_file(error.what(), workbook)});
+        }
     }
     return texts;
 }
