@@ -54,8 +54,9 @@ std::size_t chosen_by_name(std::string_view wanted, std::span<const std::string>
     std::vector<std::size_t> whole, beginning;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto name = lower_case(names[i]);
+        if (text.empty()) continue;
         if (name == text) whole.push_back(i);
-        if (!text.empty() && name.starts_with(text)) beginning.push_back(i);
+        if (name.starts_with(text)) beginning.push_back(i);
     }
     const auto& found = whole.empty() ? beginning : whole;
     if (found.size() == 1) return found.front();

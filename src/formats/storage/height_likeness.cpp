@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "height_names.hpp"
+#include "setae/core/errors.hpp"
 
 namespace setae::formats {
 namespace {
@@ -99,7 +100,11 @@ std::string why_no_heights(const LooseArray& loose) {
     if (!loose.array.refusal.empty() || is_height_name(loose.name) || loose.has_length) return {};
     const auto& shape = loose.array.shape;
     const bool line = shape.size() < 2 || shape[0] == 1 || shape[1] == 1;
-    return line ? why_no_line(loose) : why_no_map(loose);
+    try {
+        return line ? why_no_line(loose) : why_no_map(loose);
+    } catch (const FormatError&) {  // damaged values: reading says how
+        return {};
+    }
 }
 
 }  // namespace setae::formats

@@ -248,6 +248,7 @@ void read_velox(const bytes::Source& file, hid_t image, Micrograph& micrograph, 
 struct EmdEntry {
     std::string path;
     ImageEntry shown;
+    bool complex = false;
 };
 
 bool is_reciprocal(const std::string& unit) {
@@ -267,13 +268,14 @@ bool holds_records(hid_t group, const char* name) {
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 EmdEntry velox_entry(hid_t root, const std::string& path, const char* kind) {
-    EmdEntry entry{path, {.kind = kind}};
+    EmdEntry entry{.path = path, .shown = {.kind = kind}};
     const Handle group(H5Oopen(root, path.c_str(), H5P_DEFAULT), &H5Oclose);
     if (!group || H5Iget_type(group) != H5I_GROUP) return entry;
     const auto metadata = velox_metadata(group);
     entry.shown.title = json_text(metadata, "/BinaryResult/Detector");
     const bool reciprocal = is_reciprocal(json_text(metadata, "/BinaryResult/PixelUnitX"));
-    if (entry.shown.is_picture() && (reciprocal || holds_records(group, "Data"))) entry.shown.kind = "Fourier transform";
+    entry.complex = holds_records(group, "Data");
+    if (entry.shown.is_picture() && (reciprocal || entry.complex)) entry.shown.kind = "Fourier transform";
     return entry;
 }
 
@@ -299,7 +301,7 @@ std::vector<EmdEntry> velox_entries(hid_t root) {
 }
 
 EmdEntry ncem_entry(hid_t root, const std::string& path) {
-    EmdEntry entry{path, {.title = last_part(path)}};
+    EmdEntry entry{.path = path, .shown = {.title = last_part(path)}};
     const Handle group(H5Oopen(root, path.empty() ? "/" : path.c_str(), H5P_DEFAULT), &H5Oclose);
     const Handle data(group ? H5Dopen2(group, "data", H5P_DEFAULT) : -1, &H5Dclose);
     if (!data) return entry;
@@ -315,8 +317,9 @@ EmdEntry ncem_entry(hid_t root, const std::string& path) {
         energy = energy || is_energy(unit);
         reciprocal = reciprocal || is_reciprocal(unit);
     }
+    entry.complex = holds_records(group, "data");
     if (energy || extended < 2) entry.shown.kind = extended > 1 ? "spectrum image" : "spectrum";
-    else if (reciprocal || holds_records(group, "data")) entry.shown.kind = "Fourier transform";
+    else if (reciprocal || entry.complex) entry.shown.kind = "Fourier transform";
     return entry;
 }
 
@@ -342,7 +345,8 @@ Micrograph read_image(const bytes::Source& file, const MicrographOptions& option
     std::vector<ImageEntry> shown;
     for (const auto& entry : entries) shown.push_back(entry.shown);
     const auto& chosen = entries[choose_image(micrograph, std::move(shown), options)];
-    if (!chosen.shown.is_picture())
+    const bool real_transform = chosen.shown.kind == "Fourier transform" && !chosen.complex;  // an alert tells its units
+    if (!chosen.shown.is_picture() && !real_transform)
         throw FormatError(
             file.name, {.offset = 0},
             fmt::format("{} '{}' is a {}, not a picture{}", chosen.path, chosen.shown.title, chosen.shown.kind,
