@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/formats/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -112,7 +113,7 @@ std::string expected_by_name(const std::string& name) {
     std::string names;
     for (const auto& format : formats())
         for (const auto ending : words(format.extensions))
-            if (bytes::lowered(name).ends_with(ending))
+            if (ending != ".zip" && bytes::lowered(name).ends_with(ending))
                 names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", format.identifier, format.name);
     return names.empty()
                ? ""
@@ -148,6 +149,13 @@ std::string kind_of(std::string_view head, const bytes::Source& source) {
     return {};
 }
 
+/// The first member that is no folder.
+std::string first_member(const bytes::Source& source) {
+    const auto names = bytes::Archive(source).names();
+    const auto file = std::find_if(names.begin(), names.end(), [](const std::string& name) { return !name.ends_with('/'); });
+    return file == names.end() ? "MEMBER" : *file;
+}
+
 [[noreturn]] void unknown(const bytes::Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
     if (bytes::is_tiff(head)) refuse_tiff(source);
@@ -156,6 +164,11 @@ std::string kind_of(std::string_view head, const bytes::Source& source) {
                           "text without a row of numbers; expected columns x and height below a header" +
                               expected_by_name(source.name));
     const auto kind = kind_of(head, source);
+    if (bytes::is_zip(head))
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("{}, which is none of the formats setae reads{}; `setae info` lists its members, and "
+                                      "each of them is a file, such as {}/{}",
+                                      kind, expected_by_name(source.name), source.name, first_member(source)));
     throw FormatError(
         source.name, {.offset = 0},
         fmt::format("begins with '{}'{}, which no format setae reads does{}; `setae formats` lists them",

@@ -83,15 +83,10 @@ std::string why_no_map(const LooseArray& loose) {
 
 std::string why_no_line(const LooseArray& loose) {
     const auto& array = loose.array;
-    if (loose.integers) {
-        const bool few = std::max(array.shape.front(), array.shape.back()) <= longest_line_read;
-        const auto why = few ? why_monotone(values_of(array, "array")) : std::string();
-        return why.empty() ? "whole numbers without a unit" : why;
-    }
-    if (!loose.alone) return "one dimension, and neither its name nor a unit says that it is a line of heights";
-    return std::max(array.shape.front(), array.shape.back()) <= longest_line_read
-               ? why_monotone(values_of(array, "array"))
-               : std::string();
+    const bool few = std::max(array.shape.front(), array.shape.back()) <= longest_line_read;
+    if (const auto why = few ? why_monotone(values_of(array, "array")) : std::string(); !why.empty()) return why;
+    if (loose.integers) return "whole numbers without a unit";
+    return loose.alone ? std::string() : "one dimension, and neither its name nor a unit says that it is a line of heights";
 }
 
 }  // namespace

@@ -204,7 +204,7 @@ TEST(NanoscopeForce, SaysWhatIsMissingOrDamaged) {
     };
     EXPECT_EQ(curve(changed("@Sens. DeflSens", "@Sens. XeflSens")).metadata.at("missing"), "sensitivity");
     const auto message = [](const std::string& content) { return message_of([&] { (void)curve(content); }); };
-    EXPECT_TRUE(holds(message(changed("Deflection Error", "Friction       ")), "without a channel of deflection"));
+    EXPECT_TRUE(holds(message(changed("Deflection Error", "Friction        ")), "without a channel of deflection"));
     EXPECT_TRUE(holds(message(changed("Ramp size", "Xamp size")), "neither a height sensor nor a ramp size"));
     EXPECT_TRUE(holds(message(nanoscope_force_file().substr(0, 4100)), "truncated"));
     EXPECT_TRUE(holds(message(changed("Bytes/pixel: 2", "Bytes/pixel: 3")), "3 bytes a value"));
