@@ -24,7 +24,8 @@ std::vector<AlertKind> of_files() {
         {"SIZE_MISMATCH", about, "a size was given, and the file states another, which was used: by more than 1e-4",
          "rounding of sizes that programs write"},
         {"SIZE_BETWEEN_POINTS", about, "the file states the distance from the first point to the last as size"},
-        {"CHANNEL_CHOSEN", about, "the file has several channels of heights, and the first of them was taken"},
+        {"SIZE_NOT_STATED", about, "the file states a size that is no extent: zero, negative or no number"},
+        {"CHANNEL_CHOSEN", about, "the file has several channels of heights, and the preferred one was taken"},
         {"SIZE_FROM_NAME", about, "the size follows from the file's name"},
         {"SCALE_NOT_APPLIED", about, "the header has a scale factor of heights that was not applied"},
         {"SCALE_TWICE", about,
@@ -33,7 +34,7 @@ std::vector<AlertKind> of_files() {
         {"SENSITIVITY_MISSING", about, "the header lacks the sensitivity that heights need"},
         {"MASK_NOT_APPLIED", about, "the channel has a mask, which is a selection and removes nothing"},
         {"HIDDEN_MEASUREMENT", about, "the file says that a measurement is not to be shown"},
-        {"FORCE_CURVES_NOT_READ", about, "a force volume: images alone are read"},
+        {"FORCE_CURVES_NOT_READ", about, "a force volume: its images are read, its force curves by `setae jkr fit`"},
         {"SLOPES_INTEGRATED", about, "the file holds slopes; heights are their integral"},
         {"AMBIGUOUS_COLUMNS", about, "three columns of numbers without a header that says what they are"},
         {"CHECKSUM", about, "a part of the file differs from its checksum"},
@@ -61,6 +62,7 @@ std::vector<AlertKind> of_micrographs() {
     const char* about = "micrographs and contours";
     return {
         {"BAD_CALIBRATION", about, "the size of a pixel that the file states cannot be"},
+        {"DEFAULT_CALIBRATION", about, "an MRC states a pixel of 1 Å, which programs write where nobody told them"},
         {"BAD_NUMBER", about, "a field of the header is no number and is left out"},
         {"UNKNOWN_UNIT", about, "the size of a pixel stands in a unit that is no length"},
         {"RECIPROCAL_UNITS", about, "axes are reciprocal lengths: a diffraction pattern"},

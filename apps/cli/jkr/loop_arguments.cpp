@@ -35,7 +35,7 @@ void LoopArguments::add_to(Options& options) {
         .quantity(positive(dimension::stiffness));
     options.add("--sensitivity", sensitivity, "of its deflection, such as \"55 nm/V\"");
     options.add("--curve-number", curve_number,
-                "one force curve of a file of many, as the file counts them; without it `jkr fit` fits them all");
+                "one force curve of a file of many, as the file counts them, from 0; without it `jkr fit` fits them all");
 }
 
 void BodyArguments::add_to(Options& options) {

@@ -144,7 +144,7 @@ std::vector<std::string> lines_above(const SheetRows& rows, const Place& place, 
 }
 
 RawTable table_of(const SheetRows& rows, const Place& place, const Sheet& sheet, const bytes::Source& source) {
-    RawTable table{{}, lines_above(rows, place, sheet.name), {{"sheet", sheet.name}}, '\t', '.'};
+    RawTable table{{}, lines_above(rows, place, sheet.name), {}, '\t', '.'};
     std::vector<std::vector<double>> values(place.columns.size());
     table.columns.resize(place.columns.size());
     for (auto row = rows.lower_bound(place.first_row); row != rows.end(); ++row)
@@ -307,6 +307,7 @@ RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std
     std::string others;
     for (const auto& candidate : found)
         if (&candidate != &*chosen) others += (others.empty() ? "" : ", ") + candidate.sheet;
+    if (book.sheets().size() > 1) chosen->table->metadata["sheet"] = chosen->sheet;
     if (!others.empty()) chosen->table->metadata["other_sheets"] = others;
     return std::move(*chosen->table);
 }

@@ -20,8 +20,8 @@ namespace setae::tables {
 /// A table is the columns with numbers in at least half as many rows as the fullest; names and units stand above it as
 /// in text. Shared and inline strings, numbers, results of formulas; text that spells a number counts as one, with a
 /// decimal comma where the column's cells decide that it is one. Empty cells and errors such as #N/A are undefined.
-/// Columns of text and of dates are kept and marked. metadata["sheet"] names the sheet, metadata["other_sheets"] others
-/// with a table. Sheets are named without regard to case.
+/// Columns of text and of dates are kept and marked. metadata["sheet"] names the sheet of a workbook of several,
+/// metadata["other_sheets"] others with a table. Sheets are named without regard to case.
 /// @throws FormatError that names sheet and cell: a sheet that is not there, without cells or without numbers, text
 /// among numbers. Source: ECMA-376 part 1, 18.2–18.4; OpenDocument 1.3 part 3, 9.
 [[nodiscard]] RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std::string>& sheet = {});
