@@ -146,8 +146,7 @@ ListedFile listed(const std::string& file, const ContentsRequest& request) {
     listed.too_large = large && !request.heights && !request.no_heights;
     const auto& channels = listed.content.channels;
     std::optional<std::size_t> only;
-    if (request.channel && !channels.empty())
-        only = formats::chosen_channels(file, channels, request.channel).front();
+    if (request.channel && !channels.empty()) only = formats::chosen_channels(file, channels, request.channel).front();
     for (std::size_t i = 0; i < channels.size(); ++i) {
         if (only && *only != i) continue;
         const auto& info = channels[i].info;

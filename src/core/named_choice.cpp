@@ -43,9 +43,8 @@ std::size_t chosen_by_name(std::string_view wanted, std::span<const std::string>
     const auto refuse = [&](const std::string& what) {
         throw InvalidArgument(fmt::format("no {} {}, it has {}, counted from 0", thing, what, numbered_names(names)));
     };
-    const bool number = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-        return std::isdigit(c) != 0;
-    });
+    const bool number =
+        !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
     if (number) {
         const auto place = spelled<std::size_t>(text);
         if (!place || *place >= names.size()) refuse(text);

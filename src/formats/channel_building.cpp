@@ -162,9 +162,10 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
     }
     const bool stated = !info.size.empty();
     if (stated && std::any_of(info.size.begin(), info.size.end(), [](double size) { return !is_extent(size); })) {
-        info.alerts.push_back({"SIZE_NOT_STATED", source.name,
-                               fmt::format("the file states a size of {} m, which is no extent", fmt::join(info.size, " × ")),
-                               fmt::format("give it, as in {}", size_example(info))});
+        info.alerts.push_back(
+            {"SIZE_NOT_STATED", source.name,
+             fmt::format("the file states a size of {} m, which is no extent", fmt::join(info.size, " × ")),
+             fmt::format("give it, as in {}", size_example(info))});
         info.size.clear();
     }
     if (info.size.empty() && options.size) {

@@ -152,7 +152,8 @@ std::string kind_of(std::string_view head, const bytes::Source& source) {
 /// The first member that is no folder.
 std::string first_member(const bytes::Source& source) {
     const auto names = bytes::Archive(source).names();
-    const auto file = std::find_if(names.begin(), names.end(), [](const std::string& name) { return !name.ends_with('/'); });
+    const auto file =
+        std::find_if(names.begin(), names.end(), [](const std::string& name) { return !name.ends_with('/'); });
     return file == names.end() ? "MEMBER" : *file;
 }
 
@@ -165,10 +166,11 @@ std::string first_member(const bytes::Source& source) {
                               expected_by_name(source.name));
     const auto kind = kind_of(head, source);
     if (bytes::is_zip(head))
-        throw FormatError(source.name, {.offset = 0},
-                          fmt::format("{}, which is none of the formats setae reads{}; `setae info` lists its members, and "
-                                      "each of them is a file, such as {}/{}",
-                                      kind, expected_by_name(source.name), source.name, first_member(source)));
+        throw FormatError(
+            source.name, {.offset = 0},
+            fmt::format("{}, which is none of the formats setae reads{}; `setae info` lists its members, and "
+                        "each of them is a file, such as {}/{}",
+                        kind, expected_by_name(source.name), source.name, first_member(source)));
     throw FormatError(
         source.name, {.offset = 0},
         fmt::format("begins with '{}'{}, which no format setae reads does{}; `setae formats` lists them",
@@ -267,9 +269,11 @@ std::optional<topography::TiledMap> tiled(const Channel& channel) {
 
 namespace {
 
-/// Refuses what readers of force curves recognise by its header: its numbers are none of heights.
+/// Refuses what readers of force curves recognise by its header: its numbers are none of heights. Formats that keep
+/// images beside force curves list both themselves; Igor's waves are either.
 void require_no_force_curve(const bytes::Source& source, const Format& format) {
-    if (format.carries_scale || format.is_container) return;
+    const bool may_be_curve = !format.carries_scale || format.identifier == "ibw";
+    if (!may_be_curve || format.is_container) return;
     if (const auto curve = tables::stated_force_curve_format(source))
         throw FormatError(source.name, {.offset = 0},
                           fmt::format("a force curve ({}), no heights; `setae jkr fit` reads it", *curve));

@@ -258,6 +258,7 @@ std::vector<AlertKind> of_loops() {
                      limits.contact_modulus_least, limits.contact_modulus_most, limits.work_of_adhesion_most),
          "gels and diamond; adhesives that flow"},
         {"TWO_CONTACTS", about, "the record holds several contacts"},
+        {"SHEET_CHOSEN", about, "a workbook has tables on several sheets; the first with a loop was read"},
         {"COLUMN_GUESSED", about, "a column was taken for what its name and unit say"},
         {"COLUMN_UNUSED", about, "columns of the table play no part"},
         {"CLOCK_DOUBTFUL", about, "the offset found between the clocks of camera and force is doubtful"},

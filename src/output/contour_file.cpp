@@ -206,9 +206,12 @@ study::ContourShape shape_from_name(const std::string& name) { return value_of(s
 Json to_json(const study::TracedPicture& picture, const study::ContourOptions& options) {
     const auto& m = picture.micrograph;
     Json json{{"format", format_name}, {"version", format_version}};
-    json["image"] = {{"file", m.file},           {"sha256", picture.digest},
-                     {"width", m.pixels.cols()}, {"height", m.pixels.rows()},
-                     {"format", m.format},       {"image", m.image},
+    json["image"] = {{"file", m.file},
+                     {"sha256", picture.digest},
+                     {"width", m.pixels.cols()},
+                     {"height", m.pixels.rows()},
+                     {"format", m.format},
+                     {"image", m.image},
                      {"title", m.images.empty() ? std::string() : m.images[m.image].title}};
     json["calibration"] = calibration_json(picture.calibration);
     json["options"] = options_json(options);
@@ -246,7 +249,8 @@ StoredTrace read_trace(const std::string& path) {
         object.fail("format", fmt::format("is '{}', expected '{}'", object.value<std::string>("format"), format_name));
     if (object.value<int>("version") != format_version)
         object.fail("version", fmt::format("is {}, expected {}", object.value<int>("version"), format_version));
-    const Object image(object.at("image"), path, "image.", {"file", "sha256", "width", "height", "format", "image", "title"});
+    const Object image(object.at("image"), path, "image.",
+                       {"file", "sha256", "width", "height", "format", "image", "title"});
     stored.digest = image.value<std::string>("sha256");
     try {
         stored.options = stored_options(object.at("options"), path);

@@ -312,8 +312,8 @@ struct JpkMapCurve {
     return "-40,5000\t1,25\t1,5\n-30,5000\t1,25\t1,25\n-20,5000\t1,00\t0,75\n-10,5000\t0,50\t0,50\n0,5000\t0,00\t-0,25\n";
 }
 
-/// Force curves of Nanoscope: `curves` of four samples out and three back, 0.1 N/m, 50 nm/V, 0.001 V an integer; curve k
-/// reads 10 k more. The height is a ramp of 8 V of 20 nm/V, or with `sensor` a channel of 0.001 V of 1000 nm/V.
+/// Force curves of Nanoscope: `curves` of four samples out and three back, 0.1 N/m, 50 nm/V, 0.001 V an integer; curve
+/// k reads 10 k more. The height is a ramp of 8 V of 20 nm/V, or with `sensor` a channel of 0.001 V of 1000 nm/V.
 [[nodiscard]] inline std::string nanoscope_force_file(int curves = 1, bool sensor = false, int value_bytes = 2) {
     constexpr std::size_t first_block = 4096;
     const auto length = static_cast<std::size_t>(7 * curves * value_bytes);

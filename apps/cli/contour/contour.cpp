@@ -256,7 +256,9 @@ Action declare(Options& options) {
                 "smooth the picture first by a Gaussian of this standard deviation [px]");
     options.add("--least-length", arguments->least_length,
                 "shorter segments are left out [px]; default 50, of masks 0");
-    options.add("--image", arguments->image, "image of a file that holds several: its number, counted from 0, or its title; default: the first that is no spectrum and no Fourier transform");
+    options.add(
+        "--image", arguments->image,
+        "image of a file that holds several: its number, counted from 0, or its title; default: the first that is no spectrum and no Fourier transform");
     options.flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
     options.example("setae contour tem.dm3 -o contour.csv",
                     "the profile, contour.json with what makes it again, contour.png with the edge drawn in");

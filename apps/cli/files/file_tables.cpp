@@ -222,9 +222,9 @@ TidyTable table_of_loops(const Listing& listing) {
         const bool foreign =
             std::find(content.missing.begin(), content.missing.end(), "columns") != content.missing.end();
         table.rows.push_back({listing.shown(content.file), content.format,
-                              content.curves > 1 ? fmt::format("{}", content.curves) : "", fmt::format("{}", record.rows()),
-                              range_text(record, "force"), range_text(record, "displacement"),
-                              largest_text(record, "contact_radius"),
+                              content.curves > 1 ? fmt::format("{}", content.curves) : "",
+                              fmt::format("{}", record.rows()), range_text(record, "force"),
+                              range_text(record, "displacement"), largest_text(record, "contact_radius"),
                               foreign || listing.detail == Detail::all ? column_names(record, listing.detail) : "",
                               missing_text(content)});
     }

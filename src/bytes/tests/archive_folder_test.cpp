@@ -21,7 +21,8 @@ TEST(ArchiveFolder, ListsFilesBeforeFoldersWithoutHiddenOnes) {
                                                          {"b/a.txt", "5"},
                                                          {"a.txt", "6"}}));
     EXPECT_TRUE(is_archive(path));
-    EXPECT_EQ(files_of_archive(path), (std::vector<std::string>{path + "/a.txt", path + "/z.txt", path + "/b/a.txt", path + "/b/c.txt"}));
+    EXPECT_EQ(files_of_archive(path),
+              (std::vector<std::string>{path + "/a.txt", path + "/z.txt", path + "/b/a.txt", path + "/b/c.txt"}));
     EXPECT_EQ(file_source(path + "/b/a.txt").all(), "5");
     EXPECT_EQ(file_source(path + "/b/a.txt").name, path + "/b/a.txt");
 }
@@ -29,7 +30,8 @@ TEST(ArchiveFolder, ListsFilesBeforeFoldersWithoutHiddenOnes) {
 TEST(ArchiveFolder, RefusesWhatIsNotThereOrLeadsOut) {
     const TemporaryFolder folder;
     const auto path = folder.write("a.zip", zip_archive({{"a.txt", "1"}}));
-    EXPECT_NE(message_of([&] { (void)file_source(path + "/b.txt"); }).find("no such file in the archive"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)file_source(path + "/b.txt"); }).find("no such file in the archive"),
+              std::string::npos);
     EXPECT_THROW((void)file_source(folder.write("t.txt", "text") + "/b.txt"), FileError);
     const auto slip = folder.write("s.zip", zip_archive({{"../b.txt", "1"}}));
     EXPECT_THROW((void)files_of_archive(slip), FormatError);

@@ -24,8 +24,9 @@ std::string refusal(const std::string& wanted) {
 TEST(NamedChoice, TakesNumbersFromZero) {
     EXPECT_EQ(chosen_by_name("0", names, "channel"), 0u);
     EXPECT_EQ(chosen_by_name("4", names, "channel"), 4u);
-    EXPECT_EQ(refusal("5"),
-              "no channel 5, it has 0 'Height (trace)', 1 'Height (retrace)', 2 'Phase', 3 'phase image', 4, counted from 0");
+    EXPECT_EQ(
+        refusal("5"),
+        "no channel 5, it has 0 'Height (trace)', 1 'Height (retrace)', 2 'Phase', 3 'phase image', 4, counted from 0");
     EXPECT_NE(refusal("99999999999999999999999").find("no channel 9"), std::string::npos);
 }
 

@@ -90,8 +90,8 @@ std::vector<Channel> open_gsf(const bytes::Source& source, const ReadOptions& op
                  height = gsf_length(header, "yreal", lateral, source);
     if (width > 0.0 && height > 0.0) info.size = {width, height};
     info.unit = text_entry(header, "zunits");
-    static const std::map<std::string, bool> known{{"xres", true},    {"yres", true},    {"xreal", true},
-                                                   {"yreal", true},   {"xyunits", true}, {"zunits", true},
+    static const std::map<std::string, bool> known{{"xres", true},  {"yres", true},    {"xreal", true},
+                                                   {"yreal", true}, {"xyunits", true}, {"zunits", true},
                                                    {"title", true}};
     for (const auto& [key, value] : header.entries)
         if (!known.contains(key) && !value.empty()) info.metadata.attributes[key] = value;
@@ -106,14 +106,14 @@ std::vector<Channel> open_gsf(const bytes::Source& source, const ReadOptions& op
 
 Match detect_gsf(std::string_view head, const bytes::Source&) {
     return head.starts_with(gsf_signature) || head.starts_with("Gwyddion Simple Field 1.0\r\n") ? Match::yes
-                                                                                               : Match::no;
+                                                                                                : Match::no;
 }
 
 void write_gsf(const std::string& path, const topography::Measurement& measurement) {
     const auto& map = required_map(measurement, path, gsf_name);
     const Index nx = map.heights.rows(), ny = map.heights.cols();
-    auto header = fmt::format("{}XRes = {}\nYRes = {}\nXReal = {}\nYReal = {}\nXYUnits = m\nZUnits = m\n", gsf_signature,
-                              nx, ny, map.size[0], map.size[1]);
+    auto header = fmt::format("{}XRes = {}\nYRes = {}\nXReal = {}\nYReal = {}\nXYUnits = m\nZUnits = m\n",
+                              gsf_signature, nx, ny, map.size[0], map.size[1]);
     if (const auto title = one_line(map.metadata.name); !title.empty()) header += fmt::format("Title = {}\n", title);
     header.append(4 - header.size() % 4, '\0');
     std::string numbers(static_cast<std::size_t>(nx * ny) * sizeof(float), '\0');
@@ -134,7 +134,8 @@ Format gsf_format() {
         .extensions = ".gsf",
         .description =
             "one map with its size, units and title, which Gwyddion, WSxM and programs for near-field microscopes exchange",
-        .heights = "float32 in the unit ZUnits; NaN and infinities are undefined; a field whose unit is no length is listed",
+        .heights =
+            "float32 in the unit ZUnits; NaN and infinities are undefined; a field whose unit is no length is listed",
         .orientation = "rows from the top",
         .not_read = "a size without a unit, or of 0, is given; other keys are kept as attributes",
         .reference = "Gwyddion user guide, Gwyddion Simple Field",

@@ -23,6 +23,7 @@ namespace {
 constexpr const char* element_size =
     "element_size_um";  // per index, slowest first: the convention of ImageJ's and napari's plugins
 constexpr std::size_t most_shown_attributes = 100, longest_attribute = 1000;
+constexpr std::size_t most_groups_looked_at = 1000;  ///< for the mark of an EMD
 
 void keep_attributes(const Attributes& attributes, topography::Metadata& metadata) {
     for (const auto& attribute : attributes) {
@@ -100,10 +101,14 @@ bool is_emd(const Hdf5File& file) {
         return std::any_of(attributes.begin(), attributes.end(),
                            [](const Attribute& attribute) { return attribute.name == "emd_group_type"; });
     };
+    std::size_t looked_at = 0;
     for (const auto& outer : file.members("/")) {
+        if (looked_at++ > most_groups_looked_at) return false;
         if (is_marked("/" + outer)) return true;
-        for (const auto& inner : file.members("/" + outer))
+        for (const auto& inner : file.members("/" + outer)) {
+            if (looked_at++ > most_groups_looked_at) return false;
             if (is_marked("/" + outer + "/" + inner)) return true;
+        }
     }
     return false;
 }
@@ -115,16 +120,16 @@ Match detect_hdf5(std::string_view head, const bytes::Source&) {
 std::vector<Channel> open_hdf5(const bytes::Source& source, const ReadOptions& options) {
     const Hdf5File file(source);
     if (is_emd(file))
-        throw FormatError(source.name, {.offset = 0},
-                          "an EMD file of electron microscopy: pictures and spectra, no heights; `setae info` lists its "
-                          "images, `setae contour` traces edges in them");
+        throw FormatError(
+            source.name, {.offset = 0},
+            "an EMD file of electron microscopy: pictures and spectra, no heights; `setae info` lists its "
+            "images, `setae contour` traces edges in them");
     std::vector<StoredArray> arrays;
     for (const auto& path : file.datasets())
         if (auto array = file.array(path); array && (is_map_or_line(*array) || !array->refusal.empty()))
             arrays.push_back(std::move(*array));
     std::vector<Channel> channels;
-    for (const auto& array : arrays)
-        channels.push_back(channel_of(array, file, arrays.size() == 1, source, options));
+    for (const auto& array : arrays) channels.push_back(channel_of(array, file, arrays.size() == 1, source, options));
     if (channels.empty())
         throw FormatError(source.name, {.offset = 0},
                           "HDF5: no dataset of numbers with one or two dimensions and more than one value");

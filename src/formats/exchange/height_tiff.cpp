@@ -116,8 +116,8 @@ Channel page_channel(const bytes::TiffFile& file, std::size_t number, const Imag
                      (*pixel)[1] * static_cast<double>(pixels.raster.ny)};
     const auto scale = scale_of(imagej);
     info.unit = scale.unit;
-    return raster_channel(std::move(info), pixels.source, pixels.raster, {.factor = scale.factor, .offset = scale.offset},
-                          options);
+    return raster_channel(std::move(info), pixels.source, pixels.raster,
+                          {.factor = scale.factor, .offset = scale.offset}, options);
 }
 
 std::vector<Channel> open_height_tiff(const bytes::Source& source, const ReadOptions& options) {

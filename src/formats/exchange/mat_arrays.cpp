@@ -102,7 +102,8 @@ std::string part(bytes::Cursor& cursor, std::uint32_t type, const char* what, st
 /// A matrix from its tag on, if it holds numbers. `cursor` may see no more than the header; values are checked by who
 /// reads them.
 std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
-    constexpr std::uint32_t first_numeric = 6, first_integer = 8, last_numeric = 15, complex_flag = 0x0800, logical_flag = 0x0200;
+    constexpr std::uint32_t first_numeric = 6, first_integer = 8, last_numeric = 15, complex_flag = 0x0800,
+                            logical_flag = 0x0200;
     const auto whole = read_tag(cursor);
     if (whole.type != matrix_element || whole.bytes == 0) return std::nullopt;
     const auto end = cursor.position() + whole.bytes;

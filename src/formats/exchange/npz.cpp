@@ -36,8 +36,7 @@ Channel channel_of(const StoredArray& array, bool alone, const ReadOptions& opti
         info.metadata.file = array.data.name;
         return non_height_channel(std::move(info), array.refusal);
     }
-    auto channel =
-        array_channel(std::move(info), array, FirstIndex::x_to_the_right, {}, options_for(array, options));
+    auto channel = array_channel(std::move(info), array, FirstIndex::x_to_the_right, {}, options_for(array, options));
     const bool integers = array.sample != Sample::float32 && array.sample != Sample::float64;
     const auto why = why_no_heights({.array = array, .name = array.name, .integers = integers, .alone = alone});
     return why.empty() ? channel : doubtful_channel(std::move(channel), why);

@@ -11,8 +11,9 @@
 #include "storage/hdf5_file.hpp"
 #include "storage/stored_array.hpp"
 
-// What TopoStats keeps of an image: HDF5 with the heights [nm] as "image", those before its filters as "image_original",
-// and the nanometres of a pixel as "pixel_to_nm_scaling"; masks, traces, statistics and settings beside them.
+// What TopoStats keeps of an image: HDF5 with the heights [nm] as "image", those before its filters as
+// "image_original", and the nanometres of a pixel as "pixel_to_nm_scaling"; masks, traces, statistics and settings
+// beside them.
 namespace setae::formats {
 namespace {
 

@@ -167,7 +167,8 @@ Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkIm
     }
 }
 
-std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format, const ReadOptions& options) {
+std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format,
+                                    const ReadOptions& options) {
     const auto file = bytes::open_tiff(source, "JPK", most_pages + 1);
     const auto& first = file.pages.front();
     ChannelInfo common;

@@ -16,9 +16,10 @@
 #include "setae/tables/text_head.hpp"
 #include "storage/raster.hpp"
 
-// Nanonis scans: lines ":KEY:" with values below them up to ":SCANIT_END:", blank lines, the bytes 0x1a 0x04, then a map
-// of big-endian float32 for each channel and direction of its table DATA_INFO, in SI units. Lines are stored as they were
-// scanned: from the bottom where SCAN_DIR is up, from the right on the way back. Lines that were not scanned are NaN.
+// Nanonis scans: lines ":KEY:" with values below them up to ":SCANIT_END:", blank lines, the bytes 0x1a 0x04, then a
+// map of big-endian float32 for each channel and direction of its table DATA_INFO, in SI units. Lines are stored as
+// they were scanned: from the bottom where SCAN_DIR is up, from the right on the way back. Lines that were not scanned
+// are NaN.
 namespace setae::formats {
 namespace {
 
@@ -57,7 +58,8 @@ std::vector<std::string> nanonis_words(const std::string& line, char separator =
 }
 
 /// Two numbers of a line: pixels or lengths along x and y.
-std::vector<std::string> pair_below(const NanonisEntries& entries, const std::string& key, const bytes::Source& source) {
+std::vector<std::string> pair_below(const NanonisEntries& entries, const std::string& key,
+                                    const bytes::Source& source) {
     auto words = nanonis_words(first_line(entries, key));
     if (words.size() < 2)
         throw FormatError(source.name, {.offset = 0},
@@ -130,7 +132,7 @@ topography::Metadata nanonis_metadata(const NanonisEntries& entries, const bytes
 
 Match detect_nanonis(std::string_view head, const bytes::Source&) {
     return head.starts_with(nanonis_first_key) && head.find(":SCAN_PIXELS:") != std::string_view::npos ? Match::yes
-                                                                                                      : Match::no;
+                                                                                                       : Match::no;
 }
 
 /// Where the numbers begin, behind what the header ends with.
@@ -138,8 +140,9 @@ std::uint64_t data_offset(std::uint64_t header_end, const bytes::Source& source)
     const auto gap = source.up_to(header_end, longest_gap);
     const auto mark = gap.find(nanonis_data_mark);
     if (mark == std::string::npos)
-        throw FormatError(source.name, {.offset = header_end},
-                          "Nanonis: the bytes 0x1a 0x04 that begin the data are not here; the file is truncated or damaged");
+        throw FormatError(
+            source.name, {.offset = header_end},
+            "Nanonis: the bytes 0x1a 0x04 that begin the data are not here; the file is truncated or damaged");
     return header_end + mark + nanonis_data_mark.size();
 }
 
@@ -198,7 +201,8 @@ Format nanonis_format() {
         .heights = "float32 in metres; lines that were not scanned, NaN and infinities are undefined",
         .orientation =
             "rows from the bottom, turned, where the scan ran up, else from the top; lines scanned backward are mirrored",
-        .not_read = "channels that are no lengths, and amplitudes, are listed; spectra and grids of Nanonis are refused",
+        .not_read =
+            "channels that are no lengths, and amplitudes, are listed; spectra and grids of Nanonis are refused",
         .reference = "Gwyddion's module nanonis; nanonispy's reader",
         .tested_on_real_files = false,
         .carries_scale = true,

@@ -27,7 +27,8 @@ bool are_whole(const Array1D& values) { return (values == values.round()).all();
 bool are_even(const Array1D& values) {
     const double step = (values[values.size() - 1] - values[0]) / static_cast<double>(values.size() - 1);
     for (Index i = 0; i < values.size(); ++i)
-        if (!(std::abs(values[i] - values[0] - step * static_cast<double>(i)) <= 1e-6 * std::abs(step) + 1e-12 * std::abs(values[i])))
+        if (!(std::abs(values[i] - values[0] - step * static_cast<double>(i)) <=
+              1e-6 * std::abs(step) + 1e-12 * std::abs(values[i])))
             return false;
     return true;
 }
@@ -62,7 +63,8 @@ bool are_coordinates(const StoredArray& array) {
     if (array.hold && array.shape[0] * array.shape[1] > largest_packed) return false;
     const auto kept = array.hold ? array.hold() : nullptr;
     const Index slow = array.shape[array.first_fast ? 1 : 0];
-    const auto first = stored_line(array, 0), middle = stored_line(array, slow / 2), last = stored_line(array, slow - 1);
+    const auto first = stored_line(array, 0), middle = stored_line(array, slow / 2),
+               last = stored_line(array, slow - 1);
     if (!first.isFinite().all() || !middle.isFinite().all() || !last.isFinite().all()) return false;
     const bool alike = (first == middle).all() && (first == last).all();
     if (alike) return grows(first) || grows(-first);
@@ -78,7 +80,8 @@ std::string why_no_map(const LooseArray& loose) {
         return fmt::format("{} × {} numbers: a table of {} columns", array.shape[0], array.shape[1], narrow);
     if (bytes_of(array.sample) == 1) return "values of 8 bits: a picture or a mask";
     if (loose.integers) return "whole numbers without a unit";
-    return are_coordinates(array) ? "the same in every line, or one value a line: coordinates of the points" : std::string();
+    return are_coordinates(array) ? "the same in every line, or one value a line: coordinates of the points"
+                                  : std::string();
 }
 
 std::string why_no_line(const LooseArray& loose) {
@@ -86,7 +89,8 @@ std::string why_no_line(const LooseArray& loose) {
     const bool few = std::max(array.shape.front(), array.shape.back()) <= longest_line_read;
     if (const auto why = few ? why_monotone(values_of(array, "array")) : std::string(); !why.empty()) return why;
     if (loose.integers) return "whole numbers without a unit";
-    return loose.alone ? std::string() : "one dimension, and neither its name nor a unit says that it is a line of heights";
+    return loose.alone ? std::string()
+                       : "one dimension, and neither its name nor a unit says that it is a line of heights";
 }
 
 }  // namespace

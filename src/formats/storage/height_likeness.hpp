@@ -16,8 +16,8 @@ struct LooseArray {
     bool alone = false;       ///< the file holds no other array of numbers
 };
 
-/// Why an array does not look like heights, such as "whole numbers that grow from value to value: an index"; empty where
-/// it does.
+/// Why an array does not look like heights, such as "whole numbers that grow from value to value: an index"; empty
+/// where it does.
 ///
 /// A name of heights or a unit of length decides. Else heights are floats on a map that are neither the coordinates of
 /// its points nor a table of few columns, or the only line of floats in the file that does not grow throughout.

@@ -11,7 +11,8 @@ using namespace setae::tests;
 namespace setae::formats::tests::channel_choice_test {
 namespace {
 
-Channel channel(const std::string& name, bool is_height = true, std::vector<Index> shape = {4, 4}, const std::string& unit = "nm") {
+Channel channel(const std::string& name, bool is_height = true, std::vector<Index> shape = {4, 4},
+                const std::string& unit = "nm") {
     ChannelInfo info{.name = name, .format = "x", .shape = std::move(shape), .size = {1.0, 1.0}, .unit = unit};
     info.is_height = is_height;
     return {std::move(info), {}};
@@ -28,7 +29,8 @@ TEST(ChannelChoice, PrefersNamesOfHeightsAndTheWayThere) {
 }
 
 TEST(ChannelChoice, TakesNumbersAndNames) {
-    const std::vector<Channel> channels{channel("Height (trace)"), channel("Phase", false), channel("Height (retrace)")};
+    const std::vector<Channel> channels{channel("Height (trace)"), channel("Phase", false),
+                                        channel("Height (retrace)")};
     EXPECT_EQ(chosen_channels("f", channels, "2"), (std::vector<std::size_t>{2}));
     EXPECT_EQ(chosen_channels("f", channels, "height (r"), (std::vector<std::size_t>{2}));
     EXPECT_EQ(chosen_channels("f", channels, std::nullopt, true), (std::vector<std::size_t>{0, 2}));
@@ -41,15 +43,20 @@ TEST(ChannelChoice, TakesNumbersAndNames) {
 TEST(ChannelChoice, SaysWhyNoneIsTakenForHeights) {
     auto index = channel("i", false);
     index.info.not_heights = "whole numbers that grow from value to value: an index";
-    const auto message = message_of([&] { (void)chosen_channels("f", {index, channel("phase", false)}, std::nullopt); });
-    EXPECT_NE(message.find("none of its 2 channels holds heights; 0 'i' is not heights: whole numbers"), std::string::npos)
+    const auto message = message_of([&] {
+        (void)chosen_channels("f", {index, channel("phase", false)}, std::nullopt);
+    });
+    EXPECT_NE(message.find("none of its 2 channels holds heights; 0 'i' is not heights: whole numbers"),
+              std::string::npos)
         << message;
 }
 
 TEST(HeightNames, AreToldByWords) {
-    for (const char* name : {"Height (trace)", "ZSensor", "Topography", "h", "Z (forward)", "/scan/z", "surfaceMap", "topo_raw"})
+    for (const char* name :
+         {"Height (trace)", "ZSensor", "Topography", "h", "Z (forward)", "/scan/z", "surfaceMap", "topo_raw"})
         EXPECT_TRUE(is_height_name(name)) << name;
-    for (const char* name : {"phase", "zoom", "histogram", "x", "y", "weights", "amplitude", "/height2/phase2", "brightness"})
+    for (const char* name :
+         {"phase", "zoom", "histogram", "x", "y", "weights", "amplitude", "/height2/phase2", "brightness"})
         EXPECT_FALSE(is_height_name(name)) << name;
 }
 

@@ -345,12 +345,14 @@ Micrograph read_image(const bytes::Source& file, const MicrographOptions& option
     std::vector<ImageEntry> shown;
     for (const auto& entry : entries) shown.push_back(entry.shown);
     const auto& chosen = entries[choose_image(micrograph, std::move(shown), options)];
-    const bool real_transform = chosen.shown.kind == "Fourier transform" && !chosen.complex;  // an alert tells its units
+    const bool real_transform =
+        chosen.shown.kind == "Fourier transform" && !chosen.complex;  // an alert tells its units
     if (!chosen.shown.is_picture() && !real_transform)
         throw FormatError(
             file.name, {.offset = 0},
-            fmt::format("{} '{}' is a {}, not a picture{}", chosen.path, chosen.shown.title, chosen.shown.kind,
-                        entries.size() > 1 ? "; choose another image of the file" : "; choose the file with the image"));
+            fmt::format(
+                "{} '{}' is a {}, not a picture{}", chosen.path, chosen.shown.title, chosen.shown.kind,
+                entries.size() > 1 ? "; choose another image of the file" : "; choose the file with the image"));
     const Handle image(H5Oopen(root, chosen.path.empty() ? "/" : chosen.path.c_str(), H5P_DEFAULT), &H5Oclose);
     if (!image || H5Iget_type(image) != H5I_GROUP)
         throw FormatError(file.name, {.offset = 0}, fmt::format("{} is no group: damaged", chosen.path));

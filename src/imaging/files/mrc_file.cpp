@@ -111,8 +111,7 @@ Micrograph read_mrc(const bytes::Source& file, const MicrographOptions& options)
     if (section_bytes > file.size || image > file.size / section_bytes)
         throw FormatError(file.name, {.offset = header_bytes},
                           fmt::format("sections of {} bytes in a file of {}: truncated", section_bytes, file.size));
-    micrograph.pixels =
-        read_pixels(file, {header_bytes + extended + image * section_bytes, *type, big_endian, size});
+    micrograph.pixels = read_pixels(file, {header_bytes + extended + image * section_bytes, *type, big_endian, size});
     if (is_complex(*type))
         add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
                   "read the real image if this is a Fourier transform");

@@ -52,10 +52,11 @@ const Keys<MeasurementInput>& measurement_keys() {
         Keys<Input>()
             .file("file", &Input::file, "map, line scan or contour")
             .required()
-            .add({"channel", "whole number from 0 or text", "", "",
-                  "number or name of the file's channel, or the beginning of its name; a container without it gives all "
-                  "its members, other files their [preferred channel](formats/README.md#which-channel)"},
-                 read_channel)
+            .add(
+                {"channel", "whole number from 0 or text", "", "",
+                 "number or name of the file's channel, or the beginning of its name; a container without it gives all "
+                 "its members, other files their [preferred channel](formats/README.md#which-channel)"},
+                read_channel)
             .choice<std::string>("instrument", &Input::instrument,
                                  {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}},
                                  "its kind")
@@ -75,9 +76,10 @@ const Keys<MeasurementInput>& measurement_keys() {
                   "with it")
             .add("foil_thickness", &Input::foil_thickness, positive(dimension::length),
                  "of a side view's lamella along the beam; without it what the contour's file says, else a line")
-            .add("height_calibration", &Input::height_calibration, positive(dimension::none),
-                 "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
-                 "pipeline. Under one name in `[inputs]` it is one instrument's in all surfaces")
+            .add(
+                "height_calibration", &Input::height_calibration, positive(dimension::none),
+                "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
+                "pipeline. Under one name in `[inputs]` it is one instrument's in all surfaces")
             .add("lateral_calibration", &Input::lateral_calibration, positive(dimension::none),
                  "the same of lengths along the surface; a micrograph has both under one name")
             .add("numerical_aperture", &Input::numerical_aperture, positive(dimension::none),

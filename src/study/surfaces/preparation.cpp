@@ -82,8 +82,8 @@ InstrumentInputs inputs_of(const MeasurementInput& input, const topography::Meta
     };
     take(or_stated(input.height_calibration, "height_calibration", "height calibration"), inputs.height_calibration,
          "height_calibration");
-    take(or_stated(input.lateral_calibration, "lateral_calibration", "lateral calibration"),
-         inputs.lateral_calibration, "lateral_calibration");
+    take(or_stated(input.lateral_calibration, "lateral_calibration", "lateral calibration"), inputs.lateral_calibration,
+         "lateral_calibration");
     return inputs;
 }
 

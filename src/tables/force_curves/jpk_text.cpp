@@ -76,7 +76,8 @@ std::shared_ptr<const JpkText> parsed_text(const bytes::Source& source) {
         const auto text = trimmed(line.substr(1));
         const auto colon = text.find(": ");
         if (colon != std::string_view::npos)
-            segment.entries.insert_or_assign(std::string(text.substr(0, colon)), std::string(trimmed(text.substr(colon + 2))));
+            segment.entries.insert_or_assign(std::string(text.substr(0, colon)),
+                                             std::string(trimmed(text.substr(colon + 2))));
     }
     finish();
     return parsed;
@@ -99,20 +100,23 @@ std::optional<TextColumn> column_named(const TextSegment& segment, std::initiali
     for (const char* name : names)
         for (std::size_t k = 0; k < columns.size(); ++k)
             if (columns[k] == name)
-                if (const auto unit = try_parse_unit(k < units.size() ? units[k] : "")) return TextColumn{k, name, *unit};
+                if (const auto unit = try_parse_unit(k < units.size() ? units[k] : ""))
+                    return TextColumn{k, name, *unit};
     return std::nullopt;
 }
 
 TextColumn required_column(const JpkText& text, const TextSegment& segment, const char* what,
                            std::initializer_list<const char*> names) {
     if (const auto column = column_named(segment, names)) return *column;
-    refuse(text, segment,
-           fmt::format("no column of {} with a unit, the segment has '{}' in '{}'; export it with JPK's data processing",
-                       what, entry_of(segment.entries, "columns"), entry_of(segment.entries, "units")));
+    refuse(
+        text, segment,
+        fmt::format("no column of {} with a unit, the segment has '{}' in '{}'; export it with JPK's data processing",
+                    what, entry_of(segment.entries, "columns"), entry_of(segment.entries, "units")));
 }
 
 /// Columns of a segment's rows in SI, in the order asked for.
-std::vector<Array1D> columns_of(const JpkText& text, const TextSegment& segment, const std::vector<TextColumn>& wanted) {
+std::vector<Array1D> columns_of(const JpkText& text, const TextSegment& segment,
+                                const std::vector<TextColumn>& wanted) {
     std::vector<std::vector<double>> values(wanted.size());
     std::vector<std::string_view> cells;
     for (std::size_t i = segment.first_line; i < segment.first_line + segment.lines; ++i) {
@@ -122,9 +126,10 @@ std::vector<Array1D> columns_of(const JpkText& text, const TextSegment& segment,
         for (std::size_t k = 0; k < wanted.size(); ++k) {
             double value = 0.0;
             if (wanted[k].index >= cells.size() || !parse_cell(cells[wanted[k].index], '.', value))
-                throw FormatError(text.name, {.line = i + 1},
-                                  fmt::format("JPK text: no number for column '{}' in {} cells; the file may be truncated here",
-                                              wanted[k].name, cells.size()));
+                throw FormatError(
+                    text.name, {.line = i + 1},
+                    fmt::format("JPK text: no number for column '{}' in {} cells; the file may be truncated here",
+                                wanted[k].name, cells.size()));
             values[k].push_back(value * wanted[k].unit.factor);
         }
     }
@@ -138,8 +143,8 @@ Reading reading_of(const JpkText& text, const TextSegment& segment, const TextCo
     if (column.unit.dimension == dimension::force) return Reading::force;
     if (column.unit.dimension == dimension::length) return Reading::deflection;
     if (column.unit.dimension == parse_unit("V").dimension) return Reading::volts;
-    refuse(text, segment, fmt::format("column '{}' is in '{}', expected N, m or V", column.name,
-                                      entry_of(segment.entries, "units")));
+    refuse(text, segment,
+           fmt::format("column '{}' is in '{}', expected N, m or V", column.name, entry_of(segment.entries, "units")));
 }
 
 std::optional<double> positive_entry(const TextSegment& segment, const std::string& key) {
@@ -152,10 +157,10 @@ ForceCurveData curve_of(const JpkText& text, long number) {
     data.travel_sign = -1.0;
     bool first = true;
     for (const auto& segment : text.curves.at(number)) {
-        const auto height = required_column(text, segment, "height",
-                                            {"measuredHeight", "capacitiveSensorHeight", "strainGaugeHeight",
-                                             "smoothedMeasuredHeight", "smoothedCapacitiveSensorHeight",
-                                             "smoothedStrainGaugeHeight", "height"}),
+        const auto height = required_column(
+                       text, segment, "height",
+                       {"measuredHeight", "capacitiveSensorHeight", "strainGaugeHeight", "smoothedMeasuredHeight",
+                        "smoothedCapacitiveSensorHeight", "smoothedStrainGaugeHeight", "height"}),
                    deflection = required_column(text, segment, "deflection", {"vDeflection"});
         const auto kind = reading_of(text, segment, deflection);
         if (!first && kind != data.reading) refuse(text, segment, "segments whose deflection has different units");
@@ -165,8 +170,8 @@ ForceCurveData curve_of(const JpkText& text, long number) {
         if (time) wanted.push_back(*time);
         auto columns = columns_of(text, segment, wanted);
         const auto count = columns[0].size();
-        const double duration = time && count > 1 ? (columns[2][count - 1] - columns[2][0]) * static_cast<double>(count) /
-                                                        static_cast<double>(count - 1)
+        const double duration = time && count > 1 ? (columns[2][count - 1] - columns[2][0]) *
+                                                        static_cast<double>(count) / static_cast<double>(count - 1)
                                                   : 0.0;
         if (first) {
             data.metadata["height_channel"] = height.name;
@@ -177,7 +182,8 @@ ForceCurveData curve_of(const JpkText& text, long number) {
             data.y = spelled<double>(entry_of(segment.entries, "yPosition")).value_or(undefined);
         }
         const auto style = entry_of(segment.entries, "segment");
-        data.segments.push_back({style.empty() ? "pause" : style, std::move(columns[0]), std::move(columns[1]), duration});
+        data.segments.push_back(
+            {style.empty() ? "pause" : style, std::move(columns[0]), std::move(columns[1]), duration});
         first = false;
     }
     return data;

@@ -20,8 +20,8 @@
 #include "setae/tables/nanoscope_header.hpp"
 
 // Force curves of Nanoscope: for each channel a section "Ciao force image list" and a block of little-endian integers,
-// curve after curve, of each the approach and then the retraction, both from the deepest point of the base outwards. The
-// height is the channel of the sensor, else the ramp in equal steps; volts are integers times "V/LSB".
+// curve after curve, of each the approach and then the retraction, both from the deepest point of the base outwards.
+// The height is the channel of the sensor, else the ramp in equal steps; volts are integers times "V/LSB".
 namespace setae::tables {
 namespace {
 
@@ -82,10 +82,12 @@ std::optional<ForceBlock> block_of(const NanoscopeSection& section, const bytes:
     if (block.offset > source.size || block.curves * per_curve > source.size - block.offset)
         throw FormatError(
             source.name, {.offset = source.size},
-            fmt::format("Nanoscope: the file ends here, force curves of '{:.40}' should end at byte {}; it is truncated",
-                        block.name, block.offset + block.curves * per_curve));
+            fmt::format(
+                "Nanoscope: the file ends here, force curves of '{:.40}' should end at byte {}; it is truncated",
+                block.name, block.offset + block.curves * per_curve));
     const auto stated = nanoscope_scale(*scale);
-    const auto unit = stated.step ? try_parse_unit(stated.step->unit.substr(0, stated.step->unit.find('/'))) : std::nullopt;
+    const auto unit =
+        stated.step ? try_parse_unit(stated.step->unit.substr(0, stated.step->unit.find('/'))) : std::nullopt;
     if (!stated.step || !unit || unit->dimension != parse_unit("V").dimension || !std::isfinite(stated.step->number))
         return std::nullopt;
     block.step = stated.step->number * unit->factor;
@@ -182,9 +184,9 @@ NanoscopeForce force_of(const bytes::Source& source) {
     if (!of_deflection)
         throw FormatError(source.name, {.offset = 0},
                           "Nanoscope: force curves without a channel of deflection in volts; export them as text");
-    if (force.height && (force.height->extend != force.deflection.extend ||
-                         force.height->retract != force.deflection.retract ||
-                         force.height->curves != force.deflection.curves))
+    if (force.height &&
+        (force.height->extend != force.deflection.extend || force.height->retract != force.deflection.retract ||
+         force.height->curves != force.deflection.curves))
         force.height.reset();
     if (!force.height) {
         const auto ramp = ramp_of(*of_deflection, sections);
@@ -213,8 +215,8 @@ Array1D volts_of(const ForceBlock& block, std::uint64_t curve, bool extend, cons
         const char* at = bytes.data() + i * block.bytes;
         const double raw = block.bytes == 2 ? bytes::load<std::int16_t>(at, std::endian::little)
                                             : bytes::load<std::int32_t>(at, std::endian::little);
-        const double lowest = block.bytes == 2 ? std::numeric_limits<std::int16_t>::min()
-                                               : std::numeric_limits<std::int32_t>::min();
+        const double lowest =
+            block.bytes == 2 ? std::numeric_limits<std::int16_t>::min() : std::numeric_limits<std::int32_t>::min();
         values[static_cast<Index>(i)] = raw == lowest ? undefined : block.step * raw;
     }
     return values;

@@ -73,8 +73,7 @@ const NanoscopeSection* section_named(const std::vector<NanoscopeSection>& secti
 
 std::uint64_t nanoscope_integer(const NanoscopeSection& section, std::string_view key, const bytes::Source& source) {
     const auto* text = find(section, key);
-    if (!text)
-        throw FormatError(source.name, {}, fmt::format("Nanoscope: image without '{}' in the header", key));
+    if (!text) throw FormatError(source.name, {}, fmt::format("Nanoscope: image without '{}' in the header", key));
     std::string_view digits = *text;
     const auto value = leading<std::uint64_t>(digits).value_or(0);
     if (value == 0 || value > (std::uint64_t{1} << 40))

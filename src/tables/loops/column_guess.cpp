@@ -236,7 +236,8 @@ ColumnGuess guess_columns(const std::string& path, const TableOptions& file) {
     auto guess = guess_columns(table, path, file);
     if (!is_spreadsheet(source)) return guess;
     guess.file = file;
-    if (const auto sheet = table.metadata.find("sheet"); sheet != table.metadata.end()) guess.file.sheet = sheet->second;
+    if (const auto sheet = table.metadata.find("sheet"); sheet != table.metadata.end())
+        guess.file.sheet = sheet->second;
     return guess;
 }
 

@@ -90,7 +90,8 @@ std::vector<bool> date_styles(const bytes::Archive& archive, const bytes::Source
     for (const auto& style : local_child(root, "cellXfs").children()) {
         const auto format = style.attribute("numFmtId").as_uint();
         const auto known = own.find(format);
-        dates.push_back(known != own.end() ? known->second : (format >= 14 && format <= 22) || (format >= 45 && format <= 47));
+        dates.push_back(known != own.end() ? known->second
+                                           : (format >= 14 && format <= 22) || (format >= 45 && format <= 47));
     }
     return dates;
 }
@@ -115,7 +116,8 @@ struct Shared {
         strings = shared_strings(archive, source);
         dates = date_styles(archive, source);
         constexpr double days_to_1904 = 1462.0;
-        if (local_child(book.document_element(), "workbookPr").attribute("date1904").as_bool()) first_day = days_to_1904;
+        if (local_child(book.document_element(), "workbookPr").attribute("date1904").as_bool())
+            first_day = days_to_1904;
     }
 
     [[nodiscard]] std::string text(const pugi::xml_node& cell, const Sheet& sheet) const {
@@ -124,11 +126,13 @@ struct Shared {
         const std::string value = local_child(cell, "v").child_value();
         if (type == "e") return {};  // #N/A, #DIV/0!
         if (value.empty())
-            if (const auto formula = local_child(cell, "f")) return fmt::format("={}{}", formula.child_value(), formula_without_result);
+            if (const auto formula = local_child(cell, "f"))
+                return fmt::format("={}{}", formula.child_value(), formula_without_result);
         if (type == "s") return shared(value, cell, sheet);
         const auto style = cell.attribute("s").as_uint(std::numeric_limits<unsigned>::max());
         double days = 0.0;
-        if ((type.empty() || type == "n") && style < dates.size() && dates[style] && bytes::parse_cell(value, '.', days))
+        if ((type.empty() || type == "n") && style < dates.size() && dates[style] &&
+            bytes::parse_cell(value, '.', days))
             return date_text(days + first_day);
         return value;
     }

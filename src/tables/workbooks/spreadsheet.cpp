@@ -62,10 +62,11 @@ void require_results(const SheetRows& rows, const Sheet& sheet, const bytes::Sou
             if (formulas++ == 0) first = cell_name(row, column);
         }
     if (formulas > 1 && 2 * formulas >= numbers)
-        throw FormatError(source.name, {},
-                          fmt::format("sheet '{}' has {} formulas whose results are not stored, the first in cell {}; open "
-                                      "the workbook in Excel or LibreOffice and save it again",
-                                      sheet.name, formulas, first));
+        throw FormatError(
+            source.name, {},
+            fmt::format("sheet '{}' has {} formulas whose results are not stored, the first in cell {}; open "
+                        "the workbook in Excel or LibreOffice and save it again",
+                        sheet.name, formulas, first));
 }
 
 SheetRows rows_of_sheet(const Workbook& book, const Sheet& sheet, const bytes::Source& source) {
@@ -217,9 +218,8 @@ SheetTable sheet_table(const Workbook& book, const Sheet& sheet, const bytes::So
 bool is_loop(const RawTable& table) {
     const auto guess = guess_columns(table, "");
     const auto has = [&](std::string_view role) {
-        return std::any_of(guess.roles.begin(), guess.roles.end(), [&](const RoleGuess& found) {
-            return found.role == role && !found.candidates.empty();
-        });
+        return std::any_of(guess.roles.begin(), guess.roles.end(),
+                           [&](const RoleGuess& found) { return found.role == role && !found.candidates.empty(); });
     };
     return has("force") && (has("displacement") || has("contact_radius"));
 }
@@ -257,8 +257,8 @@ std::string text_of(const SheetRows& rows, const Place& place) {
             bool first = true;
             for (const auto& [column, cell] : cells) add(cells, column, std::exchange(first, false));
         } else {
-            if (row < place.first_row &&
-                std::none_of(numeric.begin(), numeric.end(), [&](std::size_t column) { return cells.contains(column); }))
+            if (row < place.first_row && std::none_of(numeric.begin(), numeric.end(),
+                                                      [&](std::size_t column) { return cells.contains(column); }))
                 continue;
             if (row + 1 == place.first_row && indexed && !cells.contains(numeric.front())) text += "index";
             for (const auto column : numeric) add(cells, column, column == numeric.front());
@@ -302,7 +302,8 @@ RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std
                           fmt::format("no sheet '{}', the workbook has {}", sheet.value_or(""), listed(book.sheets())));
     std::erase_if(found, [](const SheetTable& candidate) { return !candidate.table; });
     if (found.empty()) throw FormatError(workbook.name, {}, problems);
-    auto chosen = std::find_if(found.begin(), found.end(), [](const SheetTable& candidate) { return is_loop(*candidate.table); });
+    auto chosen =
+        std::find_if(found.begin(), found.end(), [](const SheetTable& candidate) { return is_loop(*candidate.table); });
     if (chosen == found.end()) chosen = found.begin();
     std::string others;
     for (const auto& candidate : found)

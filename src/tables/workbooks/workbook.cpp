@@ -47,8 +47,9 @@ struct Workbook::Content : WorkbookContent {};
 
 Workbook::Workbook(const bytes::Source& source) : content_(std::make_unique<Content>()) {
     const auto refuse = [&](const char* kind) {
-        throw FormatError(source.name, {.offset = 0},
-                          fmt::format("{}, which is not read; save it as .xlsx or .ods with Excel or LibreOffice", kind));
+        throw FormatError(
+            source.name, {.offset = 0},
+            fmt::format("{}, which is not read; save it as .xlsx or .ods with Excel or LibreOffice", kind));
     };
     switch (workbook_kind(source)) {
         case WorkbookKind::office_open_xml:

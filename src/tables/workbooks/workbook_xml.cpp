@@ -46,11 +46,12 @@ std::string date_text(double days) {
     if (!(days >= 0.0 && days < last_day)) return fmt::format("date {}", days);
     const auto whole = std::floor(days);
     const auto seconds_of_day = static_cast<long>(std::lround((days - whole) * 86400.0));
-    const auto clock = fmt::format("{:02}:{:02}:{:02}", seconds_of_day / 3600, seconds_of_day / 60 % 60, seconds_of_day % 60);
+    const auto clock =
+        fmt::format("{:02}:{:02}:{:02}", seconds_of_day / 3600, seconds_of_day / 60 % 60, seconds_of_day % 60);
     if (whole == 0.0) return clock;
     const year_month_day date{sys_days{year{1899} / 12 / 30} + std::chrono::days(static_cast<long>(whole))};
-    const auto day = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                                 static_cast<unsigned>(date.day()));
+    const auto day = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()),
+                                 static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
     return seconds_of_day == 0 ? day : day + " " + clock;
 }
 

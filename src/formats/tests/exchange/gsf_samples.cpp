@@ -23,13 +23,14 @@ std::vector<FormatSample> gsf_samples() {
     const auto sized = first + "XReal = 3e-06\nYReal = 2e-06\nXYUnits = m\nZUnits = nm\nTitle = Topography\n";
     std::vector<FormatSample> samples;
     for (const int extra : {0, 1, 2, 3})
-        samples.push_back({.format = "gsf",
-                           .name = "header and " + std::to_string(extra),
-                           .content = gsf_file(sized + "Note = " + std::string(static_cast<std::size_t>(extra) + 1, 'n') + "\n", map),
-                           .shape = {6, 4},
-                           .size = {3e-6, 2e-6},
-                           .heights = map * units::nm,
-                           .tolerance = 1e-6});
+        samples.push_back(
+            {.format = "gsf",
+             .name = "header and " + std::to_string(extra),
+             .content = gsf_file(sized + "Note = " + std::string(static_cast<std::size_t>(extra) + 1, 'n') + "\n", map),
+             .shape = {6, 4},
+             .size = {3e-6, 2e-6},
+             .heights = map * units::nm,
+             .tolerance = 1e-6});
     samples.push_back({.format = "gsf",
                        .name = "without size and unit",
                        .content = gsf_file(first, map),

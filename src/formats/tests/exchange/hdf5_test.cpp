@@ -299,8 +299,8 @@ TEST(JpkHdf5, PixelsThatAreNoLinesAreRefused) {
 // ---- what does not look like heights --------------------------------------------------------------------------------
 
 /// Why the only array of a file is taken for no heights.
-std::string why(const std::string& path, hid_t type, const std::vector<hsize_t>& extents, const std::vector<double>& values,
-                bool beside = false) {
+std::string why(const std::string& path, hid_t type, const std::vector<hsize_t>& extents,
+                const std::vector<double>& values, bool beside = false) {
     Hdf5Builder file;
     for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1))
         file.group(path.substr(0, slash));
@@ -322,17 +322,25 @@ TEST(Hdf5, IndicesPositionsPicturesAndTablesAreNoHeights) {
     EXPECT_EQ(why("/data", H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)), "");
     EXPECT_EQ(why("/line", H5T_IEEE_F64LE, {40}, values_of(40, rough)), "");
     EXPECT_NE(why("/line", H5T_IEEE_F64LE, {40}, values_of(40, rough), true).find("one dimension"), std::string::npos);
-    EXPECT_NE(why("/index", H5T_STD_I64LE, {40}, values_of(40, [](std::size_t i) { return 2.0 * static_cast<double>(i); })).find("an index"),
-              std::string::npos);
-    EXPECT_NE(why("/x", H5T_IEEE_F64LE, {40}, values_of(40, [](std::size_t i) { return 0.3 * static_cast<double>(i); })).find("positions"),
+    EXPECT_NE(
+        why("/index", H5T_STD_I64LE, {40}, values_of(40, [](std::size_t i) { return 2.0 * static_cast<double>(i); }))
+            .find("an index"),
+        std::string::npos);
+    EXPECT_NE(why("/x", H5T_IEEE_F64LE, {40}, values_of(40, [](std::size_t i) { return 0.3 * static_cast<double>(i); }))
+                  .find("positions"),
               std::string::npos);
     EXPECT_NE(why("/preview", H5T_STD_U8LE, {6, 8}, values_of(48, rough)).find("8 bits"), std::string::npos);
     EXPECT_NE(why("/counts", H5T_STD_I32LE, {6, 8}, values_of(48, rough)).find("whole numbers"), std::string::npos);
-    EXPECT_NE(why("/points", H5T_IEEE_F64LE, {40, 3}, values_of(120, rough)).find("a table of 3 columns"), std::string::npos);
-    EXPECT_NE(why("/grid_x", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i % 8); })).find("coordinates"),
+    EXPECT_NE(why("/points", H5T_IEEE_F64LE, {40, 3}, values_of(120, rough)).find("a table of 3 columns"),
               std::string::npos);
-    EXPECT_NE(why("/grid_y", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i / 8); })).find("coordinates"),
-              std::string::npos);
+    EXPECT_NE(
+        why("/grid_x", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i % 8); }))
+            .find("coordinates"),
+        std::string::npos);
+    EXPECT_NE(
+        why("/grid_y", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i / 8); }))
+            .find("coordinates"),
+        std::string::npos);
     EXPECT_NE(why("/t/_i_t/sorted", H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)).find("PyTables"), std::string::npos);
     EXPECT_EQ(why("/height", H5T_STD_I32LE, {6, 8}, values_of(48, rough)), "") << "named so";
 }
@@ -353,7 +361,8 @@ TEST(Hdf5, FilesOfElectronMicroscopyAreNoArrays) {
     ncem.group("/data").group("/data/image").attribute("/data/image", "emd_group_type", std::vector<double>{1.0});
     ncem.dataset("/data/image/data", H5T_IEEE_F64LE, {3, 2}, numbers(6));
     for (const auto& content : {velox.bytes(), ncem.bytes()})
-        EXPECT_NE(message_of([&] { (void)channels_of(content); }).find("an EMD file of electron microscopy"), std::string::npos);
+        EXPECT_NE(message_of([&] { (void)channels_of(content); }).find("an EMD file of electron microscopy"),
+                  std::string::npos);
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ TEST(Gsf, IsWrittenAsItIsRead) {
         EXPECT_LT((back.heights / map.heights - 1.0).abs().maxCoeff(), 1e-7);
     }
     const topography::LineScan line{Array1D::Ones(3), 1.0, false, {}};
-    EXPECT_NE(message_of([&] { format_to_write("a.gsf").write(folder.path("b.gsf"), line); }).find("maps"), std::string::npos);
+    EXPECT_NE(message_of([&] { format_to_write("a.gsf").write(folder.path("b.gsf"), line); }).find("maps"),
+              std::string::npos);
 }
 
 TEST(Gsf, OtherQuantitiesAreListed) {
@@ -46,7 +47,8 @@ TEST(Gsf, OtherQuantitiesAreListed) {
                              .pad_to(64 + 16)
                              .content();
     EXPECT_FALSE(opened(content).at(0).info.is_height);
-    EXPECT_NE(refusal("Gwyddion Simple Field 1.0\nXRes = 2\nZUnits = m\n" + std::string(20, '\0')).find("'yres'"), std::string::npos);
+    EXPECT_NE(refusal("Gwyddion Simple Field 1.0\nXRes = 2\nZUnits = m\n" + std::string(20, '\0')).find("'yres'"),
+              std::string::npos);
 }
 
 TEST(HeightTiff, AsksForTheUnitThatNoFileStates) {
@@ -61,8 +63,10 @@ TEST(HeightTiff, GreyValuesOf8BitsAndColoursStayPictures) {
     for (const int samples : {1, 3}) {
         TiffPageBuilder page(std::endian::little);
         page.longs(256, {2}).longs(257, {2}).shorts(258, {8}).shorts(259, {1}).shorts(262, {1});
-        page.shorts(277, {static_cast<std::uint16_t>(samples)}).strips(2, {std::string(4 * static_cast<std::size_t>(samples), 'x')});
-        EXPECT_NE(refusal(tiff_file(std::endian::little, {page}), {.size = {{1e-6, 1e-6}}, .unit = "nm"}).find("grey values have lost their scale"),
+        page.shorts(277, {static_cast<std::uint16_t>(samples)})
+            .strips(2, {std::string(4 * static_cast<std::size_t>(samples), 'x')});
+        EXPECT_NE(refusal(tiff_file(std::endian::little, {page}), {.size = {{1e-6, 1e-6}}, .unit = "nm"})
+                      .find("grey values have lost their scale"),
                   std::string::npos);
     }
 }

@@ -34,14 +34,18 @@ TEST(Nanonis, ListsChannelsAndWays) {
 TEST(Nanonis, RangeOfZeroIsAskedFor) {
     const auto content = nanonis_file(map, "down", "0.0 0.0");
     EXPECT_NE(message_of([&] { (void)opened(content)[0].read(); }).find("--size"), std::string::npos);
-    EXPECT_DOUBLE_EQ(std::get<topography::HeightMap>(opened(content, {.size = {{1e-6, 2e-6}}})[0].read()).size[1], 2e-6);
+    EXPECT_DOUBLE_EQ(std::get<topography::HeightMap>(opened(content, {.size = {{1e-6, 2e-6}}})[0].read()).size[1],
+                     2e-6);
 }
 
 TEST(Nanonis, SaysWhatIsDamaged) {
-    EXPECT_NE(message_of([] { (void)opened(nanonis_file(map, "down", "1e-6 1e-6", "INT LSBFIRST")); }).find("expected FLOAT MSBFIRST"),
+    EXPECT_NE(message_of([] {
+                  (void)opened(nanonis_file(map, "down", "1e-6 1e-6", "INT LSBFIRST"));
+              }).find("expected FLOAT MSBFIRST"),
               std::string::npos);
     const auto whole = nanonis_file(map, "down", "1e-6 1e-6");
-    EXPECT_NE(message_of([&] { (void)opened(whole.substr(0, whole.size() - 4)); }).find("truncated"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)opened(whole.substr(0, whole.size() - 4)); }).find("truncated"),
+              std::string::npos);
     auto without_mark = whole;
     without_mark[without_mark.find('\x1a')] = ' ';
     EXPECT_NE(message_of([&] { (void)opened(without_mark); }).find("0x1a 0x04"), std::string::npos);

@@ -15,7 +15,8 @@ std::size_t chosen(const std::string& image) {
     EXPECT_EQ(micrograph.image, number);
     EXPECT_EQ(micrograph.images.size(), images.size());
     EXPECT_EQ(micrograph.alerts.at(0).code, "SEVERAL_IMAGES");
-    EXPECT_NE(micrograph.alerts.at(0).message.find("0 'EDS' (spectrum image), 1 'HAADF', 2 'HAADF' (Fourier transform), 3 'BF'"),
+    EXPECT_NE(micrograph.alerts.at(0).message.find(
+                  "0 'EDS' (spectrum image), 1 'HAADF', 2 'HAADF' (Fourier transform), 3 'BF'"),
               std::string::npos)
         << micrograph.alerts.at(0).message;
     return number;

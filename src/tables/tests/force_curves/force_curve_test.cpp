@@ -184,7 +184,7 @@ TEST(NanoscopeForce, ReadsTheCurvesOfAVolumeOnTheirGrid) {
     EXPECT_EQ(curves.grid->columns, 2);
     EXPECT_EQ(curves.grid->rows, 3);
     const auto last = curves.read(5);
-    EXPECT_NEAR(last.table.at("reading")[0], 0.05, 1e-15);  // 50 more than the first
+    EXPECT_NEAR(last.table.at("reading")[0], 0.05, 1e-15);                        // 50 more than the first
     EXPECT_EQ(curves.grid->pixel(last.x, last.y), (std::array<Index, 2>{1, 0}));  // the last is at the upper right
     const auto first = curves.read(0);
     EXPECT_EQ(curves.grid->pixel(first.x, first.y), (std::array<Index, 2>{0, 2}));

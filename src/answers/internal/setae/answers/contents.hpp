@@ -50,8 +50,8 @@ struct ContentsRequest {
     std::vector<std::string> paths;  ///< files, or folders of them
     study::FileQuestions questions;
     formats::ChannelChoice channel;  ///< the only one that is shown
-    bool heights = false;                ///< read heights of files above 64 MB too
-    bool no_heights = false;             ///< read headers alone
+    bool heights = false;            ///< read heights of files above 64 MB too
+    bool no_heights = false;         ///< read headers alone
 };
 
 /// What was found, and what is wrong with it.

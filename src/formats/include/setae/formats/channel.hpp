@@ -24,7 +24,7 @@ struct ChannelInfo {
     std::string unit;  ///< the file's unit of heights, spelled as parse_unit knows it; empty: nobody said
     std::string
         orientation;  ///< how rows and columns came to lie as they do: "rows from the bottom, turned"; empty for lines
-    bool is_height = true;  ///< false for phase, amplitude, current …: listed, but no heights
+    bool is_height = true;    ///< false for phase, amplitude, current …: listed, but no heights
     std::string not_heights;  ///< why it is taken for no heights; empty where it is, or its name and unit say so
     topography::Metadata metadata;
     std::optional<topography::Trend> recommended_trend;  ///< what a container says to remove

@@ -18,7 +18,7 @@ struct PixelSize {
 
 /// One of the images of a file, as messages and listings name it.
 struct ImageEntry {
-    std::string title = {};       ///< as the file has it; empty where it has none
+    std::string title = {};      ///< as the file has it; empty where it has none
     std::string kind = "image";  ///< "image", "spectrum", "spectrum image" or "Fourier transform"
 
     [[nodiscard]] bool is_picture() const { return kind == "image"; }

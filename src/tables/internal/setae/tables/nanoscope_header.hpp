@@ -33,7 +33,8 @@ struct NanoscopeSection {
 /// The first value of that key outside the sections of images.
 [[nodiscard]] const std::string* find(const std::vector<NanoscopeSection>& sections, std::string_view key);
 /// The first section of that name; nullptr where there is none.
-[[nodiscard]] const NanoscopeSection* section_named(const std::vector<NanoscopeSection>& sections, std::string_view name);
+[[nodiscard]] const NanoscopeSection* section_named(const std::vector<NanoscopeSection>& sections,
+                                                    std::string_view name);
 
 /// A positive whole number below 2^40. @throws FormatError for anything else.
 [[nodiscard]] std::uint64_t nanoscope_integer(const NanoscopeSection& section, std::string_view key,

@@ -26,8 +26,8 @@ namespace setae::tables {
 /// among numbers. Source: ECMA-376 part 1, 18.2–18.4; OpenDocument 1.3 part 3, 9.
 [[nodiscard]] RawTable read_spreadsheet(const bytes::Source& workbook, const std::optional<std::string>& sheet = {});
 
-/// A sheet as a text file would have it: what stands above its table, then its columns of numbers, between tabs and with
-/// decimal points.
+/// A sheet as a text file would have it: what stands above its table, then its columns of numbers, between tabs and
+/// with decimal points.
 struct SheetText {
     std::string sheet;
     std::string text;

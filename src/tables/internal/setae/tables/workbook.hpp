@@ -27,8 +27,8 @@ enum class WorkbookKind { none, office_open_xml, open_document, old_excel, binar
 /// What the text of a formula ends with whose result is not stored.
 inline constexpr std::string_view formula_without_result = " (no result)";
 
-/// A workbook (.xlsx, .ods): its sheets, read one by one. Numbers and results of formulas are spelled with a point, dates
-/// as "2026-01-05 10:20:30", errors such as #N/A are empty; a formula without a stored result is its text.
+/// A workbook (.xlsx, .ods): its sheets, read one by one. Numbers and results of formulas are spelled with a point,
+/// dates as "2026-01-05 10:20:30", errors such as #N/A are empty; a formula without a stored result is its text.
 class Workbook {
 public:
     /// @throws FormatError for what is no whole workbook, and for .xls and .xlsb, with the remedy.
