@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -110,6 +111,7 @@ Match detect_gsf(std::string_view head, const bytes::Source&) {
 }
 
 void write_gsf(const std::string& path, const topography::Measurement& measurement) {
+    refuse_trace(measurement, path);
     const auto& map = required_map(measurement, path, gsf_name);
     const Index nx = map.heights.rows(), ny = map.heights.cols();
     auto header = fmt::format("{}XRes = {}\nYRes = {}\nXReal = {}\nYReal = {}\nXYUnits = m\nZUnits = m\n",
@@ -119,7 +121,9 @@ void write_gsf(const std::string& path, const topography::Measurement& measureme
     std::string numbers(static_cast<std::size_t>(nx * ny) * sizeof(float), '\0');
     for (Index j = 0; j < ny; ++j)
         for (Index i = 0; i < nx; ++i) {
-            const auto height = static_cast<float>(map.heights(i, j));
+            constexpr float none = std::numeric_limits<float>::quiet_NaN(), most = std::numeric_limits<float>::max();
+            const bool fits = std::abs(map.heights(i, j)) <= most;
+            const auto height = fits ? static_cast<float>(map.heights(i, j)) : none;
             std::memcpy(numbers.data() + static_cast<std::size_t>(j * nx + i) * sizeof(float), &height, sizeof(float));
         }
     bytes::write_whole_file(path, {header, numbers});
