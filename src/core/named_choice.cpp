@@ -60,7 +60,8 @@ std::size_t chosen_by_name(std::string_view wanted, std::span<const std::string>
     const auto& found = whole.empty() ? beginning : whole;
     if (found.size() == 1) return found.front();
     if (found.empty()) {
-        const auto nearest = nearest_match(wanted, names);
+        constexpr std::size_t shortest_slip = 3;  // of fewer letters anything is near
+        const auto nearest = wanted.size() < shortest_slip ? std::string() : nearest_match(wanted, names);
         refuse(fmt::format("'{}'{}", wanted, nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest)));
     }
     std::vector<std::string> candidates;

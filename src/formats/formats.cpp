@@ -154,7 +154,7 @@ std::string first_member(const bytes::Source& source) {
     const auto names = bytes::Archive(source).names();
     const auto file =
         std::find_if(names.begin(), names.end(), [](const std::string& name) { return !name.ends_with('/'); });
-    return file == names.end() ? "MEMBER" : *file;
+    return file == names.end() ? "member" : *file;
 }
 
 [[noreturn]] void unknown(const bytes::Source& source, std::string_view head) {
