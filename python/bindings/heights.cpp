@@ -80,8 +80,8 @@ void bind_request(nb::module_& module) {
         .def(
             "set_file",
             [](Item& item, const std::string& size, const std::string& unit, const std::string& as,
-               std::optional<std::size_t> channel) {
-                item.request.file = {size, unit, as, channel};
+               std::optional<std::string> channel) {
+                item.request.file = {size, unit, as, std::move(channel)};
             },
             nb::arg("size"), nb::arg("unit"), nb::arg("layout"), nb::arg("channel").none())
         .def(

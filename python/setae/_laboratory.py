@@ -10,7 +10,7 @@ from typing import Any, Union
 from . import _setae
 from ._columns import Columns
 from ._loops import bodies_of, files_of
-from ._options import Path, Text, filled, path, text
+from ._options import Path, Text, filled, named, path, text
 from ._quantities import Alert, Answer, Quantity, quantity_from
 
 #: One file or several.
@@ -220,13 +220,14 @@ def contour(
     smoothing: float | None = None,
     denoise: float = 0.0,
     least_length: float | None = None,
-    image: int = 1,
+    image: int | str | None = None,
     ignore_stated_pixel_size: bool = False,
 ) -> Contour:
     """The profile of a sample seen from its side: DM3, DM4, TIFF, PNG, JPEG, SER, EMD or MRC.
 
     pixel: its size, where the file does not state it; or scale_bar: what the bar in the picture stands for; or calibration: a file of it.
     vacuum: "bright", "dark" or "automatic".  shape: "envelope", "cut" or "parametric".  hidden: "x,y,width,height" of parts without sample.
+    image: of a file of several, by its number, counted from 0, or its title; without it the first picture.
     """
     request = filled(
         _setae.ContourRequest(),
@@ -241,7 +242,7 @@ def contour(
         smoothing=smoothing,
         denoise=denoise,
         least_length=least_length,
-        image=image,
+        image=named(image),
         ignore_stated_pixel_size=ignore_stated_pixel_size,
     )
     traced = _setae.contour(path(picture), request)

@@ -43,5 +43,10 @@ def filled(request: Request, **given: Any) -> Request:
     return request
 
 
+def named(value: int | str | None) -> str | None:
+    """A channel or image by its number, counted from 0, or its name, as the library takes it."""
+    return None if value is None else str(value)
+
+
 def path(value: Path) -> str:
     return os.fspath(value)

@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _setae
-from ._options import Path, Text, path, text
+from ._options import Path, Text, named, path, text
 from ._quantities import Alert, Answer, Json, Quantity, alerts_from, quantity_from
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ class Scan:
     """
 
     file: str
-    channel: int | None = None
+    channel: int | str | None = None
     steps: tuple[str, ...] = ()
     pipeline: str = ""
     instrument: str = ""
@@ -103,7 +103,7 @@ class Scan:
     @cached_property
     def _item(self) -> _setae.Item:
         item = _setae.Item(self.file, self._given)
-        item.set_file(self.stated_size, self.stated_unit, self.layout, self.channel)
+        item.set_file(self.stated_size, self.stated_unit, self.layout, named(self.channel))
         item.set_processing(self.pipeline, list(self.steps))
         item.set_instrument(self.instrument, self.tip_radius, self.resolution, self.trend)
         return item
@@ -257,7 +257,7 @@ class Scan:
 def read(
     file: Path,
     *,
-    channel: int | None = None,
+    channel: int | str | None = None,
     size: Text | None = None,
     unit: str | None = None,
     layout: str | None = None,
@@ -266,7 +266,7 @@ def read(
     resolution: Text | None = None,
     trend: str | None = None,
 ) -> Scan:
-    """A channel of a file; without ``channel`` the first that holds heights.
+    """A channel of a file by its number, counted from 0, or its name; without ``channel`` the preferred one of heights.
 
     size, unit, layout: what the file leaves open, as ``--size``, ``--unit`` and ``--as`` of the program.
 
@@ -295,10 +295,10 @@ def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
 
 
 def info(*paths: Path, heights: bool | None = None, size: Text | None = None, unit: str | None = None, layout: str | None = None,
-         channel: int | None = None) -> Info:
+         channel: int | str | None = None) -> Info:
     """What files or folders hold. heights: read them (True), not (False), or of files up to 64 MB (None)."""
     item = _setae.Item("")
-    item.set_file(text(size), text(unit), text(layout), channel)
+    item.set_file(text(size), text(unit), text(layout), named(channel))
     return Info(_setae.contents([path(entry) for entry in paths], item, heights))
 
 

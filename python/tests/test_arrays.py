@@ -232,3 +232,16 @@ def test_plots():
     assert setae.power_spectrum(scan).plot(ax=axes.figure.subplots()).get_xscale() == "log"
     line = setae.scan(rough()[0], size="5 um", unit="m")
     assert len(line.plot().lines[0].get_xdata()) == N
+
+
+def test_a_channel_goes_by_number_or_name(tmp_path):
+    rng = np.random.default_rng(3)
+    first, second = rng.normal(size=(6, 5)), rng.normal(size=(6, 5))
+    np.savez(tmp_path / "maps.npz", other=first, Height=second, index=np.arange(9.0))
+    given = {"size": "6 um x 5 um", "unit": "m"}
+    assert np.array_equal(setae.read(tmp_path / "maps.npz", **given).heights, second)
+    assert np.array_equal(setae.read(tmp_path / "maps.npz", channel=0, **given).heights, first)
+    assert np.array_equal(setae.read(tmp_path / "maps.npz", channel="oth", **given).heights, first)
+    assert [channel["not_heights"] != "" for channel in setae.info(tmp_path / "maps.npz").channels] == [False, False, True]
+    with pytest.raises(setae.InvalidArgument, match="no channel 'x', it has 0 'other', 1 'Height', 2 'index'"):
+        setae.read(tmp_path / "maps.npz", channel="x", **given)

@@ -10,7 +10,6 @@
 #include "setae/answers/containers.hpp"
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/number_text.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/study/provenance.hpp"
 #include "setae/study/study.hpp"
@@ -51,12 +50,7 @@ formats::StoredMeasurement stored(const std::string& file, const ContainerReques
     options.unit = value_for(file, request.units);
     options.as = request.as;
     formats::StoredMeasurement measurement{.path = file, .options = options.read_options()};
-    if (const auto channel = value_for(file, request.channels); !channel.empty()) {
-        measurement.channel = channel.size() < 6 ? spelled<std::size_t>(channel) : std::nullopt;
-        if (!measurement.channel)
-            throw InvalidArgument(
-                fmt::format("--channel '{}': expected a number counted from 0, as `setae info` lists them", channel));
-    }
+    if (const auto channel = value_for(file, request.channels); !channel.empty()) measurement.channel = channel;
     if (const auto trend = value_for(file, request.trends); !trend.empty())
         measurement.trend = topography::trend_from_name(trend);
     return measurement;

@@ -50,6 +50,9 @@ void add_picture(output::Json& json, const imaging::PictureContent& picture) {
     json["pixel_size"] =
         picture.pixel_size ? output::Json{picture.pixel_size->x, picture.pixel_size->y} : output::Json(nullptr);
     json["frame_rate"] = optional_number(picture.frame_rate);
+    json["images"] = output::Json::array();
+    for (const auto& image : picture.images) json["images"].push_back({{"title", image.title}, {"kind", image.kind}});
+    json["image"] = picture.image;
     json["instrument"] = picture.instrument;
     json["acquisition_time"] = picture.acquisition_time;
     json["alerts"] = output::to_json(picture.alerts);
@@ -91,6 +94,7 @@ output::Json channel_json(const std::string& file, const ListedChannel& channel)
                       {"unit", info.unit},
                       {"orientation", info.orientation},
                       {"is_height", info.is_height},
+                      {"not_heights", info.not_heights},
                       {"heights_read", heights.read},
                       {"undefined_count", heights.read ? output::Json(heights.undefined_count) : output::Json(nullptr)},
                       {"undefined_share", number(heights.undefined_share())},
@@ -126,6 +130,7 @@ output::Json file_json(const ListedFile& file) {
         add_columns(json, *content.table);
         if (content.kind == study::FileKind::spectrum) add_spectrum(json, *content.table);
         else json["missing"] = content.missing;
+        if (content.kind == study::FileKind::force_curve) json["curves"] = content.curves;
     }
     if (content.study) add_study(json, *content.study);
     if (!content.note.empty()) json["note"] = content.note;
@@ -140,8 +145,10 @@ ListedFile listed(const std::string& file, const ContentsRequest& request) {
     const bool wanted = !request.no_heights && (request.heights || !large);
     listed.too_large = large && !request.heights && !request.no_heights;
     const auto& channels = listed.content.channels;
+    std::optional<std::size_t> only;
+    if (request.channel && !channels.empty()) only = formats::chosen_channels(file, channels, request.channel).front();
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        if (request.channel && *request.channel != i) continue;
+        if (only && *only != i) continue;
         const auto& info = channels[i].info;
         listed.channels.push_back({i, info, wanted && can_be_read(info) ? summarise(channels[i]) : HeightSummary{}});
     }

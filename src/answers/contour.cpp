@@ -18,8 +18,7 @@ imaging::PixelSize pixel_size_of(const std::string& text) {
 
 study::ContourOptions ContourRequest::options() const {
     study::ContourOptions options;
-    if (image == 0) throw InvalidArgument("--image 0; images of a file are counted from 1");
-    options.micrograph.image = image - 1;
+    options.micrograph.image = image;
     options.trace.vacuum = output::vacuum_from_name(vacuum);
     options.trace.smoothing_length = smoothing;
     options.trace.denoise = denoise;

@@ -7,10 +7,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "setae/bytes/archive_folder.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/machine_stiffness.hpp"
 #include "setae/output/fit_json.hpp"
+#include "setae/study/file_content.hpp"
 #include "setae/study/force_map.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping_folder.hpp"
@@ -43,8 +45,13 @@ std::optional<Estimate> length(const std::string& text) {
 std::vector<std::string> LoopFiles::expanded() const {
     std::vector<std::string> all;
     for (const auto& path : files) {
-        if (!std::filesystem::is_directory(path)) {
+        if (!study::is_folder(path)) {
             all.push_back(path);
+            continue;
+        }
+        if (!std::filesystem::is_directory(path)) {
+            const auto members = bytes::files_of_archive(path);
+            all.insert(all.end(), members.begin(), members.end());
             continue;
         }
         std::vector<std::string> within;

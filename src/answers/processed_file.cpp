@@ -8,7 +8,7 @@
 namespace setae::answers {
 
 ProcessedFile processed_file(const std::string& file, const formats::ReadOptions& options,
-                             std::optional<std::size_t> channel, const processing::Pipeline& pipeline,
+                             const formats::ChannelChoice& channel, const processing::Pipeline& pipeline,
                              parallel::Threads threads) {
     const auto channels = formats::open(file, options);
     const auto& chosen = channels[formats::chosen_channels(file, channels, channel).front()];

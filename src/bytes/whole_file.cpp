@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/archive.hpp"
+#include "setae/bytes/archive_folder.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
@@ -138,9 +140,34 @@ Source source_of(const std::string& path) {
     return source;
 }
 
+/// The archive that a path leads into, as "a.zip" of "a.zip/scans/x.txt"; nothing where it leads into none.
+std::optional<std::string> archive_on_the_way(const std::string& path) {
+    for (auto slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1)) {
+        const auto outer = path.substr(0, slash);
+        const auto facts = platform::facts_of(outer);
+        if (!facts) return std::nullopt;
+        if (facts->kind == platform::FileKind::regular) return is_archive(outer) ? std::optional(outer) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// A member of an archive under the path that leads to it. @throws FileError where the archive has no such member.
+Source member_source(const std::string& path, const std::string& outer) {
+    const auto file = source_of(outer);
+    const Archive archive(file);
+    const auto name = path.substr(outer.size() + 1);
+    if (!archive.has(name)) throw FileError(fmt::format("{}: no such file in the archive {}", path, outer));
+    auto source = archive.member(name);
+    source.name = path;
+    protect_input(outer);
+    return source;
+}
+
 }  // namespace
 
 Source file_source(const std::string& path) {
+    if (!platform::facts_of(path))
+        if (const auto outer = archive_on_the_way(path)) return member_source(path, *outer);
     auto source = source_of(path);
     protect_input(path);
     return source;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -38,6 +39,8 @@ void make_infinite_undefined(double* heights, Index count) {
         if (!std::isfinite(heights[i])) heights[i] = undefined;
 }
 
+bool is_extent(double length) { return length > 0.0 && std::isfinite(length); }
+
 bool any_defined(const double* heights, Index count) {
     return std::any_of(heights, heights + count, [](double height) { return height == height; });
 }
@@ -67,10 +70,18 @@ void read_as_a_whole(Channel& channel, std::function<topography::Measurement()> 
     channel.lines = {};
 }
 
-Channel non_height_channel(ChannelInfo info) {
+Channel non_height_channel(ChannelInfo info, const std::string& reason) {
     info.is_height = false;
-    auto message = fmt::format("{}: channel '{}' holds no heights", info.metadata.file, info.name);
+    info.not_heights = reason;
+    auto message = fmt::format("{}: channel '{}' holds no heights{}", info.metadata.file, info.name,
+                               reason.empty() ? "" : ": " + reason);
     return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
+}
+
+Channel doubtful_channel(Channel channel, const std::string& reason) {
+    channel.info.is_height = false;
+    channel.info.not_heights = reason;
+    return channel;
 }
 
 Channel unreadable_member(const bytes::Source& source, const std::string& name, const std::string& reason) {
@@ -149,6 +160,14 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
     } else if (!info.unit.empty()) {
         info.unit = length_unit(info.unit, source).name;
     }
+    const bool stated = !info.size.empty();
+    if (stated && std::any_of(info.size.begin(), info.size.end(), [](double size) { return !is_extent(size); })) {
+        info.alerts.push_back(
+            {"SIZE_NOT_STATED", source.name,
+             fmt::format("the file states a size of {} m, which is no extent", fmt::join(info.size, " × ")),
+             fmt::format("give it, as in {}", size_example(info))});
+        info.size.clear();
+    }
     if (info.size.empty() && options.size) {
         if (options.size->size() != info.shape.size())
             throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}",
@@ -157,7 +176,7 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
         info.size = *options.size;
     }
     for (const double size : info.size)
-        if (!(size > 0.0) || !std::isfinite(size))
+        if (!is_extent(size))
             throw FormatError(source.name, {}, fmt::format("the scan is {} m long, expected a positive length", size));
     info.metadata.name = info.metadata.name.empty() ? info.name : info.metadata.name;
     if (info.metadata.file.empty()) info.metadata.file = source.name;

@@ -18,8 +18,11 @@ namespace setae::formats {
 /// whole.
 void read_as_a_whole(Channel& channel, std::function<topography::Measurement()> read);
 
-/// A channel of something other than heights: listed, never read.
-[[nodiscard]] Channel non_height_channel(ChannelInfo info);
+/// A channel of something other than heights: listed, never read. `reason`: why, where name and unit do not say it.
+[[nodiscard]] Channel non_height_channel(ChannelInfo info, const std::string& reason = {});
+
+/// A channel that does not look like heights: listed with the reason, and read only where somebody chooses it.
+[[nodiscard]] Channel doubtful_channel(Channel channel, const std::string& reason);
 
 /// A channel of a member that cannot be opened, for others not to be lost with it: it has the alert UNREADABLE_MEMBER,
 /// and its `read` throws again the error that is handled now, whose text is `reason`.

@@ -12,6 +12,7 @@ namespace setae::formats {
 [[nodiscard]] Format x3p_format();
 [[nodiscard]] Format sdf_format();
 [[nodiscard]] Format gwy_format();
+[[nodiscard]] Format gsf_format();
 
 // arrays
 [[nodiscard]] Format netcdf_format();
@@ -21,6 +22,7 @@ namespace setae::formats {
 [[nodiscard]] Format hdf5_format();
 [[nodiscard]] Format datx_format();
 [[nodiscard]] Format jpk_hdf5_format();
+[[nodiscard]] Format topostats_format();
 
 // scanning probes
 [[nodiscard]] Format nanoscope_format();
@@ -33,6 +35,7 @@ namespace setae::formats {
 [[nodiscard]] Format wsxm_format();
 [[nodiscard]] Format mdt_format();
 [[nodiscard]] Format nmm_format();
+[[nodiscard]] Format nanonis_format();
 
 // optical and stylus profilers
 [[nodiscard]] Format opd_format();
@@ -57,9 +60,11 @@ namespace setae::formats {
 [[nodiscard]] Format lext_format();
 [[nodiscard]] Format oir_format();
 [[nodiscard]] Format poir_format();
+[[nodiscard]] Format height_tiff_format();
 
 // text and sheets
 [[nodiscard]] Format mitutoyo_format();
+[[nodiscard]] Format workbook_format();
 [[nodiscard]] Format dektak_csv_format();
 [[nodiscard]] Format hfm_format();
 [[nodiscard]] Format dabam_format();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/formats/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "setae/bytes/rehearsal.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/tables/dialect.hpp"
+#include "setae/tables/force_curve.hpp"
 #include "storage/tiff_pixels.hpp"
 #include "text/text_start.hpp"
 
@@ -25,6 +27,7 @@ const std::vector<Format>& formats() {
         x3p_format(),
         sdf_format(),
         gwy_format(),
+        gsf_format(),
 
         // arrays
         netcdf_format(),
@@ -34,6 +37,7 @@ const std::vector<Format>& formats() {
         hdf5_format(),
         datx_format(),
         jpk_hdf5_format(),
+        topostats_format(),
 
         // scanning probes
         nanoscope_format(),
@@ -46,6 +50,7 @@ const std::vector<Format>& formats() {
         wsxm_format(),
         mdt_format(),
         nmm_format(),
+        nanonis_format(),
 
         // optical and stylus profilers
         opd_format(),
@@ -70,9 +75,11 @@ const std::vector<Format>& formats() {
         lext_format(),
         oir_format(),
         poir_format(),
+        height_tiff_format(),
 
         // text and sheets, asked last: their columns may begin anywhere
         mitutoyo_format(),
+        workbook_format(),
         dektak_csv_format(),
         hfm_format(),
         dabam_format(),
@@ -106,7 +113,7 @@ std::string expected_by_name(const std::string& name) {
     std::string names;
     for (const auto& format : formats())
         for (const auto ending : words(format.extensions))
-            if (bytes::lowered(name).ends_with(ending))
+            if (ending != ".zip" && bytes::lowered(name).ends_with(ending))
                 names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", format.identifier, format.name);
     return names.empty()
                ? ""
@@ -142,6 +149,14 @@ std::string kind_of(std::string_view head, const bytes::Source& source) {
     return {};
 }
 
+/// The first member that is no folder.
+std::string first_member(const bytes::Source& source) {
+    const auto names = bytes::Archive(source).names();
+    const auto file =
+        std::find_if(names.begin(), names.end(), [](const std::string& name) { return !name.ends_with('/'); });
+    return file == names.end() ? "member" : *file;
+}
+
 [[noreturn]] void unknown(const bytes::Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
     if (bytes::is_tiff(head)) refuse_tiff(source);
@@ -150,6 +165,12 @@ std::string kind_of(std::string_view head, const bytes::Source& source) {
                           "text without a row of numbers; expected columns x and height below a header" +
                               expected_by_name(source.name));
     const auto kind = kind_of(head, source);
+    if (bytes::is_zip(head))
+        throw FormatError(
+            source.name, {.offset = 0},
+            fmt::format("{}, which is none of the formats setae reads{}; `setae info` lists its members, and "
+                        "each of them is a file, such as {}/{}",
+                        kind, expected_by_name(source.name), source.name, first_member(source)));
     throw FormatError(
         source.name, {.offset = 0},
         fmt::format("begins with '{}'{}, which no format setae reads does{}; `setae formats` lists them",
@@ -246,7 +267,22 @@ std::optional<topography::TiledMap> tiled(const Channel& channel) {
                                 false,         info.metadata, channel.lines};
 }
 
+namespace {
+
+/// Refuses what readers of force curves recognise by its header: its numbers are none of heights. Formats that keep
+/// images beside force curves list both themselves; Igor's waves are either.
+void require_no_force_curve(const bytes::Source& source, const Format& format) {
+    const bool may_be_curve = !format.carries_scale || format.identifier == "ibw";
+    if (!may_be_curve || format.is_container) return;
+    if (const auto curve = tables::stated_force_curve_format(source))
+        throw FormatError(source.name, {.offset = 0},
+                          fmt::format("a force curve ({}), no heights; `setae jkr fit` reads it", *curve));
+}
+
+}  // namespace
+
 std::vector<Channel> open(const bytes::Source& source, const Format& format, const ReadOptions& options) {
+    require_no_force_curve(source, format);
     auto channels = format.open(source, options);
     compare_sizes(channels, options, source);
     return channels;
@@ -262,21 +298,7 @@ std::vector<Channel> open(const std::string& path, const ReadOptions& options) {
     return open(bytes::file_source(path), options);
 }
 
-std::vector<std::size_t> chosen_channels(const std::string& path, const std::vector<Channel>& channels,
-                                         std::optional<std::size_t> wanted, bool all) {
-    if (wanted && *wanted >= channels.size())
-        throw InvalidArgument(fmt::format("{}: no channel {}, it has {}", path, *wanted, channels.size()));
-    if (wanted) return {*wanted};
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < channels.size(); ++i)
-        if (channels[i].info.is_height && (all || chosen.empty())) chosen.push_back(i);
-    if (chosen.empty())
-        throw InvalidArgument(fmt::format("{}: none of its {} channels holds heights", path, channels.size()));
-    return chosen;
-}
-
-std::vector<Channel> open_chosen(const std::string& path, std::optional<std::size_t> wanted,
-                                 const ReadOptions& options) {
+std::vector<Channel> open_chosen(const std::string& path, const ChannelChoice& wanted, const ReadOptions& options) {
     const auto source = bytes::unpacked(bytes::file_source(path));
     const auto& format = detected(source, options);
     const auto channels = open(source, format, options);
@@ -285,8 +307,12 @@ std::vector<Channel> open_chosen(const std::string& path, std::optional<std::siz
     return chosen;
 }
 
-topography::Measurement read(const std::string& path, std::size_t channel, const ReadOptions& options) {
+topography::Measurement read(const std::string& path, const ChannelChoice& channel, const ReadOptions& options) {
     return open_chosen(path, channel, options).front().read();
+}
+
+topography::Measurement read(const std::string& path, std::size_t channel, const ReadOptions& options) {
+    return read(path, ChannelChoice(fmt::format("{}", channel)), options);
 }
 
 }  // namespace setae::formats

@@ -206,9 +206,13 @@ study::ContourShape shape_from_name(const std::string& name) { return value_of(s
 Json to_json(const study::TracedPicture& picture, const study::ContourOptions& options) {
     const auto& m = picture.micrograph;
     Json json{{"format", format_name}, {"version", format_version}};
-    json["image"] = {{"file", m.file},           {"sha256", picture.digest},
-                     {"width", m.pixels.cols()}, {"height", m.pixels.rows()},
-                     {"format", m.format},       {"image", options.micrograph.image}};
+    json["image"] = {{"file", m.file},
+                     {"sha256", picture.digest},
+                     {"width", m.pixels.cols()},
+                     {"height", m.pixels.rows()},
+                     {"format", m.format},
+                     {"image", m.image},
+                     {"title", m.images.empty() ? std::string() : m.images[m.image].title}};
     json["calibration"] = calibration_json(picture.calibration);
     json["options"] = options_json(options);
     json["anchors"] = Json::array();
@@ -245,7 +249,8 @@ StoredTrace read_trace(const std::string& path) {
         object.fail("format", fmt::format("is '{}', expected '{}'", object.value<std::string>("format"), format_name));
     if (object.value<int>("version") != format_version)
         object.fail("version", fmt::format("is {}, expected {}", object.value<int>("version"), format_version));
-    const Object image(object.at("image"), path, "image.", {"file", "sha256", "width", "height", "format", "image"});
+    const Object image(object.at("image"), path, "image.",
+                       {"file", "sha256", "width", "height", "format", "image", "title"});
     stored.digest = image.value<std::string>("sha256");
     try {
         stored.options = stored_options(object.at("options"), path);
@@ -254,7 +259,7 @@ StoredTrace read_trace(const std::string& path) {
     } catch (const Json::exception&) {
         object.fail("options", "holds a value of another kind than expected");
     }
-    stored.options->micrograph.image = image.value<std::size_t>("image");
+    stored.options->micrograph.image = fmt::format("{}", image.value<std::size_t>("image"));
     stored.options->shared_calibration = stored_calibration(object.at("calibration"), path);
     stored.options->trace.anchors = stored.anchors;
     return stored;

@@ -118,6 +118,9 @@ std::vector<Sample> force_curves() {
                              {"igor little", igor_force_file("SpringConstant: 0.1\rInvOLS: 5e-8\r")},
                              {"igor big", igor_force_file("SpringConstant: 0.1\r", true)},
                              {"afm workshop", afm_workshop_file()},
+                             {"nanoscope ramp", nanoscope_force_file()},
+                             {"nanoscope volume", nanoscope_force_file(6, true, 4)},
+                             {"jpk text", jpk_text_file(2)},
                              {"nt-mdt", nt_mdt_file()}};
     for (const auto& archive : {jpk_force_file(), jpk_force_file(true), jpk_force_file_of_2015(), jpk_map_file(two),
                                 jpk_map_file(two, jpk_map_header(2, 1, 0.0, true))}) {

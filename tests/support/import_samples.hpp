@@ -312,4 +312,56 @@ struct JpkMapCurve {
     return "-40,5000\t1,25\t1,5\n-30,5000\t1,25\t1,25\n-20,5000\t1,00\t0,75\n-10,5000\t0,50\t0,50\n0,5000\t0,00\t-0,25\n";
 }
 
+/// Force curves of Nanoscope: `curves` of four samples out and three back, 0.1 N/m, 50 nm/V, 0.001 V an integer; curve
+/// k reads 10 k more. The height is a ramp of 8 V of 20 nm/V, or with `sensor` a channel of 0.001 V of 1000 nm/V.
+[[nodiscard]] inline std::string nanoscope_force_file(int curves = 1, bool sensor = false, int value_bytes = 2) {
+    constexpr std::size_t first_block = 4096;
+    const auto length = static_cast<std::size_t>(7 * curves * value_bytes);
+    const auto image = [&](std::size_t offset, const char* name, const char* sensitivity) {
+        return fmt::format(
+            "\\*Ciao force image list\r\n\\Data offset: {}\r\n\\Data length: {}\r\n\\Bytes/pixel: {}\r\n\\Samps/line: 4 "
+            "3\r\n\\Spring Constant: 0.1\r\n\\@4:Image Data: S [Internal] \"{}\"\r\n\\@4:Z scale: V [{}] (0.001000000 "
+            "V/LSB) 65.536 V\r\n\\@4:Ramp size: V [Sens. Zsens] (0.006713867 V/LSB) 8.000000 V\r\n",
+            offset, length, value_bytes, name, sensitivity);
+    };
+    std::string file =
+        "\\*Force file list\r\n\\Version: 0x08150300\r\n\\Date: 10:11:12 AM Mon Jan 05 2026\r\n\\*Scanner list\r\n"
+        "\\@Sens. Zsens: V 20.00000 nm/V\r\n\\*Ciao scan list\r\n\\Scan Size: 2000 nm\r\n\\@Sens. DeflSens: V 50.00000 "
+        "nm/V\r\n\\@Sens. ZsensSens: V 1000.000 nm/V\r\n\\*Ciao force list\r\n\\force/line: 2\r\n\\Trigger mode: Relative\r\n" +
+        image(first_block, "Deflection Error", "Sens. DeflSens");
+    if (sensor) file += image(first_block + length, "Height Sensor", "Sens. ZsensSens");
+    file += "\\*File list end\r\n\x1a";
+    file.resize(first_block, '\0');
+    const auto put = [&](int value) {
+        if (value_bytes == 2) file += bytes_of(std::vector<std::int16_t>{static_cast<std::int16_t>(value)});
+        else file += bytes_of(std::vector<std::int32_t>{value * 65536});
+    };
+    // from the deepest point outwards, first on approach, then on retraction
+    for (int k = 0; k < curves; ++k)
+        for (const int reading : {300, 100, 0, 0, 300, 50, -80}) put(reading + 10 * k);
+    for (int k = 0; sensor && k < curves; ++k)
+        for (const int height : {40, 30, 20, 10, 40, 25, 10}) put(height);
+    return file;
+}
+
+/// Text that JPK's data processing exports: one curve, or two with an index; heights fall on approach.
+[[nodiscard]] inline std::string jpk_text_file(int curves = 1, const char* unit = "N") {
+    std::string text = "# TEXT EXPORT\n# data-description.instrument: N1\n";
+    for (int k = 0; k < curves; ++k)
+        for (const bool back : {false, true}) {
+            text += fmt::format(
+                "# index: {}\n# xPosition: {}\n# yPosition: 2.0E-6\n# date: Mon Jan 05 10:11:12 GMT 2026\n#\n# segmentIndex: "
+                "{}\n# segment: {}\n# columns: vDeflection height measuredHeight time\n# fancyNames: \"Vertical Deflection\" "
+                "\"Height\" \"Height (measured)\" \"Segment Time\"\n# sensitivity: 5.0E-8\n# springConstant: 0.1\n# units: {} m m "
+                "s\n#\n",
+                curves == 1 ? -1 : k, 1e-6 * k, back ? 1 : 0, back ? "retract" : "extend", unit);
+            for (int i = 0; i < 4; ++i) {
+                const int down = back ? 3 - i : i;
+                text += fmt::format("{} {} {} {}\n", 1e-9 * (down + 10 * k), 5e-6, 4e-6 - 1e-6 * down, 0.25 * i);
+            }
+            text += "\n";
+        }
+    return text;
+}
+
 }  // namespace setae::tests

@@ -21,6 +21,7 @@
 #include "setae/imaging/calibration_file.hpp"
 #include "setae/output/contour_file.hpp"
 #include "setae/parallel/for_each.hpp"
+#include "setae/study/file_content.hpp"
 
 namespace setae::cli::contour_command {
 namespace {
@@ -78,7 +79,7 @@ study::ContourOptions with_anchors(const Arguments& a, study::ContourOptions opt
     }
     const bool plain = a.pixel.empty() && a.scale_bar.empty() && a.calibration.empty() && a.hidden.empty() &&
                        !a.smoothing && !a.least_length && a.denoise == 0 && a.vacuum == "automatic" &&
-                       a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image == 1;
+                       a.shape == "envelope" && a.foil_thickness.empty() && !a.whole_picture && a.image.empty();
     if (!plain)
         throw InvalidArgument(
             a.anchors +
@@ -125,7 +126,7 @@ void write_picture(const Arguments& a, const study::TracedPicture& picture, cons
 std::vector<std::string> listed(const std::vector<std::string>& given) {
     std::vector<std::string> pictures;
     for (const auto& path : given) {
-        if (!fs::is_directory(path)) {
+        if (!study::is_folder(path)) {
             pictures.push_back(path);
             continue;
         }
@@ -171,7 +172,7 @@ Outcome traced(const Arguments& a, const std::string& path, const study::Contour
 ExitCode run(const Arguments& a) {
     if (a.pictures.empty()) throw InvalidArgument("no picture given; name one, several, or a folder");
     const auto pictures = listed(a.pictures);
-    const bool batch = pictures.size() > 1 || fs::is_directory(a.pictures.front());
+    const bool batch = pictures.size() > 1 || study::is_folder(a.pictures.front());
     if (batch && !a.anchors.empty()) throw InvalidArgument("--anchors belong to one picture; trace it by itself");
     if (batch && !a.save_calibration.empty())
         throw InvalidArgument("--save-calibration keeps that of one picture; trace it by itself first");
@@ -255,7 +256,9 @@ Action declare(Options& options) {
                 "smooth the picture first by a Gaussian of this standard deviation [px]");
     options.add("--least-length", arguments->least_length,
                 "shorter segments are left out [px]; default 50, of masks 0");
-    options.add("--image", arguments->image, "number of the image in a file that holds several");
+    options.add(
+        "--image", arguments->image,
+        "image of a file that holds several: its number, counted from 0, or its title; default: the first that is no spectrum and no Fourier transform");
     options.flag("--no-overlay", arguments->no_overlay, "write no OUT.png");
     options.example("setae contour tem.dm3 -o contour.csv",
                     "the profile, contour.json with what makes it again, contour.png with the edge drawn in");

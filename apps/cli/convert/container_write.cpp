@@ -52,8 +52,9 @@ Action declare(Options& options) {
     options.add("--size", request.sizes,
                 "extent where files leave it open, \"1 mm x 1 mm\", or of one: \"FILE=1 mm x 1 mm\"");
     options.add("--unit", request.units, "unit of lengths where files leave it open, um, or of one: FILE=um");
-    options.add("--channel", request.channels,
-                "channel counted from 0, or of one file: FILE=1; default: the first of heights");
+    options.add(
+        "--channel", request.channels,
+        "channel by its number, counted from 0, or its name, or of one file: FILE=1; default: the preferred one");
     options.add("--detrend", request.trends,
                 "what is to be removed: mean, tilt or parabola, or of one file: FILE=tilt; default: mean");
     add_layout_option(options, request.as);

@@ -18,7 +18,8 @@ void add_file_options(Options& options, answers::FileRequest& file) {
         "--unit", file.unit,
         "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights; of a table of a spectrum \"1/um, nm3\" or \"frequency 1/um, nm3\"");
     add_layout_option(options, file.as);
-    options.add("--channel", file.channel, "channel, counted from 0 as `setae info` lists them").between(0, 1000000);
+    options.add("--channel", file.channel,
+                "channel: its number, counted from 0 as `setae info` lists them, or its name or the beginning of it");
 }
 
 }  // namespace setae::cli

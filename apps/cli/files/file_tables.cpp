@@ -14,6 +14,7 @@
 #include "files/listed_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/layout.hpp"
+#include "setae/core/named_choice.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/tidy_table.hpp"
 
@@ -54,7 +55,8 @@ std::string bytes_for_readers(std::uint64_t bytes) {
 std::string heights_text(const ListedFile& file, const ListedChannel& channel) {
     const auto& heights = channel.heights;
     if (!heights.error.empty() || channel.info.format.empty()) return "unreadable";
-    if (!channel.info.is_height) return "no heights";
+    if (!channel.info.is_height)
+        return channel.info.not_heights.empty() ? "no heights" : "not heights: " + channel.info.not_heights;
     if (heights.read) return joined_values({heights.least, heights.greatest}, "m", " … ");
     if (!can_be_read(channel.info) || !file.too_large) return "";
     return fmt::format("not read: {}, --heights", bytes_for_readers(file.bytes));
@@ -128,8 +130,21 @@ TidyTable table_of_channels(const Listing& listing) {
     return table;
 }
 
+/// "0 HAADF of 3": which image of a file of several is described; where all is told, every one with its kind.
+std::string image_text(const imaging::PictureContent& picture, Detail detail) {
+    const auto& images = picture.images;
+    if (images.size() < 2) return images.empty() ? "" : name_text(images.front().title, detail);
+    if (detail != Detail::all || picture.frames > 1)
+        return fmt::format("{} {} of {}", picture.image, name_text(images[picture.image].title, detail), images.size());
+    std::vector<std::string> names;
+    for (const auto& image : images)
+        names.push_back(image.is_picture() ? image.title : fmt::format("{} ({})", image.title, image.kind));
+    return numbered_names(names);
+}
+
 TidyTable table_of_pictures(const Listing& listing) {
-    TidyTable table{"", {"file", "format", "pixels", "frames", "pixel size", "size", "instrument", "missing"}, {}};
+    TidyTable table{
+        "", {"file", "format", "image", "pixels", "frames", "pixel size", "size", "instrument", "missing"}, {}};
     if (listing.detail == Detail::all) table.columns.emplace_back("date");
     for (const auto* file : listing.files) {
         const auto& picture = *file->content.picture;
@@ -138,6 +153,7 @@ TidyTable table_of_pictures(const Listing& listing) {
         const bool square = pixel && std::abs(pixel->x / pixel->y - 1.0) < as_good_as_square;
         std::vector<TidyTable::Cell> row{listing.shown(file->content.file),
                                          picture.format,
+                                         image_text(picture, listing.detail),
                                          fmt::format("{} × {}", picture.width, picture.height),
                                          picture.frames > 1 ? fmt::format("{}", picture.frames) : "",
                                          !pixel   ? ""
@@ -199,15 +215,16 @@ std::string missing_text(const study::FileContent& content) {
 
 TidyTable table_of_loops(const Listing& listing) {
     TidyTable table{
-        "", {"file", "format", "samples", "force", "displacement", "radius up to", "columns", "missing"}, {}};
+        "", {"file", "format", "curves", "samples", "force", "displacement", "radius up to", "columns", "missing"}, {}};
     for (const auto* file : listing.files) {
         const auto& content = file->content;
         const auto& record = *content.table;
         const bool foreign =
             std::find(content.missing.begin(), content.missing.end(), "columns") != content.missing.end();
-        table.rows.push_back({listing.shown(content.file), content.format, fmt::format("{}", record.rows()),
-                              range_text(record, "force"), range_text(record, "displacement"),
-                              largest_text(record, "contact_radius"),
+        table.rows.push_back({listing.shown(content.file), content.format,
+                              content.curves > 1 ? fmt::format("{}", content.curves) : "",
+                              fmt::format("{}", record.rows()), range_text(record, "force"),
+                              range_text(record, "displacement"), largest_text(record, "contact_radius"),
                               foreign || listing.detail == Detail::all ? column_names(record, listing.detail) : "",
                               missing_text(content)});
     }

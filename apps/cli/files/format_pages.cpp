@@ -51,7 +51,27 @@ std::string index_page() {
                             markdown_cell(format.name), markdown_cell(format.extensions), format.writes() ? "yes" : "",
                             format.tested_on_real_files ? "yes" : "**no**");
     text += fmt::format(
-        "\n**no**: {}.\n\nForce curves: [force-curves.md](../../guides/force-curves.md). Micrographs: [micrograph-formats.md](../micrograph-formats.md). Loops:\n"
+        "\n**no**: {}.\n"
+        "\n## Which channel\n\n"
+        "`--channel` and the study key `channel` take a channel by its number, counted from 0 as `setae info` lists them, or by its name. The\n"
+        "beginning of a name is enough where no other name begins so; capitals do not matter. `--image` takes images of micrographs by the same\n"
+        "rules, `--curve-number` the curves of a file by their numbers from 0. Without a choice the preferred channel is read, in this order:\n\n"
+        "1. a map before a line;\n"
+        "2. a name of heights (height, topography, topo, elevation, surface, z, h) before other names;\n"
+        "3. a channel whose size and unit are known before one that lacks them;\n"
+        "4. trace or forward before retrace or backward;\n"
+        "5. the order of the file.\n"
+        "\n## What is no height\n\n"
+        "HDF5, MAT and NPZ files hold anything. An array of theirs is offered as heights where its name says so, where the file states a unit of\n"
+        "length for it, where it is a map of floats, or where it is the only line of floats. `setae info --long` lists the others as \"not heights\" with\n"
+        "the reason: an index, positions, coordinates of points, a table of a few columns, whole numbers without a unit, a picture or mask of 8 bits,\n"
+        "complex numbers, parts of tables of PyTables and pandas. `--channel` with `--size` and `--unit` reads such an array all the same, but for complex\n"
+        "numbers. What a reader of its own recognises and refuses is never read as an array: EMD files, force curves, pictures.\n"
+        "\n## Archives\n\n"
+        "A ZIP archive that is none of these formats is a folder of its members wherever a folder is taken: `setae info`, `setae study init`,\n"
+        "`setae jkr fit`, `setae contour`, the frames of a recording. `scans.zip/afm/map.spm` is a member as a file, in a study too. Members that lead out of the\n"
+        "archive, expand more than a hundredfold and 8 MiB, or are plain archives themselves are refused.\n"
+        "\nForce curves: [force-curves.md](../../guides/force-curves.md). Micrographs: [micrograph-formats.md](../micrograph-formats.md). Loops:\n"
         "[loop-format.md](../loop-format.md).\n",
         untested);
     return text;

@@ -223,7 +223,8 @@ Action declare(Options& options) {
         .one_of({"tab", "comma", "semicolon", "blank"});
     options.add("--decimal", arguments->decimal, "point or comma; default: found").one_of({"point", "comma"});
     options.add("--header-end", arguments->header_end, "the line behind which numbers begin");
-    options.add("--sheet", arguments->sheet, "of a workbook; default: the first that holds a table");
+    options.add("--sheet", arguments->sheet,
+                "of a workbook, by its name; default: the first that holds a loop, else the first that holds a table");
     options.add("--set", arguments->entries,
                 "KEY=VALUE written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
     options.add("--save-map", arguments->save_map, "write the mapping as a template for --map");

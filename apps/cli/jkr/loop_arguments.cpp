@@ -34,8 +34,9 @@ void LoopArguments::add_to(Options& options) {
     options.add("--spring-constant", spring_constant, "of the cantilever of a force curve, such as \"0.05 N/m\"")
         .quantity(positive(dimension::stiffness));
     options.add("--sensitivity", sensitivity, "of its deflection, such as \"55 nm/V\"");
-    options.add("--curve-number", curve_number,
-                "one force curve of a file of many, as the file counts them; without it `jkr fit` fits them all");
+    options.add(
+        "--curve-number", curve_number,
+        "one force curve of a file of many, as the file counts them, from 0; without it `jkr fit` fits them all");
 }
 
 void BodyArguments::add_to(Options& options) {
@@ -49,7 +50,9 @@ void BodyArguments::add_to(Options& options) {
     options.add("--counter-E", counter_modulus, "Young's modulus of the counter-body; default rigid")
         .quantity(positive(dimension::pressure));
     options.add("--counter-nu", counter_poisson_ratio, "its Poisson ratio; default 0").within(domain::poisson_ratio);
-    options.add("--lens-height", lens_height, "height of the soft lens above its mount, such as \"3 ± 0.1 mm\": fits are corrected for it")
+    options
+        .add("--lens-height", lens_height,
+             "height of the soft lens above its mount, such as \"3 ± 0.1 mm\": fits are corrected for it")
         .quantity(positive(dimension::length));
     options.add("--layer-thickness", layer_thickness, "the same of a soft layer on a rigid base")
         .quantity(positive(dimension::length));

@@ -136,6 +136,7 @@ template Option Options::add(const std::string&, std::uint64_t&, const std::stri
 template Option Options::add(const std::string&, double&, const std::string&);
 template Option Options::add(const std::string&, std::optional<long>&, const std::string&);
 template Option Options::add(const std::string&, std::optional<std::uint64_t>&, const std::string&);
+template Option Options::add(const std::string&, std::optional<std::string>&, const std::string&);
 template Option Options::add(const std::string&, std::optional<double>&, const std::string&);
 template Option Options::add(const std::string&, std::vector<std::string>&, const std::string&);
 template Option Options::add(const std::string&, std::vector<long>&, const std::string&);

@@ -14,6 +14,7 @@
 #include "container_measurement.hpp"
 #include "setae/bytes/expand.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/named_choice.hpp"
 #include "setae/core/units.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/formats/netcdf.hpp"
@@ -319,18 +320,24 @@ void upgrade_all(ContainerDraft& draft, const bytes::Source& source, const std::
         }
 }
 
-/// The one measurement of all that a number names, counted over all surfaces.
-void keep_only(std::size_t wanted, const std::string& path, std::vector<ContainerSurface>& surfaces) {
+/// The one measurement of all that a number, counted over all surfaces, or a name means.
+void keep_only(const std::string& wanted, const std::string& path, std::vector<ContainerSurface>& surfaces) {
+    std::vector<std::string> names;
+    for (const auto& surface : surfaces)
+        for (const auto& topography : surface.topographies) names.push_back(topography.name);
+    std::size_t place = 0;
+    try {
+        place = chosen_by_name(wanted, names, "measurement");
+    } catch (const InvalidArgument& error) {
+        throw InvalidArgument(fmt::format("{}: {}", path, error.what()));
+    }
     std::size_t count = 0;
     for (auto& surface : surfaces) {
         std::vector<ContainerTopography> kept;
         for (auto& topography : surface.topographies)
-            if (count++ == wanted) kept.push_back(std::move(topography));
+            if (count++ == place) kept.push_back(std::move(topography));
         surface.topographies = std::move(kept);
     }
-    if (wanted >= count)
-        throw InvalidArgument(
-            fmt::format("{}: no measurement {}, the container has {} (counted from 0)", path, wanted, count));
 }
 
 std::vector<std::string> members_of(const std::vector<ContainerSurface>& surfaces,

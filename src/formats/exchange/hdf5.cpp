@@ -12,15 +12,18 @@
 #include "setae/core/units.hpp"
 #include "setae/tables/header.hpp"
 #include "storage/hdf5_file.hpp"
+#include "storage/height_likeness.hpp"
 #include "storage/stored_array.hpp"
 
-// HDF5 of nobody's layout: every dataset of numbers with one or two dimensions is a channel.
+// HDF5 of nobody's layout: every dataset of numbers with one or two dimensions is a channel, of heights where it looks
+// like them.
 namespace setae::formats {
 namespace {
 
 constexpr const char* element_size =
     "element_size_um";  // per index, slowest first: the convention of ImageJ's and napari's plugins
 constexpr std::size_t most_shown_attributes = 100, longest_attribute = 1000;
+constexpr std::size_t most_groups_looked_at = 1000;  ///< for the mark of an EMD
 
 void keep_attributes(const Attributes& attributes, topography::Metadata& metadata) {
     for (const auto& attribute : attributes) {
@@ -46,7 +49,22 @@ std::vector<double> size_of(const StoredArray& array) {
     return size;
 }
 
-Channel channel_of(const StoredArray& array, const bytes::Source& source, const ReadOptions& options) {
+/// What other programs write of their own accord: PyTables' indices, the parts of pandas' tables, pictures.
+std::string why_foreign(const StoredArray& array, const Hdf5File& file) {
+    const auto kind = text_of(array.attributes, "CLASS");
+    if (array.name.find("/_i_") != std::string::npos || kind == "INDEXARRAY" || kind == "LASTROWARRAY" ||
+        kind == "CACHEARRAY")
+        return "an index of PyTables";
+    if (kind == "IMAGE" && bytes_of(array.sample) == 1) return "a picture (attribute CLASS = IMAGE)";
+    const auto parent = array.name.substr(0, array.name.rfind('/'));
+    if (!parent.empty() && !text_of(file.attributes(parent), "pandas_type").empty()) return "part of a table of pandas";
+    return {};
+}
+
+bool holds_integers(Sample sample) { return sample != Sample::float32 && sample != Sample::float64; }
+
+Channel channel_of(const StoredArray& array, const Hdf5File& file, bool alone, const bytes::Source& source,
+                   const ReadOptions& options) {
     ChannelInfo info{.name = array.name.substr(1), .format = "hdf5"};
     keep_attributes(array.attributes, info.metadata);
     const bool is_map = !orientation_of(array, FirstIndex::x_to_the_right).empty();
@@ -62,8 +80,37 @@ Channel channel_of(const StoredArray& array, const bytes::Source& source, const 
         return non_height_channel(std::move(info));
     }
     if (known) info.unit = unit;
-    return array_channel(std::move(info), array, FirstIndex::x_to_the_right, {.factor = known ? known->factor : 1.0},
-                         options_for(array, options));
+    auto channel = array_channel(std::move(info), array, FirstIndex::x_to_the_right,
+                                 {.factor = known ? known->factor : 1.0}, options_for(array, options));
+    auto why = why_foreign(array, file);
+    if (why.empty())
+        why = why_no_heights({.array = array,
+                              .name = array.name.substr(array.name.rfind('/') + 1),
+                              .integers = holds_integers(array.sample),
+                              .has_length = known.has_value(),
+                              .alone = alone});
+    return why.empty() ? channel : doubtful_channel(std::move(channel), why);
+}
+
+/// A file of electron microscopy: its arrays are pictures, spectra and what is said of them.
+bool is_emd(const Hdf5File& file) {
+    for (const char* group : {"Image", "SpectrumImage", "SpectrumStream", "Spectrum"})
+        if (!file.members(std::string("/Data/") + group).empty()) return true;
+    const auto is_marked = [&](const std::string& path) {
+        const auto attributes = file.attributes(path);
+        return std::any_of(attributes.begin(), attributes.end(),
+                           [](const Attribute& attribute) { return attribute.name == "emd_group_type"; });
+    };
+    std::size_t looked_at = 0;
+    for (const auto& outer : file.members("/")) {
+        if (looked_at++ > most_groups_looked_at) return false;
+        if (is_marked("/" + outer)) return true;
+        for (const auto& inner : file.members("/" + outer)) {
+            if (looked_at++ > most_groups_looked_at) return false;
+            if (is_marked("/" + outer + "/" + inner)) return true;
+        }
+    }
+    return false;
 }
 
 Match detect_hdf5(std::string_view head, const bytes::Source&) {
@@ -72,12 +119,17 @@ Match detect_hdf5(std::string_view head, const bytes::Source&) {
 
 std::vector<Channel> open_hdf5(const bytes::Source& source, const ReadOptions& options) {
     const Hdf5File file(source);
+    if (is_emd(file))
+        throw FormatError(
+            source.name, {.offset = 0},
+            "an EMD file of electron microscopy: pictures and spectra, no heights; `setae info` lists its "
+            "images, `setae contour` traces edges in them");
+    std::vector<StoredArray> arrays;
+    for (const auto& path : file.datasets())
+        if (auto array = file.array(path); array && (is_map_or_line(*array) || !array->refusal.empty()))
+            arrays.push_back(std::move(*array));
     std::vector<Channel> channels;
-    for (const auto& path : file.datasets()) {
-        const auto array = file.array(path);
-        if (array && (is_map_or_line(*array) || !array->refusal.empty()))
-            channels.push_back(channel_of(*array, source, options));
-    }
+    for (const auto& array : arrays) channels.push_back(channel_of(array, file, arrays.size() == 1, source, options));
     if (channels.empty())
         throw FormatError(source.name, {.offset = 0},
                           "HDF5: no dataset of numbers with one or two dimensions and more than one value");
@@ -92,7 +144,8 @@ Format hdf5_format() {
         .name = "HDF5",
         .extensions = ".h5 .hdf5 .hdf",
         .description =
-            "every dataset of integers or floats with one or two dimensions, in groups too, is a channel; size and unit must be given where no attribute states them",
+            "every dataset of integers or floats with one or two dimensions, in groups too, is a channel; size and unit must be given where no attribute states them. Those that do not look "
+            "like heights are listed with the reason and read only when chosen",
         .heights =
             "values in the unit of the attribute unit or units, or in the unit given; NaN and infinities are undefined",
         .orientation = "first index x, second y downwards; not stated in the file, taken as SurfaceTopography does",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "setae/bytes/hdf5_handle.hpp"
 #include "setae/core/errors.hpp"
 #include "storage/hdf5_file.hpp"
+#include "storage/height_likeness.hpp"
 
 // MATLAB: levels 4 and 5, and version 7.3, which is HDF5 behind a block of 512 bytes. A row of a matrix is a line
 // of the picture, the first row its top, as imagesc shows it.
@@ -38,23 +40,28 @@ std::vector<MatVariable> mat73_variables(const bytes::Source& source) {
         const auto kind = text_of(array->attributes, "MATLAB_class");
         if (kind == "char" || kind == "logical" || kind == "cell") continue;
         array->name = name;
-        variables.push_back({std::move(*array), false});
+        const bool integers = kind.find("int") != std::string::npos;
+        variables.push_back({std::move(*array), false, integers});
     }
     return variables;
 }
 
-Channel channel_of(const MatVariable& variable, FirstIndex first, const bytes::Source& source,
+Channel channel_of(const MatVariable& variable, FirstIndex first, bool alone, const bytes::Source& source,
                    const ReadOptions& options) {
     ChannelInfo info{.name = variable.array.name, .format = mat_identifier};
     if (!orientation_of(variable.array, first).empty()) info.orientation = orientation;
-    if (!variable.complex)
-        return array_channel(std::move(info), variable.array, first, {}, options_for(variable.array, options));
+    if (!variable.complex) {
+        auto channel = array_channel(std::move(info), variable.array, first, {}, options_for(variable.array, options));
+        const auto why = why_no_heights(
+            {.array = variable.array, .name = variable.array.name, .integers = variable.integers, .alone = alone});
+        return why.empty() ? channel : doubtful_channel(std::move(channel), why);
+    }
     info.shape = first == FirstIndex::y_downwards
                      ? std::vector<Index>{variable.array.shape.rbegin(), variable.array.shape.rend()}
                      : variable.array.shape;
     info.metadata.file = source.name;
     info.metadata.attributes["numbers"] = "complex";
-    return non_height_channel(std::move(info));
+    return non_height_channel(std::move(info), "complex numbers");
 }
 
 std::vector<Channel> open_mat(const bytes::Source& source, const ReadOptions& options) {
@@ -63,11 +70,15 @@ std::vector<Channel> open_mat(const bytes::Source& source, const ReadOptions& op
     const auto variables = hdf5            ? mat73_variables(source)
                            : is_mat5(head) ? mat5_variables(source)
                                            : mat4_variables(source);
+    const auto counts = [](const MatVariable& variable) {
+        return is_map_or_line(variable.array) || !variable.array.refusal.empty();
+    };
+    const bool alone = std::count_if(variables.begin(), variables.end(), counts) == 1;
     std::vector<Channel> channels;
     for (const auto& variable : variables)
-        if (is_map_or_line(variable.array) || !variable.array.refusal.empty())
-            channels.push_back(
-                channel_of(variable, hdf5 ? FirstIndex::x_to_the_right : FirstIndex::y_downwards, source, options));
+        if (counts(variable))
+            channels.push_back(channel_of(variable, hdf5 ? FirstIndex::x_to_the_right : FirstIndex::y_downwards, alone,
+                                          source, options));
     if (channels.empty())
         throw FormatError(
             source.name, {.offset = 0},
@@ -83,7 +94,7 @@ Format mat_format() {
         .name = "MATLAB",
         .extensions = ".mat",
         .description =
-            "levels 4 and 5, compressed or not, of either byte order, and version 7.3: each matrix of numbers is a channel; size and unit must be given",
+            "levels 4 and 5, compressed or not, of either byte order, and version 7.3: each matrix of numbers is a channel; size and unit must be given. Those that do not look like heights are listed with the reason and read only when chosen",
         .heights = "values in the unit given; NaN and infinities are undefined",
         .orientation =
             "a row of the matrix is a line of the picture, the first its top, as imagesc shows it: h(x = column, y = row); not stated in the file",

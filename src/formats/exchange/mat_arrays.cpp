@@ -102,7 +102,8 @@ std::string part(bytes::Cursor& cursor, std::uint32_t type, const char* what, st
 /// A matrix from its tag on, if it holds numbers. `cursor` may see no more than the header; values are checked by who
 /// reads them.
 std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
-    constexpr std::uint32_t first_numeric = 6, last_numeric = 15, complex_flag = 0x0800, logical_flag = 0x0200;
+    constexpr std::uint32_t first_numeric = 6, first_integer = 8, last_numeric = 15, complex_flag = 0x0800,
+                            logical_flag = 0x0200;
     const auto whole = read_tag(cursor);
     if (whole.type != matrix_element || whole.bytes == 0) return std::nullopt;
     const auto end = cursor.position() + whole.bytes;
@@ -113,6 +114,7 @@ std::optional<MatVariable> matrix(bytes::Cursor& cursor, std::endian order) {
     if (kind < first_numeric || kind > last_numeric || (flags & logical_flag)) return std::nullopt;
     MatVariable variable;
     variable.complex = (flags & complex_flag) != 0;
+    variable.integers = kind >= first_integer;
     auto& array = variable.array;
     const auto extents = part(cursor, int32_element, "dimensions", 4 * 64);
     for (std::size_t at = 0; at + 4 <= extents.size(); at += 4)

@@ -12,6 +12,7 @@ namespace setae::formats {
 struct MatVariable {
     StoredArray array;
     bool complex = false;
+    bool integers = false;  ///< its class is one of whole numbers; MATLAB stores whole doubles as integers, too
 };
 
 /// Whether bytes begin as MAT of level 5 (versions 5 to 7.2).

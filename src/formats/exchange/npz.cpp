@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "channel_building.hpp"
 #include "format_list.hpp"
 #include "npy_array.hpp"
 #include "setae/bytes/archive.hpp"
 #include "setae/core/errors.hpp"
+#include "storage/height_likeness.hpp"
 
 // NumPy's savez: a ZIP of NPY files, stored or compressed.
 namespace setae::formats {
@@ -27,18 +29,35 @@ Match detect_npz(std::string_view head, const bytes::Source& source) {
     }
 }
 
+Channel channel_of(const StoredArray& array, bool alone, const ReadOptions& options) {
+    ChannelInfo info{.name = array.name, .format = "npz"};
+    if (!array.refusal.empty()) {
+        info.shape = array.shape;
+        info.metadata.file = array.data.name;
+        return non_height_channel(std::move(info), array.refusal);
+    }
+    auto channel = array_channel(std::move(info), array, FirstIndex::x_to_the_right, {}, options_for(array, options));
+    const bool integers = array.sample != Sample::float32 && array.sample != Sample::float64;
+    const auto why = why_no_heights({.array = array, .name = array.name, .integers = integers, .alone = alone});
+    return why.empty() ? channel : doubtful_channel(std::move(channel), why);
+}
+
 std::vector<Channel> open_npz(const bytes::Source& source, const ReadOptions& options) {
     const bytes::Archive archive(source);
-    std::vector<Channel> channels;
+    std::vector<StoredArray> arrays;
     for (const auto& name : archive.names()) {
         const auto member = archive.member(name);
         if (!is_npy(member.head(ending.size() + 2)))
             throw FormatError(member.name, {.offset = 0}, "NPZ: a member that is no NPY; the archive is damaged");
-        const auto array = npy_array(member);
-        if (!array.refusal.empty() || !is_map_or_line(array)) continue;
-        channels.push_back(array_channel({.name = name.substr(0, name.size() - ending.size()), .format = "npz"}, array,
-                                         FirstIndex::x_to_the_right, {}, options_for(array, options)));
+        auto array = npy_array(member);
+        if (!is_map_or_line(array)) continue;
+        array.name = name.substr(0, name.size() - ending.size());
+        arrays.push_back(std::move(array));
     }
+    std::vector<Channel> channels;
+    const auto readable =
+        std::count_if(arrays.begin(), arrays.end(), [](const StoredArray& array) { return array.refusal.empty(); });
+    for (const auto& array : arrays) channels.push_back(channel_of(array, readable == 1, options));
     if (channels.empty())
         throw FormatError(source.name, {.offset = 0},
                           "NPZ: no array of numbers with one or two dimensions and more than one value");
@@ -53,11 +72,11 @@ Format npz_format() {
         .name = "NumPy arrays",
         .extensions = ".npz",
         .description =
-            "what savez and savez_compressed write: each array of numbers with one or two dimensions is a channel; size and unit must be given",
+            "what savez and savez_compressed write: each array of numbers with one or two dimensions is a channel; size and unit must be given. Those that do not look like heights are listed with the reason and read only when chosen",
         .heights = "values in the unit given; NaN and infinities are undefined",
         .orientation = "first index x, second y downwards",
         .not_read =
-            "single numbers, arrays of more dimensions, records, objects, texts and complex numbers are passed over",
+            "single numbers and arrays of more dimensions are passed over; records, objects, texts and complex numbers are listed",
         .reference = "numpy.savez; NumPy Enhancement Proposal 1",
         .tested_on_real_files = false,
         .carries_scale = false,

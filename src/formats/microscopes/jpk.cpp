@@ -21,7 +21,8 @@ Format jpk_format() {
         .carries_scale = true,
         .detect = [](std::string_view head,
                      const bytes::Source& source) { return detect_jpk_image(head, source, JpkImage::scan); },
-        .open = [](const bytes::Source& source, const ReadOptions&) { return open_jpk_image(source, "jpk"); }};
+        .open = [](const bytes::Source& source,
+                   const ReadOptions& options) { return open_jpk_image(source, "jpk", options); }};
 }
 
 }  // namespace setae::formats

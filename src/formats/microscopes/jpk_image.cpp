@@ -124,7 +124,8 @@ topography::Metadata metadata_of(const bytes::TiffFile& file) {
     return metadata;
 }
 
-Channel channel_of(const bytes::TiffFile& file, const bytes::TiffPage& page, ChannelInfo info) {
+Channel channel_of(const bytes::TiffFile& file, const bytes::TiffPage& page, ChannelInfo info,
+                   const ReadOptions& options) {
     const auto properties = file.text(page, channel_properties);
     info.name = name_of(file, page, properties);
     info.metadata.name = info.name;
@@ -147,7 +148,7 @@ Channel channel_of(const bytes::TiffFile& file, const bytes::TiffPage& page, Cha
     info.orientation = reflected ? "rows from the top of a reflected grid, as stored" : "rows from the bottom, turned";
     const double metre = length_unit(slot->unit, file.source).factor;
     return raster_channel(std::move(info), pixels.source, pixels.raster,
-                          {.factor = slot->factor * metre, .offset = slot->offset * metre});
+                          {.factor = slot->factor * metre, .offset = slot->offset * metre}, options);
 }
 
 }  // namespace
@@ -166,7 +167,8 @@ Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkIm
     }
 }
 
-std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format) {
+std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format,
+                                    const ReadOptions& options) {
     const auto file = bytes::open_tiff(source, "JPK", most_pages + 1);
     const auto& first = file.pages.front();
     ChannelInfo common;
@@ -177,9 +179,6 @@ std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::stri
     // a grid may run backwards: its direction is the sign
     const double width = std::abs(file.number(first, grid_width).value_or(0.0)),
                  height = std::abs(file.number(first, grid_height).value_or(0.0));
-    if (!(width > 0.0) || !(height > 0.0) || !std::isfinite(width) || !std::isfinite(height))
-        throw FormatError(source.name, {.offset = first.offset},
-                          fmt::format("JPK: a grid of {} × {} m, expected positive lengths", width, height));
     common.size = {width, height};
     if (file.pages.size() > most_pages)
         throw FormatError(
@@ -188,7 +187,7 @@ std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::stri
     std::vector<Channel> channels;
     for (std::size_t k = 1; k < file.pages.size(); ++k)
         if (file.pages[k].find(channel_name) || file.pages[k].find(channel_fancy_name))
-            channels.push_back(channel_of(file, file.pages[k], common));
+            channels.push_back(channel_of(file, file.pages[k], common, options));
     if (channels.empty())
         throw FormatError(source.name, {.offset = first.offset}, "JPK: the file holds a thumbnail and no channel");
     return channels;

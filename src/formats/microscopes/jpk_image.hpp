@@ -15,6 +15,7 @@ enum class JpkImage { scan, force_curves };
 [[nodiscard]] Match detect_jpk_image(std::string_view head, const bytes::Source& source, JpkImage kind);
 
 /// The channels of such an image. @throws FormatError.
-[[nodiscard]] std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format);
+[[nodiscard]] std::vector<Channel> open_jpk_image(const bytes::Source& source, const std::string& format,
+                                                  const ReadOptions& options);
 
 }  // namespace setae::formats

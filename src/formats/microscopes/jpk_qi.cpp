@@ -21,7 +21,8 @@ Format jpk_qi_format() {
         .carries_scale = true,
         .detect = [](std::string_view head,
                      const bytes::Source& source) { return detect_jpk_image(head, source, JpkImage::force_curves); },
-        .open = [](const bytes::Source& source, const ReadOptions&) { return open_jpk_image(source, "jpk-qi"); }};
+        .open = [](const bytes::Source& source,
+                   const ReadOptions& options) { return open_jpk_image(source, "jpk-qi", options); }};
 }
 
 }  // namespace setae::formats

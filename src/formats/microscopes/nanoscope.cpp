@@ -16,6 +16,7 @@
 #include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/tables/header.hpp"
+#include "setae/tables/nanoscope_header.hpp"
 #include "setae/tables/text_head.hpp"
 #include "storage/raster.hpp"
 
@@ -25,62 +26,12 @@
 namespace setae::formats {
 namespace {
 
-constexpr std::string_view first_section = "\\*File list", last_line = "\\*File list end",
-                           first_section_as_text = "?*File list";
+constexpr std::string_view first_section_as_text = "?*File list";
 constexpr std::size_t most_images = 1000;
 
-using NanoscopeEntries = std::vector<std::pair<std::string, std::string>>;
-
-/// A section with its entries; keys in lower case, without '@' and the group number of "@2:Z scale".
-struct NanoscopeSection {
-    std::string name;
-    NanoscopeEntries entries;
-};
-
-std::string normalised_key(std::string_view key) {
-    if (key.starts_with('@')) key.remove_prefix(1);
-    if (key.size() > 2 && key[0] >= '0' && key[0] <= '9' && key[1] == ':') key.remove_prefix(2);
-    return bytes::lowered(trimmed(key));
-}
-
-/// "@2:Z scale: V …" has its colon after the group number.
-std::size_t colon_after_key(std::string_view line) {
-    const bool grouped = line.size() > 2 && line[0] == '@' && line[2] == ':';
-    return line.find(':', grouped ? 3 : 0);
-}
-
-std::vector<NanoscopeSection> parse_sections(const bytes::Source& source) {
-    const auto text = bytes::decoded(tables::head_until(source, last_line, "Nanoscope"), bytes::Encoding::latin1);
-    std::vector<NanoscopeSection> sections;
-    for (const auto raw : bytes::split_lines(text)) {
-        auto line = trimmed(raw);
-        if (line.starts_with("\\*")) {
-            sections.push_back({bytes::lowered(line.substr(2)), {}});
-        } else if (line.starts_with('\\') && !sections.empty()) {
-            line.remove_prefix(1);
-            const auto colon = colon_after_key(line);
-            if (colon != std::string_view::npos)
-                sections.back().entries.emplace_back(normalised_key(line.substr(0, colon)),
-                                                     trimmed(line.substr(colon + 1)));
-        }
-    }
-    return sections;
-}
-
-const std::string* find(const NanoscopeSection& section, std::string_view key) {
-    for (const auto& [name, value] : section.entries)
-        if (name == key) return &value;
-    return nullptr;
-}
-
-/// First entry of that key outside the images.
-const std::string* find(const std::vector<NanoscopeSection>& sections, std::string_view key) {
-    for (const auto& section : sections) {
-        if (section.name.ends_with("image list")) continue;
-        if (const auto* value = find(section, key)) return value;
-    }
-    return nullptr;
-}
+using tables::find;
+using tables::leading_value;
+using tables::NanoscopeSection;
 
 const std::string& required(const NanoscopeSection& section, std::string_view key, const bytes::Source& source) {
     if (const auto* value = find(section, key)) return *value;
@@ -88,26 +39,7 @@ const std::string& required(const NanoscopeSection& section, std::string_view ke
 }
 
 std::uint64_t integer(const NanoscopeSection& section, std::string_view key, const bytes::Source& source) {
-    const auto& text = required(section, key, source);
-    std::string_view digits = text;
-    const auto value = leading<std::uint64_t>(digits).value_or(0);
-    if (value == 0 || value > (std::uint64_t{1} << 40))
-        throw FormatError(source.name, {},
-                          fmt::format("Nanoscope: '{}' is '{:.40}', expected a positive integer", key, text));
-    return value;
-}
-
-/// A number and its unit at the start of a text; the unit may be missing.
-struct Value {
-    double number = 0.0;
-    std::string unit;
-};
-
-std::optional<Value> leading_value(std::string_view text) {
-    text = trimmed(text);
-    const auto number = leading<double>(text);
-    if (!number) return std::nullopt;
-    return Value{*number, std::string(trimmed(text))};
+    return tables::nanoscope_integer(section, key, source);
 }
 
 /// What one unit of raw data stands for: in SI, and the unit it is written in; the factor of a unit setae does not know
@@ -118,23 +50,18 @@ struct ValueScale {
     std::string missing = {};  ///< name of the sensitivity, where the header lacks it
 };
 
-/// "V [Sens. Zsens] (0.005035400 V/LSB) 2.910461 V": the sensitivity's name in [], the hard value after (). A
-/// sensitivity without a unit, as that of "359.9945 º", leaves the hard value's.
-ValueScale value_scale(const std::string& scale, const std::vector<NanoscopeSection>& sections, std::size_t bytes) {
-    const auto close = scale.rfind(')');
-    const auto hard =
-        leading_value(close == std::string::npos ? std::string_view{} : std::string_view(scale).substr(close + 1));
+/// The sensitivity's name stands in [], the hard value after (). A sensitivity without a unit, as that of "359.9945 º",
+/// leaves the hard value's.
+ValueScale value_scale(const std::string& text, const std::vector<NanoscopeSection>& sections, std::size_t bytes) {
+    const auto scale = tables::nanoscope_scale(text);
+    const auto& hard = scale.range;
     if (!hard) return {};
     auto unit = plain_unit(hard->unit);
     const auto hard_unit = tables::try_parse_unit(unit);
     double factor = hard->number * (hard_unit ? hard_unit->factor : 0.0);
-    const auto open = scale.find('['), shut = scale.find(']');
-    if (open != std::string::npos && shut != std::string::npos && shut > open + 1) {
-        const auto name = scale.substr(open + 1, shut - open - 1);
-        const auto* entry = find(sections, bytes::lowered(name));
-        const auto soft =
-            entry && entry->starts_with("V ") ? leading_value(std::string_view(*entry).substr(2)) : std::nullopt;
-        if (!soft) return {0.0, unit, name};
+    if (!scale.sensitivity.empty()) {
+        const auto soft = tables::soft_sensitivity(sections, scale.sensitivity);
+        if (!soft) return {0.0, unit, scale.sensitivity};
         const auto slash = soft->unit.find('/');
         const auto soft_unit = tables::try_parse_unit(plain_unit(soft->unit.substr(0, slash))),
                    per =
@@ -172,9 +99,6 @@ std::array<double, 2> scan_size(const NanoscopeSection& image, const std::vector
     const auto second = leading_value(first->unit);
     const auto factor = length_unit(plain_unit(second ? second->unit : first->unit), source).factor;
     const double y = second ? second->number : first->number / aspect_ratio(image, sections, source);
-    if (!(first->number > 0.0) || !(y > 0.0) || !std::isfinite(y))
-        throw FormatError(source.name, {},
-                          fmt::format("Nanoscope: scan size '{:.40}', expected positive lengths", text));
     return {first->number * factor, y * factor};
 }
 
@@ -258,7 +182,7 @@ topography::Metadata file_metadata(const std::vector<NanoscopeSection>& sections
 }
 
 Channel image_channel(const NanoscopeSection& image, const std::vector<NanoscopeSection>& sections,
-                      const ChannelInfo& common, const bytes::Source& source) {
+                      const ChannelInfo& common, const bytes::Source& source, const ReadOptions& options) {
     ChannelInfo info = common;
     const auto* direction = find(image, "line direction");
     info.name = info.metadata.name = image_name(required(image, "image data", source), direction);
@@ -286,7 +210,7 @@ Channel image_channel(const NanoscopeSection& image, const std::vector<Nanoscope
                         .ny = block.ny,
                         .sample = block.bytes == 2 ? Sample::int16 : Sample::int32,
                         .bottom_up = true};
-    return raster_channel(std::move(info), source, raster, {.factor = scale.factor});
+    return raster_channel(std::move(info), source, raster, {.factor = scale.factor}, options);
 }
 
 bool is_image(const NanoscopeSection& section) {
@@ -300,23 +224,23 @@ bool holds_curves(const std::vector<NanoscopeSection>& sections) {
 }
 
 Match detect_nanoscope(std::string_view head, const bytes::Source&) {
-    return head.starts_with(first_section) || head.starts_with(first_section_as_text) ? Match::yes : Match::no;
+    return tables::is_nanoscope(head) || head.starts_with(first_section_as_text) ? Match::yes : Match::no;
 }
 
-std::vector<Channel> open_nanoscope(const bytes::Source& source, const ReadOptions&) {
+std::vector<Channel> open_nanoscope(const bytes::Source& source, const ReadOptions& options) {
     const auto refuse = [&](const std::string& what) {
         throw FormatError(source.name, {.offset = 0}, "Nanoscope: " + what);
     };
     if (source.head(first_section_as_text.size()) == first_section_as_text)
         refuse("an image exported as text with its header, whose numbers have no unit; give the instrument's own file");
-    const auto sections = parse_sections(source);
+    const auto sections = tables::nanoscope_sections(source);
     ChannelInfo common;
     common.format = "di";
     common.metadata = file_metadata(sections, source);
     if (holds_curves(sections))
         common.alerts.push_back({"FORCE_CURVES_NOT_READ", source.name,
-                                 "a force volume: its images are read, its force curves are not",
-                                 "export the curves as text, which `setae jkr fit` reads"});
+                                 "a force volume: its images are read here, its force curves are not",
+                                 "`setae jkr fit` reads and fits the curves"});
     std::vector<Channel> channels;
     for (const auto& section : sections) {
         if (!is_image(section)) continue;
@@ -326,10 +250,10 @@ std::vector<Channel> open_nanoscope(const bytes::Source& source, const ReadOptio
             refuse(
                 "an image without '@2:Z scale' and '@2:Image Data', written by a version before 4.3; save it again with a newer one");
         if (channels.size() == most_images) refuse(fmt::format("more than {} images; it is damaged", most_images));
-        channels.push_back(image_channel(section, sections, common, source));
+        channels.push_back(image_channel(section, sections, common, source, options));
     }
     if (channels.empty())
-        refuse(holds_curves(sections) ? "force curves, no image; export them as text, which `setae jkr fit` reads"
+        refuse(holds_curves(sections) ? "force curves, no image; `setae jkr fit` reads them"
                                       : "no image in the header that begins here");
     return channels;
 }
@@ -346,7 +270,7 @@ Format nanoscope_format() {
         .heights = "raw times hard scale times soft sensitivity over 2^16 or 2^32; no point is undefined",
         .orientation = "rows stored from the bottom, turned",
         .not_read =
-            "channels that are no heights are listed; force curves and force volumes, images of versions before 4.3",
+            "channels that are no heights are listed; force curves are read by `setae jkr fit`; images of versions before 4.3 are refused",
         .reference = "Nanoscope 5 to 9 file headers, as described by Gwyddion's user guide",
         .tested_on_real_files = true,
         .carries_scale = true,

@@ -21,10 +21,4 @@ bool holds_heights(std::string_view name, std::string_view unit) {
                         [&](std::string_view other) { return lower.find(other) != std::string::npos; });
 }
 
-std::string plain_unit(std::string_view unit) {
-    const auto text = trimmed(unit);
-    if (text == "°" || text == "º") return "deg";
-    return text == "~m" ? "um" : std::string(text);
-}
-
 }  // namespace setae::formats

@@ -4,13 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "setae/tables/nanoscope_header.hpp"
+
 namespace setae::formats {
 
 /// Whether a channel of a scanning probe holds heights of the surface: its unit is a length, and its name is none of
 /// what is measured in lengths, too, and is no height: amplitudes, deflections, errors of the feedback, deformations …
 [[nodiscard]] bool holds_heights(std::string_view name, std::string_view unit);
 
-/// A unit as an instrument spells it in setae's spelling where that differs: degrees are "deg", micrometres "um".
-[[nodiscard]] std::string plain_unit(std::string_view unit);
+using tables::plain_unit;
 
 }  // namespace setae::formats

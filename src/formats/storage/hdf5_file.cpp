@@ -267,6 +267,20 @@ std::optional<StoredArray> Hdf5File::array(const std::string& path) const {
     return array;
 }
 
+std::optional<double> Hdf5File::number(const std::string& path) const {
+    const bytes::Hdf5Session session;
+    const auto data = opened_object(*file_, path);
+    if (!data || H5Iget_type(data) != H5I_DATASET) return std::nullopt;
+    const bytes::Hdf5Handle type(H5Dget_type(data), &H5Tclose), space(H5Dget_space(data), &H5Sclose),
+        properties(H5Dget_create_plist(data), &H5Pclose);
+    const bool plain = type && space && properties && hdf5_number(type) && H5Sget_simple_extent_npoints(space) == 1 &&
+                       H5Pget_external_count(properties) == 0 && H5Pget_layout(properties) != H5D_VIRTUAL &&
+                       are_bounded(data, properties, bytes::hdf5_extents(space).size());
+    double value = 0.0;
+    if (!plain || H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value) < 0) return std::nullopt;
+    return value;
+}
+
 Attributes Hdf5File::attributes(const std::string& path) const {
     const bytes::Hdf5Session session;
     const auto object = opened_object(*file_, path);

@@ -41,6 +41,8 @@ public:
     /// What the library cannot open has a refusal and no shape.
     /// @throws FormatError for one that announces more than its file can hold.
     [[nodiscard]] std::optional<StoredArray> array(const std::string& path) const;
+    /// The one number of a dataset; nothing where there is none of that path, or more values, or none of a number.
+    [[nodiscard]] std::optional<double> number(const std::string& path) const;
     /// Texts and numbers that an object, "/" for the file, has as attributes; of several texts the first.
     [[nodiscard]] Attributes attributes(const std::string& path) const;
     /// The first record that an object has as attribute.

@@ -12,6 +12,7 @@ std::vector<FormatSample> format_samples() {
         x3p_samples,
         sdf_samples,
         gwy_samples,
+        gsf_samples,
 
         // arrays
         netcdf_samples,
@@ -21,6 +22,7 @@ std::vector<FormatSample> format_samples() {
         hdf5_samples,
         datx_samples,
         jpk_hdf5_samples,
+        topostats_samples,
 
         // scanning probes
         nanoscope_samples,
@@ -33,6 +35,7 @@ std::vector<FormatSample> format_samples() {
         wsxm_samples,
         mdt_samples,
         nmm_samples,
+        nanonis_samples,
 
         // optical and stylus profilers
         opd_samples,
@@ -56,9 +59,11 @@ std::vector<FormatSample> format_samples() {
         lext_samples,
         oir_samples,
         poir_samples,
+        height_tiff_samples,
 
         // text and sheets
         mitutoyo_samples,
+        workbook_samples,
         dektak_csv_samples,
         hfm_samples,
         dabam_samples,

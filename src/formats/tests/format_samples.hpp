@@ -42,6 +42,7 @@ inline void PrintTo(const FormatSample& sample, std::ostream* out) { *out << sam
 [[nodiscard]] std::vector<FormatSample> x3p_samples();
 [[nodiscard]] std::vector<FormatSample> sdf_samples();
 [[nodiscard]] std::vector<FormatSample> gwy_samples();
+[[nodiscard]] std::vector<FormatSample> gsf_samples();
 [[nodiscard]] std::vector<FormatSample> netcdf_samples();
 [[nodiscard]] std::vector<FormatSample> npy_samples();
 [[nodiscard]] std::vector<FormatSample> npz_samples();
@@ -49,6 +50,7 @@ inline void PrintTo(const FormatSample& sample, std::ostream* out) { *out << sam
 [[nodiscard]] std::vector<FormatSample> hdf5_samples();
 [[nodiscard]] std::vector<FormatSample> datx_samples();
 [[nodiscard]] std::vector<FormatSample> jpk_hdf5_samples();
+[[nodiscard]] std::vector<FormatSample> topostats_samples();
 [[nodiscard]] std::vector<FormatSample> nanoscope_samples();
 [[nodiscard]] std::vector<FormatSample> ibw_samples();
 [[nodiscard]] std::vector<FormatSample> jpk_samples();
@@ -59,6 +61,7 @@ inline void PrintTo(const FormatSample& sample, std::ostream* out) { *out << sam
 [[nodiscard]] std::vector<FormatSample> wsxm_samples();
 [[nodiscard]] std::vector<FormatSample> mdt_samples();
 [[nodiscard]] std::vector<FormatSample> nmm_samples();
+[[nodiscard]] std::vector<FormatSample> nanonis_samples();
 [[nodiscard]] std::vector<FormatSample> opd_samples();
 [[nodiscard]] std::vector<FormatSample> opdx_samples();
 [[nodiscard]] std::vector<FormatSample> metropro_samples();
@@ -80,7 +83,9 @@ inline void PrintTo(const FormatSample& sample, std::ostream* out) { *out << sam
 [[nodiscard]] std::vector<FormatSample> lext_samples();
 [[nodiscard]] std::vector<FormatSample> oir_samples();
 [[nodiscard]] std::vector<FormatSample> poir_samples();
+[[nodiscard]] std::vector<FormatSample> height_tiff_samples();
 [[nodiscard]] std::vector<FormatSample> mitutoyo_samples();
+[[nodiscard]] std::vector<FormatSample> workbook_samples();
 [[nodiscard]] std::vector<FormatSample> dektak_csv_samples();
 [[nodiscard]] std::vector<FormatSample> hfm_samples();
 [[nodiscard]] std::vector<FormatSample> dabam_samples();

@@ -111,6 +111,8 @@ std::vector<std::pair<std::string, std::string>> import_samples() {
         {"jpk-force with shared header", jpk_force_file(true)},
         {"jpk-force of 2015", jpk_force_file_of_2015()},
         {"jpk-force-map", jpk_map_file({{.number = 0, .x = 0.0, .y = -1e-6}, {.number = 7, .x = 2e-6, .y = -1e-6}})},
+        {"jpk-text", jpk_text_file(2)},
+        {"nanoscope-force", nanoscope_force_file(6, true)},
         {"nanosurf-force", nanosurf_force_file()},
         {"afm-workshop", afm_workshop_file()},
         {"igor-force", igor_force_file("SpringConstant: 0.5\rIndexes: 0,3,5\r")},

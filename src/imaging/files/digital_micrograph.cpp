@@ -96,6 +96,27 @@ AxisScale axis_of(const DmTag& data, std::size_t axis) {
     return {data.number_at(path + "Scale").value_or(0), data.text_at(path + "Units")};
 }
 
+/// Title and kind of an image, by its dimensions, their units and its type of numbers.
+ImageEntry entry_of(const DmTag& image) {
+    constexpr std::array complex_types{3, 5, 13, 27, 28};
+    ImageEntry entry{.title = image.text_at("Name")};
+    const auto* data = image.find("ImageData");
+    const auto* dimensions = data ? data->find("Dimensions") : nullptr;
+    if (!dimensions) return entry;
+    std::size_t extended = 0;
+    bool energy = false;
+    for (std::size_t axis = 0; axis < dimensions->tags.size(); ++axis) {
+        extended += dimensions->tags[axis].number.value_or(0) > 1 ? 1 : 0;
+        energy = energy || is_energy(axis_of(*data, axis).unit);
+    }
+    const auto type = index_of(data->number_at("DataType"));
+    const bool is_complex =
+        type && std::find(complex_types.begin(), complex_types.end(), static_cast<int>(*type)) != complex_types.end();
+    if (energy || extended < 2) entry.kind = extended > 1 ? "spectrum image" : "spectrum";
+    else if (is_complex) entry.kind = "Fourier transform";
+    return entry;
+}
+
 }  // namespace
 
 Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOptions& options) {
@@ -106,8 +127,9 @@ Micrograph read_digital_micrograph(const bytes::Source& file, const MicrographOp
         throw FormatError(file.name, {.offset = tags.root.offset},
                           "a DigitalMicrograph file without an image; it holds tags alone");
     const auto images = images_of(tags.root, list->tags.size());
-    choose_image(micrograph, images.size(), options);
-    const auto& image = list->tags[images[options.image]];
+    std::vector<ImageEntry> entries;
+    for (const auto index : images) entries.push_back(entry_of(list->tags[index]));
+    const auto& image = list->tags[images[choose_image(micrograph, std::move(entries), options)]];
     const auto damaged = [&](const std::string& what) {
         return FormatError(file.name, {.offset = image.offset}, what);
     };

@@ -244,31 +244,118 @@ void read_velox(const bytes::Source& file, hid_t image, Micrograph& micrograph, 
         if (const auto text = json_text(metadata, path); !text.empty()) micrograph.attributes[name] = text + unit;
 }
 
+/// An image of a file, or what stands in the place of one.
+struct EmdEntry {
+    std::string path;
+    ImageEntry shown;
+    bool complex = false;
+};
+
+bool is_reciprocal(const std::string& unit) {
+    return unit.find("1/") != std::string::npos || unit.find("^-1") != std::string::npos ||
+           unit.find("-1") != std::string::npos;
+}
+
+/// Whether a dataset holds records, as complex numbers are stored.
+bool holds_records(hid_t group, const char* name) {
+    if (!exists(group, name)) return false;
+    const Handle data(H5Dopen2(group, name, H5P_DEFAULT), &H5Dclose);
+    if (!data) return false;
+    const Handle type(H5Dget_type(data), &H5Tclose);
+    return type && H5Tget_class(type) == H5T_COMPOUND;
+}
+
+std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+EmdEntry velox_entry(hid_t root, const std::string& path, const char* kind) {
+    EmdEntry entry{.path = path, .shown = {.kind = kind}};
+    const Handle group(H5Oopen(root, path.c_str(), H5P_DEFAULT), &H5Oclose);
+    if (!group || H5Iget_type(group) != H5I_GROUP) return entry;
+    const auto metadata = velox_metadata(group);
+    entry.shown.title = json_text(metadata, "/BinaryResult/Detector");
+    const bool reciprocal = is_reciprocal(json_text(metadata, "/BinaryResult/PixelUnitX"));
+    entry.complex = holds_records(group, "Data");
+    if (entry.shown.is_picture() && (reciprocal || entry.complex)) entry.shown.kind = "Fourier transform";
+    return entry;
+}
+
+/// Images first, then spectra, each by the name of its group.
+std::vector<EmdEntry> velox_entries(hid_t root) {
+    struct Kind {
+        const char *group, *kind;
+    };
+    static constexpr Kind kinds[] = {{"/Data/Image", "image"},
+                                     {"/Data/SpectrumImage", "spectrum image"},
+                                     {"/Data/SpectrumStream", "spectrum image"},
+                                     {"/Data/Spectrum", "spectrum"}};
+    std::vector<EmdEntry> entries;
+    for (const auto& [path, kind] : kinds) {
+        if (!exists(root, path)) continue;
+        const Handle group(H5Oopen(root, path, H5P_DEFAULT), &H5Oclose);
+        if (!group || H5Iget_type(group) != H5I_GROUP) continue;
+        for (const auto& name : members_of(group))
+            if (exists(group, name) && exists(root, fmt::format("{}/{}/Data", path, name)))
+                entries.push_back(velox_entry(root, fmt::format("{}/{}", path, name), kind));
+    }
+    return entries;
+}
+
+EmdEntry ncem_entry(hid_t root, const std::string& path) {
+    EmdEntry entry{.path = path, .shown = {.title = last_part(path)}};
+    const Handle group(H5Oopen(root, path.empty() ? "/" : path.c_str(), H5P_DEFAULT), &H5Oclose);
+    const Handle data(group ? H5Dopen2(group, "data", H5P_DEFAULT) : -1, &H5Dclose);
+    if (!data) return entry;
+    const auto sides = sides_of(data);
+    std::size_t extended = 0;
+    bool energy = false, reciprocal = false;
+    for (std::size_t axis = 0; axis < sides.size(); ++axis) {
+        extended += sides[axis] > 1 ? 1 : 0;
+        const auto name = fmt::format("dim{}", axis + 1);
+        if (!exists(group, name)) continue;
+        const Handle dimension(H5Dopen2(group, name.c_str(), H5P_DEFAULT), &H5Dclose);
+        const auto unit = dimension ? emd_unit(text_attribute(dimension, "units")) : std::string();
+        energy = energy || is_energy(unit);
+        reciprocal = reciprocal || is_reciprocal(unit);
+    }
+    entry.complex = holds_records(group, "data");
+    if (energy || extended < 2) entry.shown.kind = extended > 1 ? "spectrum image" : "spectrum";
+    else if (reciprocal || entry.complex) entry.shown.kind = "Fourier transform";
+    return entry;
+}
+
+std::vector<EmdEntry> ncem_entries(hid_t root) {
+    const Handle group(H5Oopen(root, "/", H5P_DEFAULT), &H5Oclose);
+    std::vector<std::string> paths;
+    std::size_t visited = 0;
+    find_ncem_images(group, "", 0, paths, visited);
+    std::vector<EmdEntry> entries;
+    for (const auto& path : paths) entries.push_back(ncem_entry(root, path));
+    return entries;
+}
+
 Micrograph read_image(const bytes::Source& file, const MicrographOptions& options) {
     auto micrograph = unread_micrograph(file, "emd");
     const auto root = bytes::opened_hdf5(file);
-    std::vector<std::string> images;
-    const std::string velox = "/Data/Image";
-    const bool is_velox = exists(root, "/Data") && exists(root, velox);
-    if (is_velox) {
-        const Handle group(H5Oopen(root, velox.c_str(), H5P_DEFAULT), &H5Oclose);
-        if (group && H5Iget_type(group) == H5I_GROUP)
-            for (const auto& name : members_of(group))
-                if (exists(group, name) && exists(root, velox + "/" + name + "/Data"))
-                    images.push_back(velox + "/" + name);
-    } else {
-        const Handle group(H5Oopen(root, "/", H5P_DEFAULT), &H5Oclose);
-        std::size_t visited = 0;
-        find_ncem_images(group, "", 0, images, visited);
-    }
-    if (images.empty())
+    auto entries = velox_entries(root);
+    const bool is_velox = !entries.empty();
+    if (!is_velox) entries = ncem_entries(root);
+    if (entries.empty())
         throw FormatError(file.name, {.offset = 0},
                           "an HDF5 file without an image in the layout of EMD (emd_group_type or Data/Image)");
-    choose_image(micrograph, images.size(), options);
-    const Handle image(H5Oopen(root, images[options.image].empty() ? "/" : images[options.image].c_str(), H5P_DEFAULT),
-                       &H5Oclose);
+    std::vector<ImageEntry> shown;
+    for (const auto& entry : entries) shown.push_back(entry.shown);
+    const auto& chosen = entries[choose_image(micrograph, std::move(shown), options)];
+    const bool real_transform =
+        chosen.shown.kind == "Fourier transform" && !chosen.complex;  // an alert tells its units
+    if (!chosen.shown.is_picture() && !real_transform)
+        throw FormatError(
+            file.name, {.offset = 0},
+            fmt::format(
+                "{} '{}' is a {}, not a picture{}", chosen.path, chosen.shown.title, chosen.shown.kind,
+                entries.size() > 1 ? "; choose another image of the file" : "; choose the file with the image"));
+    const Handle image(H5Oopen(root, chosen.path.empty() ? "/" : chosen.path.c_str(), H5P_DEFAULT), &H5Oclose);
     if (!image || H5Iget_type(image) != H5I_GROUP)
-        throw FormatError(file.name, {.offset = 0}, fmt::format("{} is no group: damaged", images[options.image]));
+        throw FormatError(file.name, {.offset = 0}, fmt::format("{} is no group: damaged", chosen.path));
     if (is_velox) read_velox(file, image, micrograph, options);
     else read_ncem(file, image, micrograph, options);
     add_alert(micrograph, "UNTESTED_FORMAT", "EMD is read from its description, no real file was at hand",

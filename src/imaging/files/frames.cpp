@@ -11,6 +11,7 @@
 
 #include "avi_file.hpp"
 #include "picture_files.hpp"
+#include "setae/bytes/archive_folder.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "tiff_stack.hpp"
@@ -36,7 +37,7 @@ Overloaded(F...) -> Overloaded<F...>;  // clang 16 does not deduce it
 Store opened(std::vector<std::string> paths) {
     if (paths.empty())
         throw InvalidArgument("no frames; expected a TIFF stack, an AVI, a folder of pictures or pictures");
-    if (paths.size() == 1 && std::filesystem::is_directory(paths.front())) {
+    if (paths.size() == 1 && (std::filesystem::is_directory(paths.front()) || bytes::is_archive(paths.front()))) {
         const auto folder = paths.front();
         paths = pictures_in(folder);
     }

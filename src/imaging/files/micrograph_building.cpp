@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "micrograph_building.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,7 @@
 
 #include "setae/bytes/stored_numbers.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/named_choice.hpp"
 #include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
@@ -117,14 +119,49 @@ PictureSize picture_size(const bytes::Source& file, std::uint64_t offset, std::u
     return {static_cast<long>(width), static_cast<long>(height)};
 }
 
-void choose_image(Micrograph& micrograph, std::uint64_t images, const MicrographOptions& options) {
-    if (options.image >= images)
-        throw InvalidArgument(
-            fmt::format("{}: no image {}; the file has {}, counted from 0", micrograph.file, options.image, images));
-    if (images > 1)
+namespace {
+
+/// "0 'HAADF', 1 'HAADF' (Fourier transform)"; of many the first ones.
+std::string listed_images(const std::vector<ImageEntry>& images) {
+    constexpr std::size_t most_listed = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(images.size(), most_listed); ++i) {
+        const auto& [title, kind] = images[i];
+        text += fmt::format("{}{}{}{}", i == 0 ? "" : ", ", i, title.empty() ? "" : fmt::format(" '{}'", title),
+                            images[i].is_picture() ? "" : fmt::format(" ({})", kind));
+    }
+    return images.size() > most_listed ? fmt::format("{}, … {}", text, images.size() - 1) : text;
+}
+
+}  // namespace
+
+std::size_t choose_image(Micrograph& micrograph, std::vector<ImageEntry> images, const MicrographOptions& options) {
+    std::vector<std::string> titles;
+    for (const auto& image : images) titles.push_back(image.title);
+    std::size_t chosen = 0;
+    if (options.image.empty()) {
+        while (chosen < images.size() && !images[chosen].is_picture()) ++chosen;
+        if (chosen == images.size()) chosen = 0;
+    } else {
+        try {
+            chosen = chosen_by_name(options.image, titles, "image");
+        } catch (const InvalidArgument& error) {
+            throw InvalidArgument(fmt::format("{}: {}", micrograph.file, error.what()));
+        }
+    }
+    if (images.size() > 1)
         add_alert(micrograph, "SEVERAL_IMAGES",
-                  fmt::format("the file holds {} images, number {} is read", images, options.image),
-                  "ask for another by its number, counted from 0");
+                  fmt::format("the file holds {} images: {}; number {} is read", images.size(), listed_images(images),
+                              chosen),
+                  "ask for another with --image, by its number, counted from 0, or its title");
+    micrograph.images = std::move(images);
+    micrograph.image = chosen;
+    return chosen;
+}
+
+std::size_t choose_image(Micrograph& micrograph, std::uint64_t count, const MicrographOptions& options) {
+    constexpr std::uint64_t most_listed = 1 << 20;  // a damaged header may announce any number
+    return choose_image(micrograph, std::vector<ImageEntry>(std::min(count, most_listed)), options);
 }
 
 std::optional<double> number_of(std::string_view text) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "picture.hpp"
 #include "setae/bytes/source.hpp"
@@ -41,9 +42,11 @@ void add_alert(Micrograph& micrograph, std::string code, std::string message, st
 [[nodiscard]] PictureSize picture_size(const bytes::Source& file, std::uint64_t offset, std::uint64_t width,
                                        std::uint64_t height, const MicrographOptions& options);
 
-/// Checks that the file has the image asked for and says what is passed over: alert SEVERAL_IMAGES.
-/// @throws InvalidArgument for an image the file has not.
-void choose_image(Micrograph& micrograph, std::uint64_t images, const MicrographOptions& options);
+/// Which of a file's images is read: the one asked for, else the first picture. Says what is passed over: alert
+/// SEVERAL_IMAGES. @throws InvalidArgument for an image the file has not.
+std::size_t choose_image(Micrograph& micrograph, std::vector<ImageEntry> images, const MicrographOptions& options);
+/// The same of `count` images without titles.
+std::size_t choose_image(Micrograph& micrograph, std::uint64_t count, const MicrographOptions& options);
 
 /// A finite number that is the whole text; nothing for other text.
 [[nodiscard]] std::optional<double> number_of(std::string_view text);

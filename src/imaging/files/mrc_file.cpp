@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mrc_file.hpp"
 
+#include <array>
 #include <bit>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -57,6 +59,25 @@ bool read_fei_header(const bytes::Source& file, std::uint64_t section, Micrograp
     return true;
 }
 
+/// Pixel size of the cell's dimensions [Å] over its sampling. A cell without positive dimensions says nothing: programs
+/// write 0 where nobody told them, and damaged ones anything.
+void set_cell(Micrograph& micrograph, std::array<double, 2> cell, std::array<std::int32_t, 2> sampling) {
+    const std::string source = "MRC cell dimensions";
+    const bool positive = cell[0] > 0.0 && cell[1] > 0.0 && std::isfinite(cell[0]) && std::isfinite(cell[1]) &&
+                          sampling[0] > 0 && sampling[1] > 0;
+    if (!positive)
+        return add_alert(micrograph, "BAD_CALIBRATION",
+                         fmt::format("the cell is {:g} × {:g} Å for {} × {} samples, expected positive lengths; it "
+                                     "gives no pixel size",
+                                     cell[0], cell[1], sampling[0], sampling[1]),
+                         "give the pixel size, or calibrate on the scale bar");
+    set_pixel_size(micrograph, {cell[0] / sampling[0], "angstrom"}, {cell[1] / sampling[1], "angstrom"}, source);
+    if (cell[0] == sampling[0] && cell[1] == sampling[1])
+        add_alert(micrograph, "DEFAULT_CALIBRATION",
+                  "the cell has as many Å as samples, so a pixel is 1 Å: programs write that where nobody told them",
+                  "check the pixel size, or give it with --pixel and --ignore-stated-pixel-size");
+}
+
 }  // namespace
 
 bool is_mrc(std::string_view head) {
@@ -79,7 +100,7 @@ Micrograph read_mrc(const bytes::Source& file, const MicrographOptions& options)
     const auto positive = [&](std::size_t offset) { return static_cast<std::uint64_t>(std::max(0, whole(offset))); };
     const auto size = picture_size(file, at::sides, positive(at::sides), positive(at::sides + 4), options);
     const auto sections = positive(at::sides + 8);
-    choose_image(micrograph, std::max<std::uint64_t>(1, sections), options);
+    const std::uint64_t image = choose_image(micrograph, std::max<std::uint64_t>(1, sections), options);
     const auto type = sample_type(positive(at::mode));
     if (!type || whole(at::mode) < 0)
         throw FormatError(file.name, {.offset = at::mode},
@@ -87,20 +108,18 @@ Micrograph read_mrc(const bytes::Source& file, const MicrographOptions& options)
     const auto extended = positive(at::extended_bytes);
     const auto section_bytes =
         static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) * bytes_of(*type);
-    if (section_bytes > file.size || options.image > file.size / section_bytes)
+    if (section_bytes > file.size || image > file.size / section_bytes)
         throw FormatError(file.name, {.offset = header_bytes},
                           fmt::format("sections of {} bytes in a file of {}: truncated", section_bytes, file.size));
-    micrograph.pixels =
-        read_pixels(file, {header_bytes + extended + options.image * section_bytes, *type, big_endian, size});
+    micrograph.pixels = read_pixels(file, {header_bytes + extended + image * section_bytes, *type, big_endian, size});
     if (is_complex(*type))
         add_alert(micrograph, "COMPLEX_MAGNITUDE", "pixels are complex numbers; their magnitude is read",
                   "read the real image if this is a Fourier transform");
 
     const bool from_fei = extended > 0 && std::string_view(header).substr(at::extended_kind, 3) == "FEI" &&
-                          read_fei_header(file, options.image, micrograph);
-    if (!from_fei && real(at::cell) != 0 && positive(at::sampling) > 0 && positive(at::sampling + 4) > 0)
-        set_pixel_size(micrograph, {real(at::cell) / whole(at::sampling), "angstrom"},
-                       {real(at::cell + 4) / whole(at::sampling + 4), "angstrom"}, "MRC cell dimensions");
+                          read_fei_header(file, image, micrograph);
+    if (!from_fei)
+        set_cell(micrograph, {real(at::cell), real(at::cell + 4)}, {whole(at::sampling), whole(at::sampling + 4)});
     add_alert(micrograph, "UNTESTED_FORMAT", "MRC is read from its description, no real file was at hand",
               "compare picture and pixel size with another program's");
     return micrograph;

@@ -44,6 +44,8 @@ std::optional<PictureContent> picture_content(const std::string& path) {
                            .frame_rate = {},
                            .instrument = micrograph.instrument,
                            .acquisition_time = micrograph.acquisition_time,
+                           .images = micrograph.images,
+                           .image = micrograph.image,
                            .alerts = micrograph.alerts};
     if (picture_kind(head) == PictureKind::tiff) count_frames(content, path);
     return content;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/archive_folder.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
@@ -63,6 +64,12 @@ bool natural_order(std::string_view first, std::string_view second) {
 std::vector<std::string> files_in(const std::string& folder, const std::function<bool(const bytes::Source&)>& wanted) {
     std::vector<std::string> paths;
     std::error_code error;
+    if (bytes::is_archive(folder)) {
+        for (const auto& path : bytes::files_of_archive(folder))
+            if (wanted(bytes::file_source(path))) paths.push_back(path);
+        std::sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
+        return paths;
+    }
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         if (!entry->is_regular_file() || entry->path().filename().string().starts_with('.')) continue;
         if (wanted(bytes::file_source(entry->path().string()))) paths.push_back(entry->path().string());

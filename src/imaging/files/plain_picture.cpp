@@ -28,7 +28,7 @@ std::string format_of(PictureKind kind) {
 Micrograph read_plain_picture(const bytes::Source& file, const MicrographOptions& options) {
     const auto bytes = file.all();
     auto micrograph = unread_micrograph(file, format_of(picture_kind(bytes)));
-    choose_image(micrograph, 1, options);
+    (void)choose_image(micrograph, 1, options);
     const auto stated = stated_size(bytes);
     if (!stated || stated->width <= 0 || stated->height <= 0)
         throw FormatError(file.name, {.offset = 0}, "a picture whose header states no size: truncated or damaged");

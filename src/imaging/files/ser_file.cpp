@@ -57,12 +57,13 @@ Micrograph read_ser(const bytes::Source& file, const MicrographOptions& options)
     if (kind != data_2d)
         throw FormatError(file.name, {.offset = 6},
                           fmt::format("data of type {:#x}, expected {:#x}: damaged", kind, data_2d));
-    choose_image(micrograph, valid, options);
-    const auto place = file.up_to(offsets, word * (options.image + 1));
-    if (place.size() < word * (options.image + 1))
+    if (valid == 0) throw FormatError(file.name, {.offset = 18}, "a series without an image");
+    const std::uint64_t image = choose_image(micrograph, valid, options);
+    const auto place = file.up_to(offsets, word * (image + 1));
+    if (place.size() < word * (image + 1))
         throw FormatError(file.name, {.offset = offsets},
                           "the list of images lies beyond the end of the file: truncated");
-    const auto start = bytes::number_in(place, word * options.image, word);
+    const auto start = bytes::number_in(place, word * image, word);
     constexpr std::uint64_t element_bytes = 2 * 20 + 2 + 8;
     const auto element = file.up_to(start, element_bytes);
     if (element.size() < element_bytes)

@@ -40,8 +40,7 @@ Micrograph read_tiff(const bytes::Source& file, const MicrographOptions& options
     for (std::size_t i = 0; i < stack.size(); ++i)  // whether it is a thumbnail or the image cannot be told
         if (const auto fault = stack.fault(i); !fault.empty()) throw FormatError(file.name, {}, fault);
     const auto images = images_of(stack);
-    choose_image(micrograph, images.size(), options);
-    const auto index = images[options.image];
+    const auto index = images[choose_image(micrograph, images.size(), options)];
     const auto& page = stack.page(index);
     if (!page.lost.empty()) throw FormatError(file.name, {}, page.lost);
     const auto damaged = [&](const std::string& what) { return FormatError(file.name, {.offset = page.offset}, what); };

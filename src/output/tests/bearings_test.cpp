@@ -36,6 +36,8 @@ TEST(Bearings, EveryKindOfAlertHasOneOrIsKnownToNeedNone) {
                                           "PIXELS_NOT_SQUARE",
                                           "COMPLEX_MAGNITUDE",
                                           "SEVERAL_IMAGES",
+                                          "SIZE_NOT_STATED",
+                                          "SHEET_CHOSEN",
                                           "STACK",
                                           "CLOSED_OUTLINE",
                                           "CONTOUR_STEPS",

@@ -45,6 +45,11 @@ OpenedLoop read_unmapped(const LoopSource& source) {
     auto loop = tables::read_loop_table(
         source.file, source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete);
     OpenedLoop opened{.table = std::move(loop.table)};
+    if (const auto others = opened.table.metadata.find("other_sheets"); others != opened.table.metadata.end())
+        opened.alerts.push_back({"SHEET_CHOSEN", source.file,
+                                 fmt::format("the sheet '{}' was read; sheets with a table besides: {}",
+                                             opened.table.metadata.at("sheet"), others->second),
+                                 "read another with `setae jkr import --sheet NAME`, or a mapping file that names it"});
     for (const auto& sentence : loop.taken)
         opened.alerts.push_back({"COLUMN_GUESSED", source.file, sentence,
                                  "give another by a mapping file, which `setae jkr import` makes"});

@@ -70,9 +70,15 @@ std::vector<std::string> names_in(const std::string& list) {
     return names;
 }
 
+/// Of a file of several curves the first is described.
 FileContent content_of_force_curve(const std::string& file, const bytes::Source& source, std::string format) {
-    auto curve = tables::read_force_curve(source);
+    const auto curves = tables::open_force_curves(source);
+    auto curve = curves.read(curves.numbers.front()).table;
     FileContent content{.file = file, .kind = FileKind::force_curve, .format = std::move(format)};
+    content.curves = curves.numbers.size();
+    if (content.curves > 1)
+        content.note = fmt::format("{} force curves, numbered {} to {}", content.curves, curves.numbers.front(),
+                                   curves.numbers.back());
     if (const auto missing = curve.metadata.find("missing"); missing != curve.metadata.end())
         content.missing = names_in(missing->second);
     content.table = std::move(curve);
@@ -186,6 +192,13 @@ std::optional<FileContent> content_of_guessed_curve(const std::string& file, con
     return content;
 }
 
+/// Whether a file is a picture whose grey levels nobody has called heights: TIFF keeps both.
+bool is_picture_first(const FileContent& content, const FileQuestions& questions) {
+    return content.format == "tiff" && !questions.heights.unit &&
+           std::all_of(content.channels.begin(), content.channels.end(),
+                       [](const formats::Channel& channel) { return channel.info.unit.empty(); });
+}
+
 /// Whether the first channel says its size and unit: a text then says what its columns are.
 bool is_certain(const FileContent& content) {
     const auto& info = content.channels.front().info;
@@ -209,6 +222,8 @@ FileContent content_of_measurement(const std::string& file, const bytes::Source&
     if (auto loop = loop_by_columns(file, named)) return std::move(*loop);
     try {
         auto content = content_of_heights(file, questions.heights);
+        if (is_picture_first(content, questions))
+            if (auto picture = imaging::picture_content(file)) return content_of_picture(file, std::move(*picture));
         if (!named.foreign() || is_certain(content)) return content;
     } catch (const Error&) {
         if (!named.foreign()) {

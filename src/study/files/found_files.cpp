@@ -4,12 +4,45 @@
 
 #include <fmt/format.h>
 
+#include "setae/bytes/archive.hpp"
+#include "setae/bytes/archive_folder.hpp"
+#include "setae/bytes/source.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/formats/format.hpp"
 #include "setae/study/file_content.hpp"
+#include "setae/tables/force_curve.hpp"
 
 namespace setae::study {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A ZIP archive that no reader recognises: not a container, a workbook, an instrument's file.
+bool is_plain_archive(const std::string& path) {
+    if (!bytes::is_archive(path)) return false;
+    try {
+        const auto source = bytes::file_source(path);
+        if (tables::force_curve_format(source)) return false;
+        (void)bytes::Archive(source);
+        try {
+            (void)formats::detect_format(source);
+            return false;
+        } catch (const FormatError&) {
+            return true;
+        }
+    } catch (const Error&) {  // damaged: whoever opens it says how
+        return false;
+    }
+}
+
+void add_archive(const std::string& path, FoundFiles& found) {
+    try {
+        const auto files = bytes::files_of_archive(path);
+        found.files.insert(found.files.end(), files.begin(), files.end());
+    } catch (const Error& error) {
+        found.unreadable.push_back({path, error.what()});
+    }
+}
 
 /// Adds the files of a folder, then those of its folders.
 void add_folder(const fs::path& folder, FoundFiles& found) {
@@ -26,22 +59,30 @@ void add_folder(const fs::path& folder, FoundFiles& found) {
             {folder.string(), fmt::format("{}: cannot list the folder ({})", folder.string(), failure.message())});
     std::sort(files.begin(), files.end());
     std::sort(folders.begin(), folders.end());
-    for (const auto& file : files) found.files.push_back(file.string());
+    for (const auto& file : files)
+        if (is_plain_archive(file.string())) add_archive(file.string(), found);
+        else found.files.push_back(file.string());
     for (const auto& inner : folders) add_folder(inner, found);
 }
 
 }  // namespace
 
+bool is_folder(const std::string& path) {
+    std::error_code unknown;
+    return fs::is_directory(path, unknown) || is_plain_archive(path);
+}
+
 FoundFiles found_files(const std::vector<std::string>& paths) {
     FoundFiles found;
     for (const auto& path : paths) {
         std::error_code unknown;
-        if (!fs::is_directory(path, unknown)) {
+        const auto files = found.files.size(), unreadable = found.unreadable.size();
+        if (fs::is_directory(path, unknown)) add_folder(path, found);
+        else if (is_plain_archive(path)) add_archive(path, found);
+        else {
             found.files.push_back(path);
             continue;
         }
-        const auto files = found.files.size(), unreadable = found.unreadable.size();
-        add_folder(path, found);
         if (found.files.size() == files && found.unreadable.size() == unreadable)
             found.unreadable.push_back(
                 {path, fmt::format("{}: a folder without files; hidden files and linked folders are left out", path)});

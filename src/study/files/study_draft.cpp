@@ -46,11 +46,10 @@ bool is_result(const fs::path& file) {
 
 /// The folder that surfaces are named from: the one given, or the one around all that are.
 fs::path root_of(const std::vector<std::string>& paths) {
-    std::error_code ignored;
     fs::path root;
     for (const auto& path : paths) {
         const auto whole = whole_path(path);
-        const auto folder = fs::is_directory(whole, ignored) ? whole : whole.parent_path();
+        const auto folder = is_folder(whole.string()) ? whole : whole.parent_path();
         if (root.empty()) {
             root = folder;
             continue;
@@ -140,7 +139,7 @@ private:
         }
     }
 
-    /// The first channel of heights, with the others in its remark.
+    /// The preferred channel, with the others in its remark.
     void add_topography(const FileContent& content) {
         std::vector<std::size_t> heights;
         for (std::size_t i = 0; i < content.channels.size(); ++i)
@@ -149,9 +148,10 @@ private:
             draft_.left_out.push_back({content.file, content.file + ": none of its channels holds heights"});
             return;
         }
-        DraftMeasurement measurement{relative(content.file), &content.channels[heights.front()].info, {}, {}};
+        const auto chosen = formats::preferred_channel(content.channels).value_or(heights.front());
+        DraftMeasurement measurement{relative(content.file), &content.channels[chosen].info, {}, {}};
         if (heights.size() > 1) {
-            measurement.channel = heights.front();
+            measurement.channel = chosen;
             for (const auto i : heights)
                 measurement.channels +=
                     fmt::format("{}{} '{}'", i == heights.front() ? "" : ", ", i, content.channels[i].info.name);

@@ -268,15 +268,7 @@ void write_pipeline(const std::string& path, const Pipeline& pipeline) {
 processing::LoadMeasurement measurement_loader(formats::ReadOptions options) {
     return
         [options = std::move(options)](const std::string& file, const std::string& channel) -> topography::Measurement {
-            if (channel.empty()) return formats::open_chosen(file, {}, options).front().read();
-            std::vector<std::string> names;
-            for (const auto& candidate : formats::open(file, options)) {
-                if (candidate.info.name == channel) return candidate.read();
-                names.push_back(candidate.info.name);
-            }
-            const auto nearest = nearest_match(channel, names);
-            throw InvalidArgument(fmt::format("{}: no channel '{}'{}", file, channel,
-                                              nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+            return formats::read(file, channel.empty() ? formats::ChannelChoice{} : channel, options);
         };
 }
 

@@ -30,6 +30,17 @@ void read_pipeline_of(TomlReader& reader, MeasurementInput& input) {
     input.steps = step_lines(read_pipeline(*input.pipeline));
 }
 
+/// A channel by its number or its name.
+void read_channel(TomlReader& reader, MeasurementInput& input) {
+    if (!reader.is_number("channel")) {
+        input.channel = reader.text("channel");
+        return;
+    }
+    const auto number = reader.integer("channel");
+    if (*number < 0) reader.fail("channel", "expected a number from 0 or a name");
+    input.channel = fmt::format("{}", *number);
+}
+
 double direction_from_text(const std::string& text) {
     if (text == "x") return 0.0;
     return text == "y" ? 0.5 * pi : parse_quantity(text, dimension::none);
@@ -41,9 +52,11 @@ const Keys<MeasurementInput>& measurement_keys() {
         Keys<Input>()
             .file("file", &Input::file, "map, line scan or contour")
             .required()
-            .whole(
-                "channel", &Input::channel, 0, Keys<Input>::unbounded,
-                "of the file; a container without it gives all its members, other files their first channel of heights")
+            .add(
+                {"channel", "whole number from 0 or text", "", "",
+                 "number or name of the file's channel, or the beginning of its name; a container without it gives all "
+                 "its members, other files their [preferred channel](formats/README.md#which-channel)"},
+                read_channel)
             .choice<std::string>("instrument", &Input::instrument,
                                  {{"stylus", "stylus"}, {"afm", "afm"}, {"tem", "tem"}, {"optical", "optical"}},
                                  "its kind")
@@ -63,9 +76,10 @@ const Keys<MeasurementInput>& measurement_keys() {
                   "with it")
             .add("foil_thickness", &Input::foil_thickness, positive(dimension::length),
                  "of a side view's lamella along the beam; without it what the contour's file says, else a line")
-            .add("height_calibration", &Input::height_calibration, positive(dimension::none),
-                 "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
-                 "pipeline. Under one name in `[inputs]` it is one instrument's in all surfaces")
+            .add(
+                "height_calibration", &Input::height_calibration, positive(dimension::none),
+                "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
+                "pipeline. Under one name in `[inputs]` it is one instrument's in all surfaces")
             .add("lateral_calibration", &Input::lateral_calibration, positive(dimension::none),
                  "the same of lengths along the surface; a micrograph has both under one name")
             .add("numerical_aperture", &Input::numerical_aperture, positive(dimension::none),

@@ -82,8 +82,8 @@ InstrumentInputs inputs_of(const MeasurementInput& input, const topography::Meta
     };
     take(or_stated(input.height_calibration, "height_calibration", "height calibration"), inputs.height_calibration,
          "height_calibration");
-    take(or_stated(input.lateral_calibration, "lateral_calibration", "lateral calibration"),
-         inputs.lateral_calibration, "lateral_calibration");
+    take(or_stated(input.lateral_calibration, "lateral_calibration", "lateral calibration"), inputs.lateral_calibration,
+         "lateral_calibration");
     return inputs;
 }
 
@@ -134,7 +134,7 @@ std::optional<spectral_fit::Probe> probe_of(const MeasurementInput& input, const
                         .standard_error = instrument.tip_radius_standard_error.value_or(0.0)};
     };
     if (input.tip_file) {
-        const auto picture = formats::read(*input.tip_file, 0, options);
+        const auto picture = formats::read(*input.tip_file, std::nullopt, options);
         const auto* map = std::get_if<topography::HeightMap>(&picture);
         if (!map) throw InvalidArgument(fmt::format("{}: a line does not show a tip; expected a map", *input.tip_file));
         return spectral_fit::measured_tip(topography::tip_from_picture(*map), *input.tip_file);
@@ -163,7 +163,7 @@ topography::LineScan subtract_references(const topography::LineScan& scan, const
                                          const formats::ReadOptions& options) {
     std::vector<topography::LineScan> references;
     for (const auto& file : input.references) {
-        const auto measurement = formats::read(file, 0, options);
+        const auto measurement = formats::read(file, std::nullopt, options);
         const auto* reference = std::get_if<topography::LineScan>(&measurement);
         if (!reference)
             throw InvalidArgument(
@@ -296,12 +296,12 @@ std::string height_channels(const std::vector<formats::Channel>& channels) {
     return list;
 }
 
-/// Says that the first of several channels of heights was taken.
+/// Says which of several channels of heights was taken.
 Alert choice_alert(const std::string& file, const std::vector<formats::Channel>& channels, std::size_t taken) {
     return {"CHANNEL_CHOSEN", file,
             fmt::format("its channel {} '{}' was taken, of those that hold heights: {}", taken,
                         channels[taken].info.name, height_channels(channels)),
-            "choose another by --channel, in a study by channel = 1"};
+            "choose another by number or name with --channel, in a study by channel"};
 }
 
 }  // namespace

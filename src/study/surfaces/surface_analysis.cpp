@@ -210,14 +210,14 @@ void look_for_one_place(SurfaceResult& surface) {
 }
 
 /// What tells a measurement from others: the content of its file, or its place where that is unknown, and the channel.
-std::pair<std::string, std::optional<std::size_t>> identity_of(const MeasurementInput& input, const Run& run) {
+std::pair<std::string, std::optional<std::string>> identity_of(const MeasurementInput& input, const Run& run) {
     const auto digest = run.digest(input.file);
     return {digest.empty() ? std::filesystem::path(input.file).lexically_normal().string() : digest, input.channel};
 }
 
 /// The same data listed more than once say no more than once.
 void look_for_copies(SurfaceResult& surface, const SurfaceInput& input, const Run& run) {
-    std::map<std::pair<std::string, std::optional<std::size_t>>, std::vector<std::string>> files;
+    std::map<std::pair<std::string, std::optional<std::string>>, std::vector<std::string>> files;
     for (const auto& measurement : input.measurements) files[identity_of(measurement, run)].push_back(measurement.file);
     const auto copies =
         std::find_if(files.begin(), files.end(), [](const auto& same) { return same.second.size() > 1; });

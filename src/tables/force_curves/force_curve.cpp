@@ -27,6 +27,8 @@ ForceCurveFile one(const bytes::Source& source) {
 
 constexpr Reader readers[] = {{"jpk-force", is_jpk_force, one<read_jpk_force>},
                               {"jpk-force-map", is_jpk_map, open_jpk_map},
+                              {"jpk-text", is_jpk_text, open_jpk_text},
+                              {"nanoscope-force", is_nanoscope_force, open_nanoscope_force},
                               {"nanosurf-force", is_nanosurf_force, open_nanosurf_force},
                               {"afm-workshop", is_afm_workshop, one<read_afm_workshop>},
                               {"igor-force", is_igor_force, one<read_igor_force>},
@@ -152,6 +154,17 @@ const std::vector<ForceCurveFormat>& force_curve_formats() {
          "ZIP with a force curve in each numbered folder of 'index'; places, grid and what the segments share from its "
          "headers",
          "JPK Instruments, data format of NanoWizard, version 2; Gwyddion's module jpkscan", true},
+        {"jpk-text", "JPK text of force curves", ".txt",
+         "text that JPK's data processing exports, with 'columns', 'units' and 'segment' for each segment, of one curve or "
+         "several with their 'index'; measured height before the nominal one, deflection in N, m or V, spring constant and "
+         "sensitivity from the header",
+         "JPK Instruments, text export of the data processing, versions 3 to 6", false},
+        {"nanoscope-force", "Nanoscope force curves, force volumes", ".spm .000 .001 .pfc",
+         "Digital Instruments, Veeco, Bruker from version 4.3: header with 'Ciao force image list', the channel of deflection "
+         "in volts by V/LSB, the height sensor or else the ramp in equal steps; approach and retraction from the deepest "
+         "point outwards, curves of a volume line by line from the lower left; spring constant and sensitivity from the "
+         "header",
+         "Nanoscope 7 and 8 user guides; Gwyddion's module nanoscope; pyMFD's reader", false},
         {"nanosurf-force", "Nanosurf force curves", ".nid",
          "easyScan and later: sections of text, then integers; the channels Deflection and Z-Axis Sensor, else Z-Axis, of "
          "'Spec forward', 'Spec backward' and the pauses, a line a curve; spring constant and sensitivity from the "
@@ -186,6 +199,12 @@ std::optional<std::string> force_curve_format(const bytes::Source& source) {
     return std::nullopt;
 }
 
+std::optional<std::string> stated_force_curve_format(const bytes::Source& source) {
+    for (const auto& reader : readers)
+        if (reader.detect != is_nt_mdt_text && reader.detect(source)) return reader.identifier;
+    return std::nullopt;
+}
+
 ForceCurves open_force_curves(const bytes::Source& source, const ForceCurveOptions& options) {
     require_positive(options.spring_constant, "spring constant");
     require_positive(options.sensitivity, "sensitivity");
@@ -202,7 +221,7 @@ ForceCurves open_force_curves(const bytes::Source& source, const ForceCurveOptio
     }
     throw FormatError(
         source.name, {},
-        "no force curve setae reads (JPK, Nanosurf, AFM Workshop, Asylum, NT-MDT text); import tables by a mapping");
+        "no force curve setae reads (JPK, Nanoscope, Nanosurf, AFM Workshop, Asylum, NT-MDT text); import tables by a mapping");
 }
 
 ForceCurves open_force_curves(const std::string& path, const ForceCurveOptions& options) {

@@ -204,7 +204,7 @@ std::string labels(const ColumnGuess& guess, const RoleGuess& role) {
 }
 
 std::string dialect_text(const TableOptions& file) {
-    if (!file.separator) return "of a sheet";
+    if (!file.separator) return file.sheet ? fmt::format("of the sheet '{}'", *file.sheet) : "of a sheet";
     const char separator = *file.separator;
     return fmt::format("between {}, decimal {}",
                        separator == '\t'  ? "tabs"
@@ -232,8 +232,12 @@ ColumnGuess guess_columns(const RawTable& table, const std::string& path, const 
 
 ColumnGuess guess_columns(const std::string& path, const TableOptions& file) {
     const auto source = bytes::file_source(path);
-    auto guess = guess_columns(read_raw_table(source, file), path, file);
-    if (is_spreadsheet(source)) guess.file = file;
+    const auto table = read_raw_table(source, file);
+    auto guess = guess_columns(table, path, file);
+    if (!is_spreadsheet(source)) return guess;
+    guess.file = file;
+    if (const auto sheet = table.metadata.find("sheet"); sheet != table.metadata.end())
+        guess.file.sheet = sheet->second;
     return guess;
 }
 

@@ -221,7 +221,7 @@ TEST(ContainerDraft, OneMeasurementOfAContainerIsTakenWithWhatIsGivenOfIt) {
     ContainerSurface surface{.name = "s"};
     add_measurements_of(draft, surface,
                         {.path = old,
-                         .channel = 2,
+                         .channel = "2",
                          .trend = topography::Trend::parabola,
                          .instrument = {.type = "afm", .tip_radius = 1e-8}});
     ASSERT_EQ(surface.topographies.size(), 1u);
@@ -229,7 +229,7 @@ TEST(ContainerDraft, OneMeasurementOfAContainerIsTakenWithWhatIsGivenOfIt) {
     EXPECT_EQ(surface.topographies[0].detrend_mode, "curvature");
     EXPECT_DOUBLE_EQ(surface.topographies[0].instrument->parameters->tip_radius->metres().value(), 1e-8);
     EXPECT_EQ(draft.members.size(), 2u) << "the image and its copy";
-    EXPECT_THROW(add_measurements_of(draft, surface, {.path = old, .channel = 3}), InvalidArgument);
+    EXPECT_THROW(add_measurements_of(draft, surface, {.path = old, .channel = "3"}), InvalidArgument);
 }
 
 TEST(ContainerCheck, FindsNothingInWhatWasWritten) {

@@ -196,12 +196,16 @@ TEST(Npy, OpeningReadsTheHeaderAlone) {
     EXPECT_LT(large.bytes(), megabyte);
 }
 
-TEST(Npz, ListsArraysAndPassesOverTheRest) {
+TEST(Npz, ListsArraysAndPassesOverSingleNumbers) {
     const auto channels = channels_of(named(npz_samples(), "four arrays"));
-    ASSERT_EQ(channels.size(), 2u);
-    EXPECT_EQ(channels[0].info.name, "other");
-    EXPECT_EQ(channels[1].info.name, "height");
-    EXPECT_EQ(missing(channels[0].info)[0], "size");
+    ASSERT_EQ(channels.size(), 3u);
+    EXPECT_EQ(channels[0].info.name, "names");
+    EXPECT_FALSE(channels[0].info.is_height);
+    EXPECT_NE(channels[0].info.not_heights.find("expected floats"), std::string::npos);
+    EXPECT_EQ(channels[1].info.name, "other");
+    EXPECT_EQ(channels[2].info.name, "height");
+    EXPECT_EQ(missing(channels[1].info)[0], "size");
+    EXPECT_EQ(preferred_channel(channels), 2u) << "a name of heights goes before others";
 }
 
 TEST(Npz, ArchivesWithOtherMembersAreNone) {

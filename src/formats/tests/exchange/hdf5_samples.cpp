@@ -134,4 +134,22 @@ std::vector<FormatSample> jpk_hdf5_samples() {
             jpk_sample("a film, packed", 3, {.chunk = {4, 2}, .shuffled = true, .deflated = true})};
 }
 
+std::vector<FormatSample> topostats_samples() {
+    const auto map = lopsided_heights(7, 5, 1.0);
+    std::vector<double> rows;
+    for (Index j = 0; j < map.cols(); ++j)
+        for (Index i = 0; i < map.rows(); ++i) rows.push_back(map(i, j));
+    Hdf5Builder file;
+    file.dataset("/grain_mask", H5T_STD_U8LE, {5, 7}, std::vector<double>(35, 1.0))
+        .dataset("/image", H5T_IEEE_F64LE, {5, 7}, rows)
+        .dataset("/pixel_to_nm_scaling", H5T_IEEE_F64LE, {1}, {2.0});
+    return {{.format = "topostats",
+             .name = "image with mask",
+             .content = file.bytes(),
+             .channel = 1,
+             .shape = {7, 5},
+             .size = {14 * units::nm, 10 * units::nm},
+             .heights = map * units::nm}};
+}
+
 }  // namespace setae::formats::tests

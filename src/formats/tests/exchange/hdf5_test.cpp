@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // HDF5 and the formats made of it: what the tests of all formats do not check.
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -293,6 +294,75 @@ TEST(JpkHdf5, PixelsThatAreNoLinesAreRefused) {
     file.attribute("/Measurement_000/Channel_000", "channel.name", std::string("height"));
     file.attribute("/Measurement_000", "position-pattern.grid.ilength", std::vector<double>{3});
     EXPECT_NE(message_of([&] { (void)channels_of(file.bytes(), {}); }).find("no lines of 3"), std::string::npos);
+}
+
+// ---- what does not look like heights --------------------------------------------------------------------------------
+
+/// Why the only array of a file is taken for no heights.
+std::string why(const std::string& path, hid_t type, const std::vector<hsize_t>& extents,
+                const std::vector<double>& values, bool beside = false) {
+    Hdf5Builder file;
+    for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1))
+        file.group(path.substr(0, slash));
+    file.dataset(path, type, extents, values);
+    if (beside) file.dataset("/zz_map", H5T_IEEE_F64LE, {2, 2}, {1, 3, 2, 4});
+    const auto channels = channels_of(file.bytes());
+    EXPECT_EQ(channels[0].info.is_height, channels[0].info.not_heights.empty());
+    return channels[0].info.not_heights;
+}
+
+std::vector<double> values_of(std::size_t count, const std::function<double(std::size_t)>& value) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i) values[i] = value(i);
+    return values;
+}
+
+TEST(Hdf5, IndicesPositionsPicturesAndTablesAreNoHeights) {
+    const auto rough = [](std::size_t i) { return static_cast<double>((7 * i * i) % 31); };
+    EXPECT_EQ(why("/data", H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)), "");
+    EXPECT_EQ(why("/line", H5T_IEEE_F64LE, {40}, values_of(40, rough)), "");
+    EXPECT_NE(why("/line", H5T_IEEE_F64LE, {40}, values_of(40, rough), true).find("one dimension"), std::string::npos);
+    EXPECT_NE(
+        why("/index", H5T_STD_I64LE, {40}, values_of(40, [](std::size_t i) { return 2.0 * static_cast<double>(i); }))
+            .find("an index"),
+        std::string::npos);
+    EXPECT_NE(why("/x", H5T_IEEE_F64LE, {40}, values_of(40, [](std::size_t i) { return 0.3 * static_cast<double>(i); }))
+                  .find("positions"),
+              std::string::npos);
+    EXPECT_NE(why("/preview", H5T_STD_U8LE, {6, 8}, values_of(48, rough)).find("8 bits"), std::string::npos);
+    EXPECT_NE(why("/counts", H5T_STD_I32LE, {6, 8}, values_of(48, rough)).find("whole numbers"), std::string::npos);
+    EXPECT_NE(why("/points", H5T_IEEE_F64LE, {40, 3}, values_of(120, rough)).find("a table of 3 columns"),
+              std::string::npos);
+    EXPECT_NE(
+        why("/grid_x", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i % 8); }))
+            .find("coordinates"),
+        std::string::npos);
+    EXPECT_NE(
+        why("/grid_y", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i / 8); }))
+            .find("coordinates"),
+        std::string::npos);
+    EXPECT_NE(why("/t/_i_t/sorted", H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)).find("PyTables"), std::string::npos);
+    EXPECT_EQ(why("/height", H5T_STD_I32LE, {6, 8}, values_of(48, rough)), "") << "named so";
+}
+
+TEST(Hdf5, ArraysOfDoubtAreReadWhenChosen) {
+    Hdf5Builder file;
+    file.dataset("/counts", H5T_STD_I32LE, {3, 2}, {1, 2, 3, 5, 4, 6});
+    const auto channels = channels_of(file.bytes());
+    EXPECT_FALSE(channels[0].info.is_height);
+    EXPECT_DOUBLE_EQ(std::get<HeightMap>(channels[0].read()).heights(1, 1), 5e-9);
+    EXPECT_THROW((void)chosen_channels("f", channels, std::nullopt), InvalidArgument);
+}
+
+TEST(Hdf5, FilesOfElectronMicroscopyAreNoArrays) {
+    Hdf5Builder velox, ncem;
+    velox.group("/Data").group("/Data/Image").group("/Data/Image/1");
+    velox.dataset("/Data/Image/1/Metadata", H5T_STD_U8LE, {60, 1}, numbers(60));
+    ncem.group("/data").group("/data/image").attribute("/data/image", "emd_group_type", std::vector<double>{1.0});
+    ncem.dataset("/data/image/data", H5T_IEEE_F64LE, {3, 2}, numbers(6));
+    for (const auto& content : {velox.bytes(), ncem.bytes()})
+        EXPECT_NE(message_of([&] { (void)channels_of(content); }).find("an EMD file of electron microscopy"),
+                  std::string::npos);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ std::vector<FormatSample> npz_samples() {
              .name = "four arrays",
              .content = archive,
              .options = {.size = {{3e-6, 2e-6}}, .unit = "nm"},
-             .channel = 1,
+             .channel = 2,
              .shape = {6, 4},
              .size = {3e-6, 2e-6},
              .heights = map * units::nm}};

@@ -150,7 +150,7 @@ TEST(DigitalMicrograph, RefusesWhatBreaksTheTreeOfTags) {
 }
 
 TEST(DigitalMicrograph, HasNoOtherImages) {
-    EXPECT_THROW((void)read_bytes(dm_file().bytes(), {.image = 1}), InvalidArgument);
+    EXPECT_THROW((void)read_bytes(dm_file().bytes(), {.image = "1"}), InvalidArgument);
 }
 
 }  // namespace

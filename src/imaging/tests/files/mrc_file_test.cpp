@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
 #include "electron_files.hpp"
 #include "micrograph_checks.hpp"
 
@@ -51,8 +54,8 @@ TEST(MrcFile, StepsOverExtendedHeadersAndReadsTheSectionAskedFor) {
     const auto first = read_bytes(file.bytes());
     expect_common_picture(first);
     EXPECT_TRUE(has_alert(first, "SEVERAL_IMAGES"));
-    EXPECT_FLOAT_EQ(read_bytes(file.bytes(), {.image = 1}).pixels(1, 2), 16.0f);
-    EXPECT_THROW((void)read_bytes(file.bytes(), {.image = 2}), InvalidArgument);
+    EXPECT_FLOAT_EQ(read_bytes(file.bytes(), {.image = "1"}).pixels(1, 2), 16.0f);
+    EXPECT_THROW((void)read_bytes(file.bytes(), {.image = "2"}), InvalidArgument);
 }
 
 TEST(MrcFile, TakesThePixelSizeOfFeisExtendedHeaderWhereItIsSensible) {
@@ -73,10 +76,24 @@ TEST(MrcFile, TakesThePixelSizeOfFeisExtendedHeaderWhereItIsSensible) {
     expect_pixel_size(read_bytes(file.bytes()), 0.5e-10, 0.25e-10);
 }
 
-TEST(MrcFile, StatesNoPixelSizeWithoutACell) {
+TEST(MrcFile, StatesNoPixelSizeWithoutACellOfPositiveLengths) {
+    for (const float x : {0.0f, -1.5f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
+        auto file = mrc_file();
+        file.cell_x = x;
+        const auto micrograph = read_bytes(file.bytes());
+        EXPECT_FALSE(micrograph.pixel_size) << x;
+        EXPECT_TRUE(has_alert(micrograph, "BAD_CALIBRATION")) << x;
+    }
+}
+
+TEST(MrcFile, DoubtsAPixelOfOneAngstrom) {
     auto file = mrc_file();
-    file.cell_x = file.cell_y = 0;
-    EXPECT_FALSE(read_bytes(file.bytes()).pixel_size);
+    file.cell_x = columns;
+    file.cell_y = rows;
+    const auto micrograph = read_bytes(file.bytes());
+    expect_pixel_size(micrograph, 1e-10, 1e-10);
+    EXPECT_TRUE(has_alert(micrograph, "DEFAULT_CALIBRATION"));
+    EXPECT_FALSE(has_alert(read_bytes(mrc_file().bytes()), "DEFAULT_CALIBRATION"));
 }
 
 TEST(MrcFile, RefusesOtherModes) {

@@ -35,8 +35,8 @@ TEST(SerFile, ReadsTheImageAskedFor) {
     auto file = ser_file(0x0220);
     file.images = 3;
     EXPECT_TRUE(has_alert(read_bytes(file.bytes()), "SEVERAL_IMAGES"));
-    expect_common_picture(read_bytes(file.bytes(), {.image = 2}));
-    EXPECT_THROW((void)read_bytes(file.bytes(), {.image = 3}), InvalidArgument);
+    expect_common_picture(read_bytes(file.bytes(), {.image = "2"}));
+    EXPECT_THROW((void)read_bytes(file.bytes(), {.image = "3"}), InvalidArgument);
 }
 
 TEST(SerFile, RefusesSpectraAndUnknownTypes) {

@@ -83,8 +83,8 @@ TEST(TiffMicrograph, PassesOverThumbnails) {
     expect_common_picture(read_bytes(small));
     const auto stack = tiff.bytes({{}, {tiff.shorts(262, 0)}});
     EXPECT_TRUE(has_alert(read_bytes(stack), "SEVERAL_IMAGES"));
-    EXPECT_FLOAT_EQ(read_bytes(stack, {.image = 1}).pixels(0, 0), 5.0f);  // white is 0
-    EXPECT_THROW((void)read_bytes(stack, {.image = 2}), InvalidArgument);
+    EXPECT_FLOAT_EQ(read_bytes(stack, {.image = "1"}).pixels(0, 0), 5.0f);  // white is 0
+    EXPECT_THROW((void)read_bytes(stack, {.image = "2"}), InvalidArgument);
 }
 
 TEST(TiffMicrograph, TakesThePixelSizeOfDigitalMicrograph) {

@@ -235,7 +235,7 @@ TEST(StudyDraft, OfRealContainersHasAnEntryAMember) {
     ASSERT_EQ(study.surfaces[0].measurements.size(), 3u);
     EXPECT_EQ(study.surfaces[0].measurements[1].instrument, "afm");
     EXPECT_EQ(study.surfaces[0].measurements[2].instrument, "stylus");
-    EXPECT_EQ(study.surfaces[0].measurements[2].channel, 2u);
+    EXPECT_EQ(study.surfaces[0].measurements[2].channel, "2");
 }
 
 }  // namespace

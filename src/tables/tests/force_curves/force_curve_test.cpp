@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "import_samples.hpp"
+#include "setae/tables/force_map.hpp"
 
 using namespace setae::tests;
 
@@ -145,6 +146,113 @@ TEST(IgorForce, SplitsAtTheTurnWithoutANote) {
     EXPECT_EQ(table.at("segment")[3], 1.0);
     EXPECT_EQ(table.metadata.at("missing"), "spring_constant");
     EXPECT_EQ(table.find("time"), nullptr);
+}
+
+// ---- Nanoscope ------------------------------------------------------------------------------------------------------
+
+TEST(NanoscopeForce, ReadsRampAndDeflectionFromTheDeepestPointOutwards) {
+    for (const int value_bytes : {2, 4}) {
+        const auto table = curve(nanoscope_force_file(1, false, value_bytes));
+        ASSERT_EQ(table.rows(), 7);
+        // ramp of 160 nm in four equal steps, the deepest sample at 160 nm; retraction in three
+        EXPECT_NEAR(table.at("height")[0], 40e-9, 1e-20);
+        EXPECT_NEAR(table.at("height")[3], 160e-9, 1e-20);
+        EXPECT_NEAR(table.at("height")[4], 160e-9, 1e-20);
+        EXPECT_NEAR(table.at("height")[6], 160e-9 / 3.0, 1e-20);
+        EXPECT_NEAR(table.at("deflection")[3], 0.3 * 50e-9, 1e-20);
+        EXPECT_NEAR(table.at("force")[6], -0.08 * 50e-9 * 0.1, 1e-22);
+        EXPECT_NEAR(table.at("displacement")[3], 160e-9 - 15e-9, 1e-20);
+        EXPECT_EQ(table.metadata.at("format"), "nanoscope-force");
+        EXPECT_EQ(table.metadata.at("segments"), "extend, retract");
+        EXPECT_EQ(table.metadata.at("height_channel"), "ramp");
+        EXPECT_EQ(table.metadata.at("trigger_mode"), "Relative");
+        EXPECT_EQ(table.metadata.count("missing"), 0u);
+    }
+}
+
+TEST(NanoscopeForce, TakesTheHeightSensorBeforeTheRamp) {
+    const auto table = curve(nanoscope_force_file(1, true));
+    EXPECT_NEAR(table.at("height")[3], 40e-9, 1e-20);
+    EXPECT_NEAR(table.at("height")[0], 10e-9, 1e-20);
+    EXPECT_EQ(table.metadata.at("height_channel"), "Height Sensor");
+}
+
+TEST(NanoscopeForce, ReadsTheCurvesOfAVolumeOnTheirGrid) {
+    const auto curves = open_force_curves(bytes::memory_source("f", nanoscope_force_file(6)));
+    ASSERT_EQ(curves.numbers.size(), 6u);
+    ASSERT_TRUE(curves.grid);
+    EXPECT_EQ(curves.grid->columns, 2);
+    EXPECT_EQ(curves.grid->rows, 3);
+    const auto last = curves.read(5);
+    EXPECT_NEAR(last.table.at("reading")[0], 0.05, 1e-15);                        // 50 more than the first
+    EXPECT_EQ(curves.grid->pixel(last.x, last.y), (std::array<Index, 2>{1, 0}));  // the last is at the upper right
+    const auto first = curves.read(0);
+    EXPECT_EQ(curves.grid->pixel(first.x, first.y), (std::array<Index, 2>{0, 2}));
+}
+
+TEST(NanoscopeForce, LeavesOutSamplesThatWereNotMeasured) {
+    auto content = nanoscope_force_file();
+    content.replace(4096 + 2 * 3, 2, std::string("\x00\x80", 2));  // the farthest of the approach
+    EXPECT_EQ(curve(content).rows(), 6);
+}
+
+TEST(NanoscopeForce, SaysWhatIsMissingOrDamaged) {
+    const auto changed = [](const std::string& from, const std::string& to) {
+        auto content = nanoscope_force_file();
+        content.replace(content.find(from), from.size(), to);
+        return content;
+    };
+    EXPECT_EQ(curve(changed("@Sens. DeflSens", "@Sens. XeflSens")).metadata.at("missing"), "sensitivity");
+    const auto message = [](const std::string& content) { return message_of([&] { (void)curve(content); }); };
+    EXPECT_TRUE(holds(message(changed("Deflection Error", "Friction        ")), "without a channel of deflection"));
+    EXPECT_TRUE(holds(message(changed("Ramp size", "Xamp size")), "neither a height sensor nor a ramp size"));
+    EXPECT_TRUE(holds(message(nanoscope_force_file().substr(0, 4100)), "truncated"));
+    EXPECT_TRUE(holds(message(changed("Bytes/pixel: 2", "Bytes/pixel: 3")), "3 bytes a value"));
+}
+
+// ---- text of JPK ----------------------------------------------------------------------------------------------------
+
+TEST(JpkText, ReadsSegmentsWithTheirUnits) {
+    const auto table = curve(jpk_text_file());
+    ASSERT_EQ(table.rows(), 8);
+    EXPECT_NEAR(table.at("force")[3], 3e-9, 1e-22);
+    EXPECT_NEAR(table.at("height")[3], 1e-6, 1e-20);  // the measured one, not the nominal
+    EXPECT_NEAR(table.at("displacement")[3], -1e-6 - 3e-9 / 0.1, 1e-19);
+    EXPECT_NEAR(table.at("time")[4], 1.0, 1e-12);
+    EXPECT_EQ(table.metadata.at("segments"), "extend, retract");
+    EXPECT_EQ(table.metadata.at("height_channel"), "measuredHeight");
+    EXPECT_EQ(table.metadata.at("instrument"), "N1");
+    EXPECT_NEAR(curve(jpk_text_file(1, "V")).at("force")[3], 3e-9 * 5e-8 * 0.1, 1e-27);
+    EXPECT_NEAR(curve(jpk_text_file(1, "m")).at("deflection")[3], 3e-9, 1e-22);
+}
+
+TEST(JpkText, ReadsSeveralCurvesByTheirIndex) {
+    const auto curves = open_force_curves(bytes::memory_source("f", jpk_text_file(3)));
+    EXPECT_EQ(curves.numbers, (std::vector<long>{0, 1, 2}));
+    const auto last = curves.read(2);
+    EXPECT_NEAR(last.table.at("force")[0], 20e-9, 1e-20);
+    EXPECT_NEAR(last.x, 2e-6, 1e-18);
+}
+
+TEST(JpkText, SaysWhichColumnIsMissingAndWhereTheTextBreaksOff) {
+    auto text = jpk_text_file();
+    const auto message = [](const std::string& content) { return message_of([&] { (void)curve(content); }); };
+    const auto cut = text.substr(0, text.rfind("0.75") - 20);
+    EXPECT_TRUE(holds(message(cut), "no number for column")) << message(cut);
+    for (auto at = text.find("eight "); at != std::string::npos; at = text.find("eight ")) text.replace(at, 5, "xxxxx");
+    for (auto at = text.find("measuredHeight"); at != std::string::npos; at = text.find("measuredHeight"))
+        text.replace(at, 14, "somethingOther");
+    EXPECT_TRUE(holds(message(text), "no column of height")) << message(text);
+}
+
+TEST(ForceCurves, ThoseThatSayWhatTheyAreAreTold) {
+    const auto stated = [](const std::string& content) {
+        return stated_force_curve_format(bytes::memory_source("f", content)).value_or("");
+    };
+    EXPECT_EQ(stated(jpk_text_file()), "jpk-text");
+    EXPECT_EQ(stated(afm_workshop_file()), "afm-workshop");
+    EXPECT_EQ(stated(nt_mdt_file()), "");
+    EXPECT_EQ(stated("1 2 3\n4 5 6\n"), "");
 }
 
 }  // namespace

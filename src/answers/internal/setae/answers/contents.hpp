@@ -49,9 +49,9 @@ struct ListedFile {
 struct ContentsRequest {
     std::vector<std::string> paths;  ///< files, or folders of them
     study::FileQuestions questions;
-    std::optional<std::size_t> channel;  ///< the only one that is shown
-    bool heights = false;                ///< read heights of files above 64 MB too
-    bool no_heights = false;             ///< read headers alone
+    formats::ChannelChoice channel;  ///< the only one that is shown
+    bool heights = false;            ///< read heights of files above 64 MB too
+    bool no_heights = false;         ///< read headers alone
 };
 
 /// What was found, and what is wrong with it.

@@ -21,7 +21,7 @@ struct ContourRequest {
     std::vector<std::string> hidden;                            ///< "x,y,width,height" in pixels
     std::optional<double> smoothing, least_length;              ///< [px]
     double denoise = 0;                                         ///< [px]
-    std::size_t image = 1;                                      ///< of a file of several
+    std::string image;  ///< of a file of several: its number, counted from 0, or its title; empty: the first picture
     bool ignore_stated = false, whole_picture = false;
 
     /// @throws InvalidArgument for malformed texts and a calibration given twice.

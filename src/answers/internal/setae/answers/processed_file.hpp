@@ -20,7 +20,7 @@ struct ProcessedFile {
 
 /// The channel wanted, or the first of heights, put through a pipeline. @throws what reading and the steps throw.
 [[nodiscard]] ProcessedFile processed_file(const std::string& file, const formats::ReadOptions& options,
-                                           std::optional<std::size_t> channel, const processing::Pipeline& pipeline,
+                                           const formats::ChannelChoice& channel, const processing::Pipeline& pipeline,
                                            parallel::Threads threads = {});
 
 /// "input", "output" (null where nothing was written), "channel" and "steps".

@@ -22,7 +22,7 @@ struct FileRequest {
     std::string size;  ///< "1 mm x 1 mm" or "2 mm"
     std::string unit;  ///< "um"; "mm, um": of x, then of heights; of a table of a spectrum "1/um, nm3"
     std::string as;    ///< "matrix", "columns" or "spectrum"
-    std::optional<std::size_t> channel;
+    formats::ChannelChoice channel;
 
     /// @throws InvalidArgument for a malformed size, and for a table of a spectrum, which holds no heights.
     [[nodiscard]] formats::ReadOptions read_options() const;

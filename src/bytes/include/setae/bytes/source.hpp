@@ -29,7 +29,8 @@ struct Source {
 /// How much of a source tells its format.
 inline constexpr std::size_t detection_bytes = 1 << 16;
 
-/// A regular file on disk, an input from now on (ProtectedInputs); nothing is read yet.
+/// A regular file on disk, an input from now on (ProtectedInputs); nothing is read yet. A path that goes on behind a
+/// ZIP archive, as "archive.zip/folder/member", is that member.
 /// @throws FileError for a missing path, what is no regular file and what cannot be opened.
 [[nodiscard]] Source file_source(const std::string& path);
 

@@ -24,7 +24,8 @@ struct ChannelInfo {
     std::string unit;  ///< the file's unit of heights, spelled as parse_unit knows it; empty: nobody said
     std::string
         orientation;  ///< how rows and columns came to lie as they do: "rows from the bottom, turned"; empty for lines
-    bool is_height = true;  ///< false for phase, amplitude, current …: listed, but no heights
+    bool is_height = true;    ///< false for phase, amplitude, current …: listed, but no heights
+    std::string not_heights;  ///< why it is taken for no heights; empty where it is, or its name and unit say so
     topography::Metadata metadata;
     std::optional<topography::Trend> recommended_trend;  ///< what a container says to remove
     std::vector<Alert> alerts;
@@ -73,19 +74,31 @@ struct ReadOptions {
 /// sizes that do not fit the data.
 [[nodiscard]] std::vector<Channel> open(const std::string& path, const ReadOptions& options = {});
 
-/// Which of a file's channels are meant: the one wanted, else the first of heights, or all of these.
+/// A channel as a user names it, as chosen_by_name() takes it: its number, counted from 0, or its name or the beginning
+/// of it. Nothing: the preferred one.
+using ChannelChoice = std::optional<std::string>;
+
+/// The channel of heights that is taken where nobody chose. In this order: a map before a line; a name of heights
+/// (height, topography, topo, z, surface, elevation) before others; one whose size and unit are known; trace or forward
+/// before retrace or backward; the order of the file. Nothing where no channel holds heights.
+[[nodiscard]] std::optional<std::size_t> preferred_channel(const std::vector<Channel>& channels);
+
+/// Which of a file's channels are meant: the one wanted, else the preferred one, or all of heights.
 /// @throws InvalidArgument that begins with the path where there is none.
 [[nodiscard]] std::vector<std::size_t> chosen_channels(const std::string& path, const std::vector<Channel>& channels,
-                                                       std::optional<std::size_t> wanted, bool all = false);
+                                                       const ChannelChoice& wanted, bool all = false);
 
 /// The channels meant where a file is named: the one wanted, else of a container all of heights, of another file the
-/// first of heights. @throws as open; InvalidArgument where there is none.
-[[nodiscard]] std::vector<Channel> open_chosen(const std::string& path, std::optional<std::size_t> wanted,
+/// preferred one. @throws as open; InvalidArgument where there is none.
+[[nodiscard]] std::vector<Channel> open_chosen(const std::string& path, const ChannelChoice& wanted,
                                                const ReadOptions& options = {});
 
-/// The heights of one channel.
+/// The heights of one channel, without a choice the preferred one.
 /// @throws InvalidArgument where the file has no such channel or it holds no heights; else as open.
-[[nodiscard]] topography::Measurement read(const std::string& path, std::size_t channel = 0,
+[[nodiscard]] topography::Measurement read(const std::string& path, const ChannelChoice& channel = std::nullopt,
+                                           const ReadOptions& options = {});
+/// The same by number, counted from 0.
+[[nodiscard]] topography::Measurement read(const std::string& path, std::size_t channel,
                                            const ReadOptions& options = {});
 
 }  // namespace setae::formats

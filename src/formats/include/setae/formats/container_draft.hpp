@@ -21,7 +21,7 @@ struct ContainerDraft {
 struct StoredMeasurement {
     std::string path;
     ReadOptions options;
-    std::optional<std::size_t> channel;  ///< default: the first of heights
+    ChannelChoice channel;  ///< default: the preferred one
     std::optional<topography::Trend>
         trend;                          ///< what the container says to remove: mean (the default), tilt or parabola
     topography::Instrument instrument;  ///< what is known of it beside the file

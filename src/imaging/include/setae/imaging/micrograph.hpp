@@ -16,6 +16,14 @@ struct PixelSize {
     double x = 0, y = 0;
 };
 
+/// One of the images of a file, as messages and listings name it.
+struct ImageEntry {
+    std::string title = {};      ///< as the file has it; empty where it has none
+    std::string kind = "image";  ///< "image", "spectrum", "spectrum image" or "Fourier transform"
+
+    [[nodiscard]] bool is_picture() const { return kind == "image"; }
+};
+
 /// A picture of a microscope and what its file says of it.
 struct Micrograph {
     FramePixels pixels;                   ///< grey levels as the file spells them, row 0 on top; colour as luminance
@@ -24,6 +32,8 @@ struct Micrograph {
     std::string unit;                     ///< the file's own, "nm" or, where the axes differ, "nm, A" (x first)
     std::string format;                   ///< identifier in micrograph_formats()
     std::string file, name;
+    std::vector<ImageEntry> images;            ///< of the file
+    std::size_t image = 0;                     ///< which of them this is
     std::string instrument, acquisition_time;  ///< as the file says; empty where it does not
     std::map<std::string, std::string>
         attributes;             ///< magnification, voltage … with their units, as the file names them
@@ -31,7 +41,8 @@ struct Micrograph {
 };
 
 struct MicrographOptions {
-    std::size_t image = 0;           ///< of files that hold several
+    std::string image = {};  ///< its number, counted from 0, or its title or the beginning of it; empty: the first that
+                             ///< is no spectrum and no Fourier transform
     long most_pixels = 100'000'000;  ///< a larger picture is refused before its pixels are read
 };
 

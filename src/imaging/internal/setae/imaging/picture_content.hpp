@@ -19,6 +19,8 @@ struct PictureContent {
     std::optional<PixelSize> pixel_size;
     std::optional<double> frame_rate;  ///< [1/s]
     std::string instrument, acquisition_time;
+    std::vector<ImageEntry> images;  ///< of the file
+    std::size_t image = 0;           ///< the one described
     std::vector<Alert> alerts;
 };
 

@@ -35,8 +35,9 @@ struct HeightsInMemory {
 struct MeasurementInput {
     std::string
         file;  ///< path, relative to the study file where not absolute; of heights in memory what they are called
-    std::optional<std::size_t> channel;      ///< default: the first channel of heights; of a container: every one
-    std::string instrument;                  ///< type: "stylus", "afm", "tem", "optical"
+    std::optional<std::string>
+        channel;             ///< number from 0 or name; default: the preferred one, of a container every one
+    std::string instrument;  ///< type: "stylus", "afm", "tem", "optical"
     std::optional<Estimate> tip_radius;      ///< [m]
     std::string tip_shape;                   ///< "sphere", "cone", "paraboloid"; empty: sphere
     std::optional<double> tip_half_angle;    ///< of a cone [rad]
@@ -61,9 +62,9 @@ struct MeasurementInput {
 
 /// Published moments in place of measurements.
 struct PublishedMoments {
-    Estimate rms_height;            ///< [m]
-    Estimate rms_slope;             ///< [1]
-    Estimate rms_curvature;         ///< [1/m]
+    Estimate rms_height;        ///< [m]
+    Estimate rms_slope;         ///< [1]
+    Estimate rms_curvature;     ///< [1/m]
     Estimate short_wavevector;  ///< q_s of the reconstruction [1/m]
 };
 
@@ -104,12 +105,12 @@ struct ElastomerInput {
     Estimate poisson_ratio{.value = 0.5, .standard_error = 0.0};
     Estimate surface_energy;  ///< γ1 [J/m²]
     std::optional<StretchedSurfaceEnergy> surface_energy_law;
-    std::optional<double> interface_change;      ///< χ of γ1s2 − γ12 = χ (r − 1) [J/m²]
-    std::optional<Estimate> sphere_radius;       ///< [m]
-    std::optional<Estimate> sphere_height;       ///< [m]
-    std::optional<double> preload;               ///< largest force of the loops to be predicted [N]
-    std::optional<double> speed;      ///< of the motor in them [m/s]; without it that of the elastomer's loops
-    std::optional<double> hold_time;  ///< of it at the turning point [s], likewise
+    std::optional<double> interface_change;  ///< χ of γ1s2 − γ12 = χ (r − 1) [J/m²]
+    std::optional<Estimate> sphere_radius;   ///< [m]
+    std::optional<Estimate> sphere_height;   ///< [m]
+    std::optional<double> preload;           ///< largest force of the loops to be predicted [N]
+    std::optional<double> speed;             ///< of the motor in them [m/s]; without it that of the elastomer's loops
+    std::optional<double> hold_time;         ///< of it at the turning point [s], likewise
     std::optional<StatedEdgeSpeed> crack_speed;  ///< without it fitted to loops on the smooth standard
     std::vector<StatedRelaxation> relaxation;
     std::optional<double> crosslink_molar_mass;  ///< M_c [kg/mol]

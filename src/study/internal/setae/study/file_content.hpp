@@ -41,6 +41,7 @@ struct FileContent {
     std::optional<imaging::PictureContent> picture = {};  ///< of micrographs and recordings
     std::optional<Table> table = {};                      ///< of loops, force curves and spectra, in SI
     std::optional<Study> study = {};
+    std::size_t curves = 1;                 ///< of a file of force curves, the first of which is `table`
     std::vector<std::string> missing = {};  ///< what loops and force curves do not say and fits need: "sphere_radius" …
     std::string note = {};                  ///< what else a reader should know
 };
@@ -66,6 +67,10 @@ struct FoundFiles {
     std::vector<std::string> files;
     std::vector<UnreadablePath> unreadable;  ///< folders that cannot be listed, or that hold no file
 };
+
+/// Whether a path is a folder, or a ZIP archive that is none of the formats setae reads: such an archive is a folder of
+/// its members wherever a folder is taken.
+[[nodiscard]] bool is_folder(const std::string& path);
 
 /// The files that paths name, in the order of the paths, those of a folder by name: its files, then its folders. Hidden
 /// files are left out, and links to folders are not followed where a folder holds them. What is no folder is a file,

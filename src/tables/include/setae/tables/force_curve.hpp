@@ -23,7 +23,7 @@ struct ForceCurveOptions {
 
 /// A file format of force curves.
 struct ForceCurveFormat {
-    std::string identifier;  ///< "jpk-force", "jpk-force-map", "nanosurf-force", "afm-workshop", "igor-force", "nt-mdt"
+    std::string identifier;  ///< "jpk-force", "jpk-force-map", "jpk-text", "nanoscope-force", "nanosurf-force" …
     std::string name;
     std::string extensions;
     std::string description;
@@ -35,6 +35,9 @@ struct ForceCurveFormat {
 
 /// The format of a source by its content; nothing where it is no force curve setae reads.
 [[nodiscard]] std::optional<std::string> force_curve_format(const bytes::Source& source);
+
+/// The same of formats that say in their header what they are: not the text of NT-MDT, which may as well be heights.
+[[nodiscard]] std::optional<std::string> stated_force_curve_format(const bytes::Source& source);
 
 /// A force curve: approach, pause and retraction one after the other, in the order of the record.
 ///

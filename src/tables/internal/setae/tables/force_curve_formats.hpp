@@ -54,6 +54,14 @@ struct ForceCurveFile {
 [[nodiscard]] bool is_nanosurf_force(const bytes::Source& source);
 [[nodiscard]] ForceCurveFile open_nanosurf_force(const bytes::Source& source);
 
+/// Force curves and force volumes of Nanoscope (Bruker, Veeco, Digital Instruments).
+[[nodiscard]] bool is_nanoscope_force(const bytes::Source& source);
+[[nodiscard]] ForceCurveFile open_nanoscope_force(const bytes::Source& source);
+
+/// Text that JPK's data processing exports.
+[[nodiscard]] bool is_jpk_text(const bytes::Source& source);
+[[nodiscard]] ForceCurveFile open_jpk_text(const bytes::Source& source);
+
 [[nodiscard]] bool is_afm_workshop(const bytes::Source& source);
 [[nodiscard]] ForceCurveData read_afm_workshop(const bytes::Source& source);
 

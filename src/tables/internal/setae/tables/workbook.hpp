@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "setae/bytes/source.hpp"
@@ -19,10 +20,18 @@ struct Sheet {
     std::string member;  ///< of the archive
 };
 
-/// A workbook's archive, its sheets and shared strings.
+/// What a source is of workbooks. Those of Excel before 2007 and binary ones are told, not read.
+enum class WorkbookKind { none, office_open_xml, open_document, old_excel, binary_excel };
+[[nodiscard]] WorkbookKind workbook_kind(const bytes::Source& source);
+
+/// What the text of a formula ends with whose result is not stored.
+inline constexpr std::string_view formula_without_result = " (no result)";
+
+/// A workbook (.xlsx, .ods): its sheets, read one by one. Numbers and results of formulas are spelled with a point,
+/// dates as "2026-01-05 10:20:30", errors such as #N/A are empty; a formula without a stored result is its text.
 class Workbook {
 public:
-    /// @throws FormatError for what is no whole workbook.
+    /// @throws FormatError for what is no whole workbook, and for .xls and .xlsb, with the remedy.
     explicit Workbook(const bytes::Source& source);
     ~Workbook();
     Workbook(const Workbook&) = delete;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "height_likeness.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "height_names.hpp"
+#include "setae/core/errors.hpp"
+
+namespace setae::formats {
+namespace {
+
+constexpr Index longest_line_read = 1'000'000;
+constexpr Index largest_packed = Index{1} << 22;  ///< values of an array that is unpacked to look at a few of its lines
+constexpr Index narrowest_map = 4, tallest_table = 16;
+
+bool grows(const Array1D& values) {
+    for (Index i = 1; i < values.size(); ++i)
+        if (!(values[i] > values[i - 1])) return false;
+    return values.size() > 2;
+}
+
+bool are_whole(const Array1D& values) { return (values == values.round()).all(); }
+
+bool are_even(const Array1D& values) {
+    const double step = (values[values.size() - 1] - values[0]) / static_cast<double>(values.size() - 1);
+    for (Index i = 0; i < values.size(); ++i)
+        if (!(std::abs(values[i] - values[0] - step * static_cast<double>(i)) <=
+              1e-6 * std::abs(step) + 1e-12 * std::abs(values[i])))
+            return false;
+    return true;
+}
+
+/// Why a line of values that grow or fall throughout is none of heights; empty for others.
+std::string why_monotone(const Array1D& values) {
+    if (!grows(values) && !grows(-values)) return {};
+    if (are_whole(values)) return "whole numbers that grow from value to value: an index";
+    if (are_even(values)) return "evenly spaced values: positions";
+    return "values that grow throughout: positions";
+}
+
+/// Line k of a map's slow index, as stored.
+Array1D stored_line(const StoredArray& array, Index k) {
+    const bool first_slow = !array.first_fast;
+    const Index slow = array.shape[first_slow ? 0 : 1], fast = array.shape[first_slow ? 1 : 0];
+    const auto width = bytes_of(array.sample);
+    const auto distance =
+        first_slow && array.first_distance ? array.first_distance : width * static_cast<std::uint64_t>(fast);
+    const Raster line{.offset = array.offset + distance * static_cast<std::uint64_t>(std::min(k, slow - 1)),
+                      .nx = fast,
+                      .ny = 1,
+                      .sample = array.sample,
+                      .order = array.order};
+    require_raster(line, array.data, "array");
+    const auto values = read_raster(array.data, line, {});
+    return Eigen::Map<const Array1D>(values.data(), values.size());
+}
+
+/// Whether the values of a map are the x or the y of its points: all lines alike, or each of one value.
+bool are_coordinates(const StoredArray& array) {
+    if (array.hold && array.shape[0] * array.shape[1] > largest_packed) return false;
+    const auto kept = array.hold ? array.hold() : nullptr;
+    const Index slow = array.shape[array.first_fast ? 1 : 0];
+    const auto first = stored_line(array, 0), middle = stored_line(array, slow / 2),
+               last = stored_line(array, slow - 1);
+    if (!first.isFinite().all() || !middle.isFinite().all() || !last.isFinite().all()) return false;
+    const bool alike = (first == middle).all() && (first == last).all();
+    if (alike) return grows(first) || grows(-first);
+    const auto constant = [](const Array1D& line) { return line.size() > 2 && (line == line[0]).all(); };
+    const bool each_constant = constant(first) && constant(middle) && constant(last);
+    return each_constant && ((first[0] < middle[0]) == (middle[0] < last[0]));
+}
+
+std::string why_no_map(const LooseArray& loose) {
+    const auto& array = loose.array;
+    const Index narrow = std::min(array.shape[0], array.shape[1]), wide = std::max(array.shape[0], array.shape[1]);
+    if (narrow < narrowest_map && wide >= tallest_table)
+        return fmt::format("{} × {} numbers: a table of {} columns", array.shape[0], array.shape[1], narrow);
+    if (bytes_of(array.sample) == 1) return "values of 8 bits: a picture or a mask";
+    if (loose.integers) return "whole numbers without a unit";
+    return are_coordinates(array) ? "the same in every line, or one value a line: coordinates of the points"
+                                  : std::string();
+}
+
+std::string why_no_line(const LooseArray& loose) {
+    const auto& array = loose.array;
+    const bool few = std::max(array.shape.front(), array.shape.back()) <= longest_line_read;
+    if (const auto why = few ? why_monotone(values_of(array, "array")) : std::string(); !why.empty()) return why;
+    if (loose.integers) return "whole numbers without a unit";
+    return loose.alone ? std::string()
+                       : "one dimension, and neither its name nor a unit says that it is a line of heights";
+}
+
+}  // namespace
+
+std::string why_no_heights(const LooseArray& loose) {
+    if (!loose.array.refusal.empty() || is_height_name(loose.name) || loose.has_length) return {};
+    const auto& shape = loose.array.shape;
+    const bool line = shape.size() < 2 || shape[0] == 1 || shape[1] == 1;
+    try {
+        return line ? why_no_line(loose) : why_no_map(loose);
+    } catch (const FormatError&) {  // damaged values: reading says how
+        return {};
+    }
+}
+
+}  // namespace setae::formats
