@@ -144,6 +144,25 @@ void check_stiffness(AlertList& list, const LoopAnalysis& analysis, const Loop& 
              "E* is a lower bound; use a stiffer sensor or a softer sample");
 }
 
+/// Intervals of fits to very noisy records are known to be somewhat too short (setae lab records).
+void check_noise(AlertList& list, const LoopAnalysis& analysis, const Loop& loop, const AlertLimits& limits) {
+    const Baseline& noise = analysis.segments.before;
+    const auto check = [&](const char* channel, double sigma, double range, const char* unit, const char* of) {
+        if (!(sigma > limits.noise_share * range) || !(range > 0.0)) return;
+        list.add(
+            "NOISY_RECORD",
+            fmt::format(
+                "noise of the {} is {} per sample, {:.0f} % of the largest {}: 95 % intervals cover less than 95 %",
+                channel, format_value(sigma, unit, 3), 100.0 * sigma / range, of),
+            "average over neighbouring samples, or record more slowly");
+    };
+    check("force", noise.force_noise, -loop.force.minCoeff(), "N", "tension");
+    if (loop.displacement.size() == 0 || !analysis.loading.force_displacement) return;
+    const double contact_point = analysis.loading.force_displacement->contact_point.value;
+    check("displacement", noise.displacement_noise, loop.displacement[analysis.loading.range.last] - contact_point, "m",
+          "penetration");
+}
+
 void check_loop(AlertList& list, const LoopAnalysis& analysis, const AlertLimits& limits) {
     if (!analysis.unloading)
         list.add("NO_RETRACTION", analysis.unloading.reason, "record the retraction to pull-off and beyond");
@@ -170,6 +189,7 @@ std::vector<Alert> alerts_of(const LoopAnalysis& analysis, const Loop& loop, con
     check_stiffness(list, analysis, loop, limits);
     check_loop(list, analysis, limits);
     check_drift(list, analysis, loop, limits);
+    check_noise(list, analysis, loop, limits);
     check_record(list, analysis, loop, bodies, limits);
     check_height(list, analysis.context, loop, bodies, limits);
     return list.take();

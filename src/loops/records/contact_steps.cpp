@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "baseline.hpp"
 #include "steps.hpp"
 
 namespace setae::loops {
@@ -53,8 +54,8 @@ std::vector<ForceStep> steps_in_contact(const Loop& level, const Segments& segme
     for (const ContactSegments& contact : segments.contacts)
         for (const IndexRange& branch : inner_branches(segments, contact, bends))
             for (const IndexRange& window : windows_of(branch)) {
-                const auto step =
-                    step_in(level.force.segment(window.first, window.count()), {.degree = 3, .rivalling = 6});
+                const auto step = step_in(level.force.segment(window.first, window.count()),
+                                          {.degree = 3, .rivalling = 6}, sample_noise(segments.before));
                 if (!step || std::abs(step->size) < least) continue;
                 const Index sample = window.first + step->last;
                 // two windows may show one step

@@ -20,8 +20,7 @@ Index neighbours_of(double sigma, double smallest, Index samples) {
 }
 
 /// Samples around a minimum in which the series is within a share of it; a few more where they are few.
-IndexRange around(const Array1D& series, Index at) {
-    constexpr double share = 0.05;
+IndexRange around(const Array1D& series, Index at, double share) {
     constexpr Index fewest = 8;
     const double level = (1.0 - share) * series[at];
     const Index last = series.size() - 1;
@@ -38,7 +37,7 @@ IndexRange around(const Array1D& series, Index at) {
 }  // namespace
 
 ForceMinimum smallest_force(const Array1D& force, const IndexRange& stretch, const SampleNoise& noise) {
-    constexpr double visible = 1e-3;
+    constexpr double visible = 1e-6, widest = 0.05;
     const Array1D part = force.segment(stretch.first, stretch.count());
     Index at = 0;
     const double smallest = part.minCoeff(&at);
@@ -46,7 +45,8 @@ ForceMinimum smallest_force(const Array1D& force, const IndexRange& stretch, con
     if (noise.sigma <= visible * std::abs(smallest)) return {stretch.first + at, smallest, noise.sigma};
     const Array1D means = local_means(part, neighbours_of(noise.sigma, smallest, part.size()));
     means.minCoeff(&at);
-    const IndexRange window = around(means, at);
+    const double share = std::min(std::sqrt(2.0 * noise.sigma / std::abs(smallest)), widest);
+    const IndexRange window = around(means, at, share);
     const Array1D u = Array1D::LinSpaced(window.count(), -1.0, 1.0);
     Eigen::MatrixXd design(window.count(), 3);
     design << Array1D::Ones(window.count()), u, u.square();
@@ -56,8 +56,10 @@ ForceMinimum smallest_force(const Array1D& force, const IndexRange& stretch, con
     vertex = std::clamp(vertex, -1.0, 1.0);
     const Eigen::Vector3d row(1.0, vertex, vertex * vertex);
     const Eigen::MatrixXd inverse = numerics::inverse(design.transpose() * design);
-    const auto sample = window.first + static_cast<Index>(std::lround(0.5 * (vertex + 1.0) * static_cast<double>(window.count() - 1)));
-    return {stretch.first + sample, row.dot(found), error(row.dot(inverse * row))};
+    const auto sample =
+        window.first + static_cast<Index>(std::lround(0.5 * (vertex + 1.0) * static_cast<double>(window.count() - 1)));
+    const double by_curve = 0.05 * share * share * std::abs(smallest);  // a JKR curve is no parabola
+    return {stretch.first + sample, row.dot(found), std::hypot(error(row.dot(inverse * row)), by_curve)};
 }
 
 }  // namespace setae::loops

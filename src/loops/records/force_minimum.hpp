@@ -20,9 +20,10 @@ struct SampleNoise {
 
 /// The smallest force in a stretch that comes from a larger one.
 ///
-/// The smallest of noisy samples lies about two standard deviations below the smallest force. Where the noise exceeds
-/// 0.1 % of it, a parabola is fitted to the samples around it whose averaged force is within 5 % of it, and its vertex
-/// is taken. On a JKR curve drawn apart steadily the vertex is 1.2e-4 of the force too high.
+/// The smallest of noisy samples lies about two standard deviations below the smallest force. So a parabola is fitted
+/// to the samples around it whose averaged force is within a share s of it, s² = 2σ/|F| and at most 5 %, and its vertex
+/// is taken. On a JKR curve drawn apart steadily the vertex is 0.05 s² of the force too high: a tenth of the noise.
+/// Without noise (σ < 1e-6 |F|) it is the smallest sample.
 [[nodiscard]] ForceMinimum smallest_force(const Array1D& force, const IndexRange& stretch, const SampleNoise& noise);
 
 }  // namespace setae::loops

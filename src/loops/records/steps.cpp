@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "steps.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Core>
@@ -49,7 +50,7 @@ Candidate best_step(const Array1D& rest, const Eigen::MatrixXd& basis) {
 
 }  // namespace
 
-std::optional<Step> step_in(const Array1D& series, const Smoothness& smoothness) {
+std::optional<Step> step_in(const Array1D& series, const Smoothness& smoothness, const SampleNoise& known) {
     constexpr double deviations = 6.0;
     const Index n = series.size();
     if (n < 2 * fewest_beside + smoothness.rivalling + 1) return std::nullopt;
@@ -62,7 +63,8 @@ std::optional<Step> step_in(const Array1D& series, const Smoothness& smoothness)
     Array1D level = series;
     level.tail(n - best.step.last - 1) -= best.step.size;
     const FreeFlightNoise noise = free_flight_noise(residuals(level, basis));
-    const double error = noise.sigma * std::sqrt(noise.correlated_samples() * best.variance);
+    const double error = std::sqrt(best.variance) * std::max(noise.sigma * std::sqrt(noise.correlated_samples()),
+                                                             known.sigma * std::sqrt(known.correlated_samples));
     if (!(std::abs(best.step.size) > deviations * error)) return std::nullopt;
     return best.step;
 }

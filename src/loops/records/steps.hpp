@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "setae/core/arrays.hpp"
+#include "force_minimum.hpp"
 
 namespace setae::loops {
 
@@ -20,12 +20,13 @@ struct Smoothness {
 };
 
 /// The step that a series has, if it has one: where a polynomial that changes its level there fits better than a smooth
-/// one of a higher degree, and the change exceeds six standard errors, correlated noise allowed for. Eight samples or
-/// more are left on both sides.
+/// one of a higher degree, and the change exceeds six standard errors, correlated noise allowed for, that of the series
+/// itself or the noise known. Eight samples or more are left on both sides.
 ///
 ///   size = Σ_(behind) r/|h|²,  r: residuals of the polynomial, h: a unit step less the polynomial through it
 ///
 /// Cost: linear.
-[[nodiscard]] std::optional<Step> step_in(const Array1D& series, const Smoothness& smoothness);
+[[nodiscard]] std::optional<Step> step_in(const Array1D& series, const Smoothness& smoothness,
+                                          const SampleNoise& known = {});
 
 }  // namespace setae::loops

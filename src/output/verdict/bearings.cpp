@@ -83,6 +83,7 @@ const std::vector<Bearing>& bearings() {
          "The height of the soft body of {} is not given: its modulus counts as that of a half-space and is too high for a lens."},
         {{"MODULUS_IMPLAUSIBLE"},
          "The modulus of {} is not what the molar mass of its network gives: one of the two is wrong."},
+        {{"NOISY_RECORD"}, "The record of {} is noisy: intervals of E* and W are somewhat too short."},
         {{"STEP_IN_CONTACT"}, "The force of {} changes at once within contact: E*, W and the energy may be off."},
         {{"FORCE_DRIFT", "DRIFT_NOT_LINEAR", "STEP_IN_FREE_FLIGHT"},
          "The zero of force of {} drifts or steps: the drift was removed, and the ± include what is not known of it."},

@@ -177,8 +177,9 @@ SETAE_KEEP(SegmentOptions, baseline_share, force_baseline, drift, feature_factor
 SETAE_KEEP(ContactPointChoice, mode, estimator, value)
 SETAE_KEEP(AlertLimits, contact_radius_per_sphere_radius, contact_radius_per_thickness,
            contact_radius_per_unknown_height, tabor_parameter, relative_residual, contact_point_share,
-           loop_sampling_share, relative_misfit, work_deviations, drift_share, stiffness_ratio, pinned_modulus_ratio,
-           frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most, work_spread)
+           loop_sampling_share, relative_misfit, work_deviations, drift_share, noise_share, stiffness_ratio,
+           pinned_modulus_ratio, frames_missing, contact_modulus_least, contact_modulus_most, work_of_adhesion_most,
+           work_spread)
 SETAE_KEEP(AnalysisOptions, segments, samples_dropped, sensitivity_dropped, effective_variance, displacement_drift_rate,
            leave_pinned_out, contact_radius_noise, machine_stiffness, machine_stiffness_standard_error, contact_point,
            true_area_ratio, retraction_points, retraction_modulus_free, interaction_range, relaxation, limits)

@@ -11,34 +11,31 @@
 namespace setae::validation::record_trials_test {
 namespace {
 
-const RouteSummary& route_of(const RecordSummary& row, const std::string& name) {
-    for (const auto& route : row.routes)
-        if (route.name == name) return route;
-    throw InternalError("no route " + name);
-}
-
 /// What a record may lack: everything else is analysed, with honest intervals.
 bool is_refused(const std::string& kind) {
-    static const std::set<std::string> refused{"no_baseline", "force_reversed", "displacement_reversed", "both_reversed",
-                                               "swapped",     "no_contact"};
+    static const std::set<std::string> refused{"no_baseline",   "force_reversed", "displacement_reversed",
+                                               "both_reversed", "swapped",        "no_contact"};
     return refused.contains(kind);
 }
 
 TEST(RecordTrials, AreAnalysedHonestlyOrRefusedWithTheCause) {
     constexpr int runs = 6;
-    for (const RecordSummary& row : summary(record_trials({.runs = runs}))) {
+    for (const RecordSummary& row : summary(record_trials({.runs = runs, .first_seed = 11}))) {
         EXPECT_EQ(row.count, runs);
-        EXPECT_EQ(row.silent, 0) << row.kinds;
+        // a deflection that nobody tells of cannot be seen in the record: E* is that of both in a row
+        EXPECT_EQ(row.silent, row.kinds == "stage_stiffness_not_given" ? runs : 0) << row.kinds;
         EXPECT_EQ(row.refused, is_refused(row.kinds) ? runs : 0) << row.kinds;
-        if (is_refused(row.kinds)) EXPECT_EQ(row.named, runs) << row.kinds;
+        if (is_refused(row.kinds)) {
+            EXPECT_EQ(row.named, runs) << row.kinds;
+        }
     }
 }
 
 TEST(RecordTrials, CoverTheKnownValuesOfEachRoute) {
     // 40 records at 95 %: fewer than 33 hits has a probability of 1e-3; 6 kinds of 6 routes
-    for (const RecordSummary& row :
-         summary(record_trials({.kinds = {"clean", "drift_100", "force_noise_3", "force_correlated_0.8", "rounding_2", "hold"},
-                                .runs = 40})))
+    for (const RecordSummary& row : summary(record_trials(
+             {.kinds = {"clean", "drift_100", "force_noise_3", "force_correlated_0.8", "rounding_2", "hold"},
+            .runs = 40})))
         for (const RouteSummary& route : row.routes) {
             EXPECT_GE(route.count, 39) << row.kinds << ' ' << route.name;
             EXPECT_GE(route.coverage, 0.80) << row.kinds << ' ' << route.name;

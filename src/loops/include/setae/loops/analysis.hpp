@@ -29,6 +29,7 @@ struct AlertLimits {
     double relative_misfit = 0.003;                   ///< BEYOND_NOISE: likewise
     double work_deviations = 3.0;                     ///< WORK_NEGATIVE: W below 0 by so many standard errors
     double drift_share = 0.05;                        ///< FORCE_DRIFT: of the largest tension
+    double noise_share = 0.05;                        ///< NOISY_RECORD: of largest tension or penetration
     double contact_point_share = 0.05;                ///< CONTACT_POINT_SPREAD: of the largest penetration
     double loop_sampling_share = 0.05;                ///< LOOP_UNDERSAMPLED: sampling error over energy
     double stiffness_ratio = 10.0;                    ///< STIFFNESS_UNRESOLVED: contact over machine stiffness
