@@ -41,7 +41,8 @@ template <class Normal, class Gradient>
     return scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(gradient)));
 }
 
-/// Levenberg and Marquardt's method on normal equations of columns of unit length, undamped while the sum falls.
+/// Levenberg and Marquardt's method on normal equations of columns of unit length, undamped while the sum falls as they
+/// foresee: across a kink of the curve, where it falls by far less, steps are shortened until nothing is left.
 /// evaluate(at) gives NormalEquations. Sums of noise-free data end in rounding, where the sum no longer falls:
 /// converged if the step was small.
 template <int parameters, class Evaluate>
@@ -50,7 +51,7 @@ template <int parameters, class Evaluate>
                                                       double freedom) {
     using Vector = Eigen::Matrix<double, parameters, 1>;
     constexpr int most_rounds = 200;
-    constexpr double rounding = 1e-15, small = 1e-12, most_damping = 1e12;
+    constexpr double rounding = 1e-15, small = 1e-12, most_damping = 1e12, least_share = 0.1;
     SmallMinimum<parameters> found{.parameters_found = start};
     NormalEquations<parameters> here = evaluate(start);
     double damping = 0.0;
@@ -73,9 +74,12 @@ template <int parameters, class Evaluate>
         }
         const bool done =
             change <= rounding || (damping == 0.0 && far_below_errors(step, here.normal, there.squares, freedom));
+        const double foreseen = 2.0 * step.dot(here.gradient) - step.dot(here.normal * step);
+        const bool as_foreseen = here.squares - there.squares >= least_share * foreseen;
         found.parameters_found = next;
         here = there;
-        damping = damping > 1e-6 ? 0.1 * damping : 0.0;
+        if (!as_foreseen) damping = std::max(10.0 * damping, 1e-4);
+        else damping = damping > 1e-6 ? 0.1 * damping : 0.0;
         if (!done) continue;
         found.converged = true;
         return found;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "fits/correlated_residuals.hpp"
 #include "local_lines.hpp"
 #include "setae/numerics/dense.hpp"
 
@@ -34,6 +35,28 @@ IndexRange around(const Array1D& series, Index at, double share) {
     return range;
 }
 
+struct Vertex {
+    double at;  ///< from −1 at the first value to +1 at the last
+    double value;
+    double standard_error;
+};
+
+/// The smallest value of a parabola through values; noise and scatter, the larger, decide its error.
+Vertex smallest_of_parabola(const Eigen::VectorXd& values, const SampleNoise& noise) {
+    const Array1D u = Array1D::LinSpaced(values.size(), -1.0, 1.0);
+    Eigen::MatrixXd design(values.size(), 3);
+    design << Array1D::Ones(values.size()), u, u.square();
+    const Eigen::VectorXd found = numerics::least_squares(design, values);
+    double at = -0.5 * found[1] / found[2];
+    if (!(found[2] > 0.0)) at = found[1] > 0.0 ? -1.0 : 1.0;  // it goes on falling to one end
+    at = std::clamp(at, -1.0, 1.0);
+    const Eigen::Vector3d row(1.0, at, at * at);
+    const double independent = row.dot(numerics::inverse(design.transpose() * design) * row);
+    const double scatter = row.dot(correlated_covariance(design, values - design * found).covariance * row);
+    const double variance = noise.sigma * noise.sigma * noise.correlated_samples * independent;
+    return {at, row.dot(found), std::sqrt(scatter > variance ? scatter : variance)};
+}
+
 }  // namespace
 
 ForceMinimum smallest_force(const Array1D& force, const IndexRange& stretch, const SampleNoise& noise) {
@@ -41,25 +64,17 @@ ForceMinimum smallest_force(const Array1D& force, const IndexRange& stretch, con
     const Array1D part = force.segment(stretch.first, stretch.count());
     Index at = 0;
     const double smallest = part.minCoeff(&at);
-    const auto error = [&](double variance) { return noise.sigma * std::sqrt(noise.correlated_samples * variance); };
     if (noise.sigma <= visible * std::abs(smallest)) return {stretch.first + at, smallest, noise.sigma};
     const Array1D means = local_means(part, neighbours_of(noise.sigma, smallest, part.size()));
     means.minCoeff(&at);
     const double share = std::min(std::sqrt(2.0 * noise.sigma / std::abs(smallest)), widest);
     const IndexRange window = around(means, at, share);
-    const Array1D u = Array1D::LinSpaced(window.count(), -1.0, 1.0);
-    Eigen::MatrixXd design(window.count(), 3);
-    design << Array1D::Ones(window.count()), u, u.square();
-    const Eigen::VectorXd found = numerics::least_squares(design, part.segment(window.first, window.count()).matrix());
-    double vertex = -0.5 * found[1] / found[2];
-    if (!(found[2] > 0.0)) vertex = found[1] > 0.0 ? -1.0 : 1.0;  // it goes on falling to one end
-    vertex = std::clamp(vertex, -1.0, 1.0);
-    const Eigen::Vector3d row(1.0, vertex, vertex * vertex);
-    const Eigen::MatrixXd inverse = numerics::inverse(design.transpose() * design);
+    const Vertex vertex = smallest_of_parabola(part.segment(window.first, window.count()).matrix(), noise);
     const auto sample =
-        window.first + static_cast<Index>(std::lround(0.5 * (vertex + 1.0) * static_cast<double>(window.count() - 1)));
+        window.first +
+        static_cast<Index>(std::lround(0.5 * (vertex.at + 1.0) * static_cast<double>(window.count() - 1)));
     const double by_curve = 0.05 * share * share * std::abs(smallest);  // a JKR curve is no parabola
-    return {stretch.first + sample, row.dot(found), std::hypot(error(row.dot(inverse * row)), by_curve)};
+    return {stretch.first + sample, vertex.value, std::hypot(vertex.standard_error, by_curve)};
 }
 
 }  // namespace setae::loops

@@ -9,7 +9,7 @@ namespace setae::loops {
 struct ForceMinimum {
     Index sample = 0;
     double force = 0.0;           ///< [N]
-    double standard_error = 0.0;  ///< from noise [N]
+    double standard_error = 0.0;  ///< from noise or, if larger, the scatter about the parabola [N]
 };
 
 /// Noise of a sample [N], and of how many samples the mean is as noisy as that of one independent one.

@@ -45,17 +45,18 @@ bool has_alert(const LoopAnalysis& analysis, const std::string& code) {
 
 struct Expected {
     const char* file;
-    double largest_force, pull_off_force, pull_off_work;  // nN, nN, mJ/m²
+    double largest_force, smallest_force, pull_off_force, pull_off_work;  // nN, nN, nN, mJ/m²
     double loading_modulus, loading_work, rms_residual;   // MPa, mJ/m², nm
     double unloading_modulus, unloading_work;
     double loop;  // fJ
 };
 
+// The smallest of the samples lies below the pull-off force by their noise: pull-off is the vertex of a parabola.
 constexpr Expected table[] = {
-    {"jkr/pdms_a.txt", 1432, -2115.1, 59.8, 1.85, 38.9, 2.7, 1.99, 56.6, 1615},
-    {"jkr/pdms_b.txt", 2075, -2094.0, 59.2, 1.79, 40.2, 2.2, 1.90, 58.4, 1651},
-    {"jkr/pdms_c.txt", 3171, -2119.1, 60.0, 1.78, 41.0, 2.1, 1.89, 59.1, 1719},
-    {"jkr/pdms_10-1_d.txt", 949, -2797.0, 79.1, 1.49, 32.5, 1.6, 1.48, 77.6, 2969},
+    {"jkr/pdms_a.txt", 1432, -2115.1, -2106.2, 59.59, 1.85, 38.9, 2.7, 1.99, 56.6, 1615},
+    {"jkr/pdms_b.txt", 2075, -2094.0, -2088.7, 59.10, 1.79, 40.2, 2.2, 1.90, 58.4, 1651},
+    {"jkr/pdms_c.txt", 3171, -2119.1, -2114.2, 59.82, 1.78, 41.0, 2.1, 1.89, 59.1, 1719},
+    {"jkr/pdms_10-1_d.txt", 949, -2797.0, -2783.8, 78.77, 1.49, 32.5, 1.6, 1.48, 77.6, 2969},
 };
 
 void expect_within(double value, double expected, double share) { EXPECT_NEAR(value / expected, 1.0, share) << value; }
@@ -68,8 +69,11 @@ TEST_P(RealLoop, GivesTheIndependentNumbers) {
     const LoopAnalysis analysis =
         analyse(read_loop(path), glass_sphere_on_rubber(), as_the_independent_program, path.filename().string());
     EXPECT_NEAR(analysis.loading.range.force_last / units::nN, expected.largest_force, 0.5);
-    EXPECT_NEAR(analysis.pull_off->force.value / units::nN, expected.pull_off_force, 0.1);  // mean and median of a zero
-    EXPECT_NEAR(analysis.pull_off->work_of_adhesion.value / units::mJ_per_m2, expected.pull_off_work, 0.05);
+    const Estimate& pull_off = analysis.pull_off->force;
+    EXPECT_NEAR(pull_off.value / units::nN, expected.pull_off_force, 0.5);  // mean and median of a zero, two windows
+    EXPECT_GT(pull_off.standard_error / units::nN, 0.5);
+    EXPECT_GT((pull_off.value / units::nN - expected.smallest_force), 3.0);
+    EXPECT_NEAR(analysis.pull_off->work_of_adhesion.value / units::mJ_per_m2, expected.pull_off_work, 0.02);
     const JkrFit& loading = analysis.loading.primary();
     EXPECT_TRUE(loading.converged);
     expect_within(loading.contact_modulus.value / units::MPa, expected.loading_modulus, 0.03);
