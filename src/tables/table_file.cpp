@@ -200,7 +200,10 @@ RawTable read_raw_table(const bytes::Source& source, const TableOptions& options
 }
 
 Table read_table(const std::string& path, const TableOptions& options) {
-    const auto raw = read_raw_table(bytes::file_source(path), options);
+    return table_in_si(read_raw_table(bytes::file_source(path), options), path);
+}
+
+Table table_in_si(const RawTable& raw, const std::string& path) {
     Table table;
     table.metadata = raw.metadata;
     table.metadata["file"] = path;

@@ -90,7 +90,8 @@ output::Json json_of(const tables::ColumnGuess& guess) {
             candidates.push_back({{"column", candidate.column + 1},
                                   {"confidence", candidate.confidence},
                                   {"reason", candidate.reason},
-                                  {"from_area", candidate.from_area}});
+                                  {"from_area", candidate.derivation == tables::Derivation::radius_of_area},
+                                  {"negative", candidate.derivation == tables::Derivation::negative}});
         json["roles"].push_back({{"role", role.role}, {"candidates", candidates}});
     }
     return json;
