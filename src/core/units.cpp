@@ -119,7 +119,8 @@ struct Prefix {
     double factor;
 };
 
-constexpr std::array<Prefix, 15> prefixes{{{"T", 1e12}, {"G", 1e9},
+constexpr std::array<Prefix, 15> prefixes{{{"T", 1e12},
+                                           {"G", 1e9},
                                            {"M", 1e6},
                                            {"k", 1e3},
                                            {"h", 1e2},
@@ -310,9 +311,8 @@ Estimate value_and_error(std::string_view of_value, std::string_view of_error, c
     const auto value = leading_number(of_value, text), error = leading_number(of_error, text);
     if (!(error.number >= 0.0 && std::isfinite(error.number)))
         throw InvalidArgument(fmt::format("'{}', expected an uncertainty of 0 or above", text));
-    const Estimate estimate{
-        in_si(value.number, value.rest.empty() ? error.rest : value.rest, expected.dimension, text),
-        in_si(error.number, error.rest, expected.dimension, text), "given"};
+    const Estimate estimate{in_si(value.number, value.rest.empty() ? error.rest : value.rest, expected.dimension, text),
+                            in_si(error.number, error.rest, expected.dimension, text), "given"};
     require_within(expected.domain, estimate.value, text);
     if (expected.domain.open && expected.domain.lower == 0.0 && estimate.standard_error > estimate.value)
         throw InvalidArgument(

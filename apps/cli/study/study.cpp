@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
@@ -82,7 +83,7 @@ void print_result(const study::StudyResult& result, const std::string& report, b
 
 study::Study study_of(const Arguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
-    auto study = study::read_study(arguments.file);
+    auto study = study::read_study(arguments.file, mapping_folder());
     if (!arguments.output.empty()) study.output = arguments.output;
     return study;
 }
@@ -273,9 +274,10 @@ Action declare(Options& options) {
         "list what one further measurement would leave of a number's ±, the most telling first, then stop; [costs] of "
         "the study tells hours");
     options
-        .add("--target", arguments->target,
-             "the number that --next is about: W_int, a pair such as \"E07 on rough\", or how far two balances differ in "
-              "W_int, such as \"(7) - (10)\"")
+        .add(
+            "--target", arguments->target,
+            "the number that --next is about: W_int, a pair such as \"E07 on rough\", or how far two balances differ in "
+            "W_int, such as \"(7) - (10)\"")
         .value_named("NUMBER");
     options.add("--documentation", arguments->documentation,
                 "write the pages on keys, alerts and figures of studies to this folder");

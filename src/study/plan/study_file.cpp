@@ -15,6 +15,7 @@
 #include "setae/core/units.hpp"
 #include "setae/study/pipeline_file.hpp"
 #include "setae/study/study.hpp"
+#include "setae/tables/mapping_folder.hpp"
 
 namespace setae::study {
 namespace {
@@ -284,7 +285,7 @@ const Keys<CameraInput>& camera_keys() {
             .file("file", &Input::file,
                   "contact radii on the camera's own clock, or its pictures: TIFF stack, AVI, folder")
             .required()
-            .file("mapping", &Input::mapping, "names the columns of a foreign table")
+            .file("mapping", &Input::mapping, "names the columns of a foreign table: its file or its name")
             .add("clock_offset", &Input::clock_offset, dimension::time,
                  "added to the camera's times; without it, it is found")
             .add("pixel_size", &Input::pixel_size, positive(dimension::length), "of pictures that do not say it")
@@ -300,7 +301,10 @@ const Keys<ExperimentInput>& experiment_keys() {
         Keys<Input>()
             .file("file", &Input::file, "a loop: table, workbook or force curve")
             .required()
-            .file("mapping", &Input::mapping, "names the columns of a foreign table (examples/mappings/eoh.toml)")
+            .file(
+                "mapping", &Input::mapping,
+                "names the columns of a foreign table (examples/mappings/eoh.toml): its file, or its name where it came "
+                "with setae, such as `eoh`")
             .table<CameraInput>(
                 "camera", camera_keys(), [](Input& e, CameraInput camera) { e.camera = std::move(camera); },
                 "contact radii from elsewhere, keys below")
@@ -357,10 +361,26 @@ void require_same_shared_fit(const TomlReader& reader, const ExperimentInput& ex
                                     other.file));
 }
 
+/// The mapping of that name in a folder, where there is no such file beside the study.
+void find_mapping(const TomlReader& reader, const char* key, std::optional<std::string>& mapping,
+                  const std::string& folder) {
+    const auto name = mapping ? fs::path(*mapping).filename() : fs::path();
+    const bool bare = mapping && name.extension().empty() && reader.beside(name.string()) == *mapping;
+    if (!bare || folder.empty() || fs::exists(*mapping)) return;
+    try {
+        mapping = tables::mapping_path(name.string(), folder);
+    } catch (const FileError& error) {
+        reader.fail(key, error.what());
+    }
+}
+
 /// An experiment of a study whose experiments before it are read; it comes with what [loops] says.
-ExperimentInput read_experiment(TomlReader reader, const Study& study, ExperimentInput experiment) {
+ExperimentInput read_experiment(TomlReader reader, const Study& study, ExperimentInput experiment,
+                                const std::string& mapping_folder) {
     loop_keys().read(reader, experiment);
     experiment_keys().read(reader, experiment);
+    find_mapping(reader, "mapping", experiment.mapping, mapping_folder);
+    if (experiment.camera) find_mapping(reader, "camera", experiment.camera->mapping, mapping_folder);
     require_same_shared_fit(reader, experiment, study);
     reader.finish();
     if (experiment.surface.empty() != experiment.reference)
@@ -622,7 +642,7 @@ const SurfaceInput* Study::surface(const std::string& name) const {
     return found == surfaces.end() ? nullptr : &*found;
 }
 
-Study read_study(const std::string& path) {
+Study read_study(const std::string& path, const std::string& mapping_folder) {
     const auto document = bytes::parse_toml_file(path);
     TomlReader reader(document, path, "");
     Study study;
@@ -648,7 +668,7 @@ Study read_study(const std::string& path) {
     ExperimentInput of_all;
     reader.table("loops", [&](TomlReader inner) { of_all = loop_keys().from(std::move(inner)); });
     reader.each_table("experiments", [&](TomlReader inner) {
-        study.experiments.push_back(read_experiment(std::move(inner), study, of_all));
+        study.experiments.push_back(read_experiment(std::move(inner), study, of_all, mapping_folder));
     });
     reader.table("published", [&](TomlReader inner) { PublishedTables(study).read(std::move(inner)); });
     reader.named_tables("reported", [&](const std::string& fit, TomlReader inner) {

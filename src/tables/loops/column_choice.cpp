@@ -40,8 +40,8 @@ std::vector<std::size_t> columns_named(const ColumnGuess& guess, const HeaderCel
     std::vector<std::size_t> same_name, same_unit;
     for (std::size_t k = 0; k < guess.columns.size(); ++k) {
         const auto& column = guess.columns[k];
-        const bool named = !column.name.empty() && (folded(column.name) == folded(wanted.name) ||
-                                                    expression_name(guess, k) == wanted.name);
+        const bool named = !column.name.empty() &&
+                           (folded(column.name) == folded(wanted.name) || expression_name(guess, k) == wanted.name);
         if (!named) continue;
         same_name.push_back(k);
         if (column.unit == wanted.unit) same_unit.push_back(k);
@@ -54,16 +54,16 @@ RoleCandidate column_chosen(const ColumnGuess& guess, const std::string& role, c
     const auto wanted = parse_header_cell(text);
     const auto found = columns_named(guess, wanted);
     if (found.size() != 1)
-        throw FormatError(guess.path, {},
-                          fmt::format("{} column '{}' was chosen for {}, the file has {}",
-                                      found.empty() ? "no" : "more than one", text, role,
-                                      fmt::join(all_labels(guess), ", ")));
+        throw FormatError(
+            guess.path, {},
+            fmt::format("{} column '{}' was chosen for {}, the file has {}", found.empty() ? "no" : "more than one",
+                        text, role, fmt::join(all_labels(guess), ", ")));
     RoleCandidate candidate{found.front(), 1.0, "chosen"};
     const auto& column = guess.columns[found.front()];
     if (!wanted.unit.empty() && wanted.unit != column.unit) {
         candidate.unit = wanted.unit;
-        candidate.reason += fmt::format(" in {}{}", wanted.unit,
-                                        column.unit.empty() ? "" : fmt::format(" instead of {}", column.unit));
+        candidate.reason +=
+            fmt::format(" in {}{}", wanted.unit, column.unit.empty() ? "" : fmt::format(" instead of {}", column.unit));
     }
     const auto unit = try_parse_unit(candidate.unit.value_or(column.unit));
     if (role == "contact_radius" && unit && unit->dimension == dimension::area)
@@ -230,11 +230,11 @@ void add_checked(const ColumnGuess& guess, const std::string& role, const RoleCa
         names.push_back(fmt::format("{} for {}", label(guess, column), role));
         stated[role] = fmt::format("{}[{}]", expression_name(guess, column), usual_unit(role));
     }
-    throw FormatError(guess.path, {},
-                      fmt::format("{} {} no unit; write it into the header, as in 'force [mN]', or state the unit in "
-                                  "which the numbers are: {}",
-                                  fmt::join(names, " and "), columns.size() == 1 ? "has" : "have",
-                                  column_option(stated)));
+    throw FormatError(
+        guess.path, {},
+        fmt::format("{} {} no unit; write it into the header, as in 'force [mN]', or state the unit in "
+                    "which the numbers are: {}",
+                    fmt::join(names, " and "), columns.size() == 1 ? "has" : "have", column_option(stated)));
 }
 
 /// A column named for a role whose unit is of another dimension; empty where there is none.
@@ -256,9 +256,8 @@ std::string misfit_among(const ColumnGuess& guess, const std::string& role) {
         guess.path, {},
         fmt::format("no column found for {}, the file has {}{}", force ? "displacement or contact_radius" : "force",
                     fmt::join(all_labels(guess), ", "),
-                    wrong.empty()
-                        ? fmt::format("; name it by its header or position: {}", column_option({{role, "2"}}))
-                        : wrong));
+                    wrong.empty() ? fmt::format("; name it by its header or position: {}", column_option({{role, "2"}}))
+                                  : wrong));
 }
 
 /// A column of the role, its best candidate where none is chosen; nothing where it has none.

@@ -31,8 +31,8 @@ RoleGuess candidates_of(const RawTable& table, const Vocabulary& role) {
         if (!column.text.empty() || (!column.unit.empty() && (!unit || unit->dimension != role.dimension))) continue;
         const auto named = named_role(column.name, role);
         if (named.confidence == 0.0) continue;
-        guess.candidates.push_back({k, column.unit.empty() ? 0.8 * named.confidence : named.confidence,
-                                    with_unit(named.reason, column.unit)});
+        guess.candidates.push_back(
+            {k, column.unit.empty() ? 0.8 * named.confidence : named.confidence, with_unit(named.reason, column.unit)});
     }
     return guess;
 }
@@ -47,8 +47,9 @@ void add_from_gap(const RawTable& table, RoleGuess& displacement) {
         if (named.confidence == 0.0 || !column.text.empty() ||
             (!column.unit.empty() && (!unit || unit->dimension != dimension::length)))
             continue;
-        displacement.candidates.push_back(
-            {k, derived, with_unit(named.reason, column.unit) + ": displacement is its negative", Derivation::negative});
+        displacement.candidates.push_back({k, derived,
+                                           with_unit(named.reason, column.unit) + ": displacement is its negative",
+                                           Derivation::negative});
     }
 }
 
@@ -73,7 +74,8 @@ void add_from_area(const RawTable& table, RoleGuess& radius) {
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
         const auto& column = table.columns[k];
         const auto unit = try_parse_unit(column.unit);
-        if (!column.text.empty() || !names_contact_area(column.name) || !unit || unit->dimension != dimension::area) continue;
+        if (!column.text.empty() || !names_contact_area(column.name) || !unit || unit->dimension != dimension::area)
+            continue;
         radius.candidates.push_back(
             {k, derived,
              fmt::format("'{}' is an area, {} its unit: the radius of the circle with that area, sqrt(A/π)",

@@ -58,8 +58,7 @@ struct FoundName {
 
 FoundName leading_name(std::string_view text) {
     FoundName found;
-    while (found.length < text.size() && (in_name(text[found.length]) || in_number(text[found.length])))
-        ++found.length;
+    while (found.length < text.size() && (in_name(text[found.length]) || in_number(text[found.length]))) ++found.length;
     found.name = text.substr(0, found.length);
     const auto close = text.find(']', found.length);
     if (!text.substr(found.length).starts_with('[') || close == std::string_view::npos) return found;
@@ -74,8 +73,8 @@ void add_name(const FoundName& found, ExpressionText& result) {
     if (!found.unit) return;
     const auto [known, added] = result.units.emplace(found.name, *found.unit);
     if (!added && known->second != *found.unit)
-        throw InvalidArgument(fmt::format("column '{}' has the units {} and {}; give one", found.name, known->second,
-                                          *found.unit));
+        throw InvalidArgument(
+            fmt::format("column '{}' has the units {} and {}; give one", found.name, known->second, *found.unit));
 }
 
 /// Letters without accents, so that names may be typed as the header has them; Å is a unit.
@@ -86,7 +85,8 @@ std::string with_plain_names(const std::string& text) {
         const auto character = rest.substr(0, std::max<std::size_t>(utf8_length(rest), 1));
         rest.remove_prefix(character.size());
         const auto base = folded(character);
-        const bool letter = character != "Å" && (base.empty() || (base.size() <= 2 && std::all_of(base.begin(), base.end(), in_name)));
+        const bool letter =
+            character != "Å" && (base.empty() || (base.size() <= 2 && std::all_of(base.begin(), base.end(), in_name)));
         plain += character.size() > 1 && letter ? base : std::string(character);
     }
     return plain;

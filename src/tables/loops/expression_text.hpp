@@ -12,9 +12,9 @@ namespace setae::tables {
 
 /// An expression as a user types it, "3.01 N/m * mems", taken apart for a mapping.
 struct ExpressionText {
-    std::string expression;                 ///< "quantity_1 * mems"
-    std::vector<MappedConstant> constants;  ///< the numbers with a unit, by the names the expression has for them
-    std::vector<std::string> names;         ///< the columns it names, each once
+    std::string expression;                    ///< "quantity_1 * mems"
+    std::vector<MappedConstant> constants;     ///< the numbers with a unit, by the names the expression has for them
+    std::vector<std::string> names;            ///< the columns it names, each once
     std::map<std::string, std::string> units;  ///< of columns that it states one for: "kraft[uN]"
 };
 

@@ -31,26 +31,26 @@ std::vector<std::string> words_of(std::string_view name) {
 
 /// What a column of a force, a length or a time may be beside the loop's own.
 const Words& other_quantities() {
-    static const Words words{
-        "std", "stdev", "sd", "sem", "sigma", "error", "err", "uncertainty", "noise", "setpoint", "target", "rate",
-        "speed", "velocity", "slope", "max", "min", "temperature", "temp", "humidity", "lateral", "friction", "shear",
-        "tangential", "x", "y",
-        // German
-        "fehler", "abweichung", "standardabweichung", "streuung", "sollwert", "soll", "geschwindigkeit", "temperatur",
-        "reibung", "reibkraft", "querkraft", "steigung",
-        // French
-        "ecart", "erreur", "consigne", "vitesse", "laterale", "tangentielle", "frottement",
-        // Spanish, Italian, Portuguese, Dutch
-        "desviacion", "deviazione", "desvio", "afwijking", "consigna", "velocidad", "velocita", "velocidade",
-        "snelheid", "temperatura", "temperatuur", "friccion", "attrito", "atrito", "wrijving"};
+    static const Words words{"std", "stdev", "sd", "sem", "sigma", "error", "err", "uncertainty", "noise", "setpoint",
+                             "target", "rate", "speed", "velocity", "slope", "max", "min", "temperature", "temp",
+                             "humidity", "lateral", "friction", "shear", "tangential", "x", "y",
+                             // German
+                             "fehler", "abweichung", "standardabweichung", "streuung", "sollwert", "soll",
+                             "geschwindigkeit", "temperatur", "reibung", "reibkraft", "querkraft", "steigung",
+                             // French
+                             "ecart", "erreur", "consigne", "vitesse", "laterale", "tangentielle", "frottement",
+                             // Spanish, Italian, Portuguese, Dutch
+                             "desviacion", "deviazione", "desvio", "afwijking", "consigna", "velocidad", "velocita",
+                             "velocidade", "snelheid", "temperatura", "temperatuur", "friccion", "attrito", "atrito",
+                             "wrijving"};
     return words;
 }
 
 /// Bodies whose radius is none of the contact's.
 const Words& other_bodies() {
-    static const Words words{"sphere", "lens",    "tip",     "probe", "bead",  "curvature", "kugel", "linse",
-                             "spitze", "lentille", "bille", "pointe", "esfera",   "lente", "punta",
-                             "sfera",  "ponta",   "bol",      "kogel"};
+    static const Words words{"sphere", "lens",   "tip",      "probe", "bead",   "curvature", "kugel",
+                             "linse",  "spitze", "lentille", "bille", "pointe", "esfera",    "lente",
+                             "punta",  "sfera",  "ponta",    "bol",   "kogel"};
     return words;
 }
 
@@ -95,10 +95,10 @@ const std::vector<Vocabulary>& loop_vocabularies() {
           "travel", "extension", "stroke", "crosshead", "zpiezo", "zsensor",
           // German, French, Spanish, Italian, Portuguese, Dutch
           "weg", "standardweg", "traversenweg", "verfahrweg", "stellweg", "verschiebung", "eindringtiefe", "tiefe",
-          "deplacement", "enfoncement", "profondeur", "course", "traverse", "desplazamiento", "posicion",
-          "profundidad", "penetracion", "indentacion", "carrera", "spostamento", "posizione", "profondita",
-          "penetrazione", "indentazione", "corsa", "deslocamento", "posicao", "profundidade", "penetracao",
-          "indentacao", "curso", "verplaatsing", "positie", "indringing", "indringdiepte", "diepte", "slag"},
+          "deplacement", "enfoncement", "profondeur", "course", "traverse", "desplazamiento", "posicion", "profundidad",
+          "penetracion", "indentacion", "carrera", "spostamento", "posizione", "profondita", "penetrazione",
+          "indentazione", "corsa", "deslocamento", "posicao", "profundidade", "penetracao", "indentacao", "curso",
+          "verplaatsing", "positie", "indringing", "indringdiepte", "diepte", "slag"},
          {"d", "z", "Z", "h", "δ", "delta", "Δ"}},
         {"contact_radius",
          dimension::length,
@@ -124,9 +124,8 @@ NamedRole named_role(const std::string& name, const Vocabulary& role) {
 }
 
 NamedRole named_gap(const std::string& name) {
-    static const std::vector<std::string> gaps{"gap",        "separation", "clearance",  "spalt",    "abstand",
-                                               "ecart",      "entrefer",   "separacion", "separazione", "separacao",
-                                               "spleet"};
+    static const std::vector<std::string> gaps{"gap",      "separation", "clearance",   "spalt",     "abstand", "ecart",
+                                               "entrefer", "separacion", "separazione", "separacao", "spleet"};
     const auto words = words_of(name);
     // a French écart is a gap alone, and a deviation beside other words
     if (holds_any(words, other_quantities())) return {};
@@ -134,15 +133,14 @@ NamedRole named_gap(const std::string& name) {
 }
 
 bool names_contact_area(const std::string& name) {
-    static const std::vector<std::string> areas{"area",    "aire",          "surface",      "flache",
+    static const std::vector<std::string> areas{"area",    "aire",          "surface",        "flache",
                                                 "flaeche", "kontaktflache", "kontaktflaeche", "superficie"};
     static const std::vector<std::string> contacts{"contact", "kontakt", "contacto", "contatto", "contato"};
     const auto words = words_of(name);
     const auto any = [&](const auto& known) {
         return std::any_of(words.begin(), words.end(), [&](const auto& word) { return contains(known, word); });
     };
-    return name == "A" || name == "A_c" ||
-           (any(areas) && (words.size() == 1 || any(contacts)) && !is_qualified(name));
+    return name == "A" || name == "A_c" || (any(areas) && (words.size() == 1 || any(contacts)) && !is_qualified(name));
 }
 
 bool is_qualified(const std::string& name) { return holds_any(words_of(name), other_quantities()); }

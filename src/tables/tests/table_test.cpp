@@ -92,11 +92,13 @@ TEST(LoopTable, NeedsForcesAndUnits) {
     const auto table = read_loop_table(folder.write("l.csv", "Force [mN],Displacement [um]\n1,2\n2,3\n")).table;
     EXPECT_DOUBLE_EQ(table.at("force")[0], 1e-3);
     const auto no_force = folder.write("a.csv", "signal [V],displacement [um]\n1,2\n2,3\n");
-    EXPECT_NE(message_of([&] { (void)read_loop_table(no_force); }).find("no column found for force"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)read_loop_table(no_force); }).find("no column found for force"),
+              std::string::npos);
     const auto no_unit = folder.write("b.csv", "force,displacement [um]\n1,2\n2,3\n");
     EXPECT_NE(message_of([&] { (void)read_loop_table(no_unit); }).find("no unit"), std::string::npos);
     const auto wrong = folder.write("c.csv", "force [um],displacement [um]\n1,2\n2,3\n");
-    EXPECT_NE(message_of([&] { (void)read_loop_table(wrong); }).find("'force' [um] is in um, expected a unit of N"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)read_loop_table(wrong); }).find("'force' [um] is in um, expected a unit of N"),
+              std::string::npos);
 }
 
 TEST(LoopTable, TakesColumnsThatImportWouldKnowAndNamesTheOthers) {

@@ -69,13 +69,14 @@ TEST(ColumnGuess, UnitsAreStatedWhereTheHeaderHasNone) {
     const TemporaryFolder folder;
     const auto path = folder.write("t.csv", "Zeit,Kraft,Weg\n0,1,60\n1,3,4\n");
     const auto message = message_of([&] { (void)mapping_from(guess_columns(path)); });
-    EXPECT_TRUE(holds(message, "column 2 'Kraft' for force and column 3 'Weg' for displacement and column 1 'Zeit' for "
-                               "time have no unit"))
+    EXPECT_TRUE(holds(message,
+                      "column 2 'Kraft' for force and column 3 'Weg' for displacement and column 1 'Zeit' for "
+                      "time have no unit"))
         << message;
     EXPECT_TRUE(holds(message, "--column force=\"kraft[mN]\"")) << message;
     for (const char* force : {"Kraft[uN]", "kraft [uN]", "2[uN]", "1 uN * kraft", "1 * kraft[uN]"}) {
-        const auto mapping = mapping_from(
-            guess_columns(path), {{"force", force}, {"displacement", "Weg[um]"}, {"time", "Zeit[s]"}});
+        const auto mapping =
+            mapping_from(guess_columns(path), {{"force", force}, {"displacement", "Weg[um]"}, {"time", "Zeit[s]"}});
         write_mapping(folder.path("m.toml"), mapping);
         EXPECT_DOUBLE_EQ(read_mapped_table(path, read_mapping(folder.path("m.toml"))).at("force")[1], 3e-6) << force;
         const auto loop = read_loop_table(path, LoopColumns::complete,
@@ -84,14 +85,17 @@ TEST(ColumnGuess, UnitsAreStatedWhereTheHeaderHasNone) {
         EXPECT_DOUBLE_EQ(loop.table.at("displacement")[0], 60e-6) << force;
         EXPECT_TRUE(loop.unused.empty()) << force;
     }
-    EXPECT_TRUE(holds(message_of([&] { (void)read_loop_table(path, LoopColumns::complete, {{"force", "2 * kraft"}}); }),
+    EXPECT_TRUE(holds(message_of([&] {
+                          (void)read_loop_table(path, LoopColumns::complete, {{"force", "2 * kraft"}});
+                      }),
                       "the expression is no N"));
 }
 
 TEST(ColumnGuess, AMassIsNamedAndItsWeightOffered) {
     const TemporaryFolder folder;
-    for (const auto& [unit, weight, newton] : {std::tuple("g", "gf", 9.80665e-3), std::tuple("kg", "kgf", 9.80665),
-                                              std::tuple("mg", "mgf", 9.80665e-6), std::tuple("lb", "lbf", 4.4482216152605)}) {
+    for (const auto& [unit, weight, newton] :
+         {std::tuple("g", "gf", 9.80665e-3), std::tuple("kg", "kgf", 9.80665), std::tuple("mg", "mgf", 9.80665e-6),
+          std::tuple("lb", "lbf", 4.4482216152605)}) {
         const auto path = folder.write("t.csv", fmt::format("Load ({});Weg (mm)\n1;60\n3;4\n", unit));
         const auto message = message_of([&] { (void)read_loop_table(path); });
         EXPECT_TRUE(holds(message, fmt::format("'Load' [{}] is in {}, a unit of mass", unit, unit))) << message;
@@ -102,7 +106,8 @@ TEST(ColumnGuess, AMassIsNamedAndItsWeightOffered) {
 }
 
 TEST(ColumnGuess, ChosenColumnsOfALoopInSiAreComputed) {
-    Table table{.columns = {{"force", "N", Array1D::Constant(2, 3.0)}, {"displacement", "m", Array1D::Constant(2, 1.0)}}};
+    Table table{
+        .columns = {{"force", "N", Array1D::Constant(2, 3.0)}, {"displacement", "m", Array1D::Constant(2, 1.0)}}};
     const auto channels = choose_columns(table, "t", {{"force", "-1 * force"}});
     EXPECT_EQ(table.at("force")[0], -3.0);
     EXPECT_EQ(channels.at("force").expression, "-1 * force");
@@ -117,7 +122,8 @@ TEST(MappingTemplate, AsksForWhatTheFileDoesNotSay) {
     const auto draft = folder.write("m.toml", text);
     EXPECT_TRUE(holds(message_of([&] { (void)read_mapping(draft); }), "a \"?\" asks for what no file says"));
     auto answered = text;
-    for (const char* unit : {"mN", "um", "s"}) answered.replace(answered.find("\"?\"\n"), 3, fmt::format("\"{}\"", unit));
+    for (const char* unit : {"mN", "um", "s"})
+        answered.replace(answered.find("\"?\"\n"), 3, fmt::format("\"{}\"", unit));
     const auto table = read_mapped_table(path, read_mapping(folder.write("n.toml", answered)));
     EXPECT_DOUBLE_EQ(table.at("force")[1], 3e-3);
     EXPECT_DOUBLE_EQ(table.at("displacement")[1], 4e-6);

@@ -16,12 +16,15 @@ namespace setae::answers {
 /// Loops that are read: files, how their columns are named, the camera's record, constants of force curves.
 struct LoopFiles {
     std::vector<std::string> files;
+    std::vector<std::string> columns;  ///< "ROLE=COLUMN", chosen in place of what names and units say
     std::string map, camera, camera_map, clock_offset, pixel, spring_constant, sensitivity;
     std::string mapping_folder;  ///< of mappings that go by their names
     std::optional<double> frame_rate;
     std::optional<long> curve_number;
     bool fringes = false;
 
+    /// What is chosen of columns. @throws InvalidArgument for one that is no ROLE=COLUMN.
+    [[nodiscard]] tables::ChosenColumns chosen() const;
     /// The files, those of folders in alphabetical order. @throws InvalidArgument where there is none.
     [[nodiscard]] std::vector<std::string> expanded() const;
     [[nodiscard]] study::LoopSource source(const std::string& file) const;

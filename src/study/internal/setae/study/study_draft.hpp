@@ -20,9 +20,11 @@ struct StudyDraft {
 /// of instrument and tip, and for all they don't say a commented line `# KEY = "?"`. Loops become experiments in
 /// comments, as elastomers and the rough solid need what no file says; micrographs stand with the command that makes
 /// profiles of them. Folders named after an instrument belong to the folder around them. Results of studies are left
-/// out. Paths are relative to the folder of `study_file`, which need not exist.
+/// out. Paths are relative to the folder of `study_file`, which need not exist. A loop whose columns no rule knows gets
+/// the mapping of `mapping_folder` that reads it.
 ///
 /// The same files give the same text.
-[[nodiscard]] StudyDraft draft_study(const std::vector<std::string>& paths, const std::string& study_file);
+[[nodiscard]] StudyDraft draft_study(const std::vector<std::string>& paths, const std::string& study_file,
+                                     const std::string& mapping_folder = {});
 
 }  // namespace setae::study

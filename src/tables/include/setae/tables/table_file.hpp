@@ -44,9 +44,10 @@ struct RawTable {
 /// Separators are tabs, commas, semicolons or blanks, the decimal sign is a point or a comma; both are found by trying
 /// which reading makes the most lines regular. Names stand in the last header line with as many cells as columns, units
 /// beside them as "force [mN]", "force (mN)", "force / mN", "force in mN", "force_mN", "force, mN" or "force mN", or in
-/// a row of their own. Cells may stand in quotes, with separators in them. An empty cell, "nan", "-" and "bad" are undefined; columns of text are kept as names and marked.
-/// Thousands may be grouped ("1,234.5", "1.234,5", "1'234.5", "1 234,5"). Commas that may group thousands as well as
-/// begin decimals ("1,234" without any cell that decides) are refused, as are rows with twice as many cells as names at commas. A workbook (.xlsx) is read by read_spreadsheet.
+/// a row of their own. Cells may stand in quotes, with separators in them. An empty cell, "nan", "-" and "bad" are
+/// undefined; columns of text are kept as names and marked. Thousands may be grouped ("1,234.5", "1.234,5", "1'234.5",
+/// "1 234,5"). Commas that may group thousands as well as begin decimals ("1,234" without any cell that decides) are
+/// refused, as are rows with twice as many cells as names at commas. A workbook (.xlsx) is read by read_spreadsheet.
 /// @throws FileError; FormatError that names the line where a row has another number of columns.
 [[nodiscard]] RawTable read_raw_table(const bytes::Source& source, const TableOptions& options = {});
 

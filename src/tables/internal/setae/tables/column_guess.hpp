@@ -57,10 +57,10 @@ struct ColumnGuess {
 /// Guesses the roles of columns from their names, symbols and units.
 ///
 /// Words: force, load, normal force, F, P, FN; displacement, indentation, penetration, depth, stage, piezo, position,
-/// travel, d, z, δ; gap, separation; contact radius, radius, a; contact area, A; time, t, clock, timestamp; and those of
-/// German, French, Spanish, Italian, Portuguese and Dutch, with or without accents. A unit of another dimension rules a
-/// column out; without words the only column in a unit of force or time is taken at low confidence. Deviations, set
-/// points, rates and temperatures are left aside.
+/// travel, d, z, δ; gap, separation; contact radius, radius, a; contact area, A; time, t, clock, timestamp; and those
+/// of German, French, Spanish, Italian, Portuguese and Dutch, with or without accents. A unit of another dimension
+/// rules a column out; without words the only column in a unit of force or time is taken at low confidence. Deviations,
+/// set points, rates and temperatures are left aside.
 [[nodiscard]] ColumnGuess guess_columns(const RawTable& table, const std::string& path, const TableOptions& file = {});
 
 /// The guess of a file. @throws as read_raw_table.
