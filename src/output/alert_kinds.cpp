@@ -166,7 +166,9 @@ std::vector<AlertKind> of_surfaces() {
         {"LIKELIHOOD_FAILED", about,
          "the likelihood could not be fitted, or leaves h_rms or h'_rms uncertain by more than a factor of ten either "
          "way; the average stands for it"},
-        {"SPECTRUM_CONVERTED", about, "a given spectrum's first column holds frequencies or wavelengths"},
+        {"SPECTRUM_CONVERTED", about,
+         "a given spectrum's first column holds frequencies or wavelengths, or its density has another normalisation"},
+        {"SPECTRUM_CONVENTION", about, "a given spectrum does not say how its density is normalised"},
         {"SPECTRUM_WITHOUT_ERROR", about, "a given spectrum has no column of standard errors"},
         {"NO_INSTRUMENT", about,
          "what instrument read the heights is not stated; waves down to their sampling are believed"},

@@ -26,6 +26,8 @@ const std::vector<Bearing>& bearings() {
         {{"CHECKSUM"}, "A checksum of {} is wrong: what was read may be damaged."},
         {{"UNIT_ASSUMED", "UNIT_GUESSED", "UNIT_MISMATCH", "UNITS_IMPLAUSIBLE"},
          "The units of {} are not certain: its numbers scale with them."},
+        {{"SPECTRUM_CONVENTION"},
+         "The normalisation of the spectrum of {} is not certain: heights and slopes scale with it."},
         {{"SIZE_MISMATCH", "SIZE_FROM_NAME"}, "The size of {} is not certain: wavelengths and slopes scale with it."},
         {{"SCALE_NOT_APPLIED", "SCALE_TWICE", "NO_HEIGHT_SCALE", "SENSITIVITY_MISSING"},
          "The scale of heights of {} is not certain: heights, slopes and stored energy go with it."},

@@ -152,11 +152,12 @@ const Keys<SurfaceInput>& surface_keys() {
             .file("power_spectrum", &Input::power_spectrum,
                   "a table of C1D, or of C_iso, against wavevector, frequency or wavelength in place of measurements")
             .parsed(
-                "power_spectrum_unit", "two units such as `1/um, nm3`",
+                "power_spectrum_unit", "two columns such as `1/um, nm3`",
                 [](Input& input, const std::string& text) {
                     input.spectrum_units = tables::SpectrumUnits::from_text(text);
                 },
-                "of its columns where its header has none; `frequency 1/um, nm3` says what the first one holds")
+                "units of its columns where its header has none, and what they hold: `frequency 1/um, one-sided nm3`, "
+                "`wavevector, W1` (h_rms² = ∫ W1 dk over ±k), `Wr`, `W2`")
             .add({"pipeline", "file", "", "", "processing steps of all measurements that name none of their own"},
                  [](TomlReader& reader, Input& surface) {
                      MeasurementInput of_all;

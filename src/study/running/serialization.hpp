@@ -142,7 +142,7 @@ namespace setae::tables {
 
 SETAE_KEEP(ForceCurveOptions, spring_constant, sensitivity)
 
-SETAE_KEEP(SpectrumUnits, quantity, wavevector, density)
+SETAE_KEEP(SpectrumUnits, quantity, wavevector, density, sides, kind)
 
 }  // namespace setae::tables
 

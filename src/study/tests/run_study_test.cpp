@@ -224,7 +224,7 @@ TEST_F(StudyOfFiles, GivenSpectraCarryTheirErrorsAndTheirConventions) {
         }
     };
     write("q.csv", "q [1/m],C1D [m3],standard_error [m3]", 1.0, true);
-    write("f.csv", "frequency (1/m),PSD (m3)", 2.0 * pi, false);
+    write("f.csv", "frequency (1/m),two-sided PSD (m3)", 2.0 * pi, false);
     const auto path = (folder_ / "both.toml").string();
     std::ofstream(path) << "work_of_adhesion = \"37 ± 3.7 mJ/m2\"\n[surfaces.Q]\npower_spectrum = \"q.csv\"\n"
                            "[surfaces.F]\npower_spectrum = \"f.csv\"\n[rough_solid]\nyoungs_modulus = \"1.1 TPa\"\n"

@@ -88,6 +88,15 @@ TEST(AnyTable, NumbersInQuotesKeepTheirSeparators) {
                       "ambiguous"));
 }
 
+TEST(AnyTable, PointsThatNoWayOfWritingDecimalsGivesAreAsked) {
+    const std::string text = "x [um];z [nm]\n0;1.234\n1;999\n2;12.000\n";
+    EXPECT_TRUE(holds(message_of([&] { (void)table_of(text); }),
+                      "t.csv:2: '1.234' is ambiguous, and so is every number with a point"));
+    EXPECT_DOUBLE_EQ(table_of(text, {.decimal_point = ','}).columns[1].values[2], 12000.0);
+    EXPECT_DOUBLE_EQ(table_of("x [um];z [nm]\n0;1.234\n1;999.000\n2;12.000\n").columns[1].values[2], 12.0);
+    EXPECT_DOUBLE_EQ(table_of("x [um];z [nm]\n0;1.234\n1;999\n2;12.5\n").columns[1].values[0], 1.234);
+}
+
 TEST(AnyTable, GroupsFarFromTheEndAreReadAsThoseOfTheOtherSign) {
     std::string text = "x [um];z [nm]\n0,5;1.234\n";
     for (int i = 1; i < 200; ++i) text += fmt::format("{},5;{},25\n", i, i);
