@@ -85,8 +85,9 @@ int write_figures(const std::vector<file_figures::StudyFigure>& figures, const P
 }
 
 ExitCode predict(const PredictArguments& arguments, const cache::Store& store, ProgressDisplay& display) {
-    const auto result = study::run_study(study::read_study(arguments.study, mapping_folder()),
-                                         run_options(arguments.common.workers(), store, display));
+    const auto study = study::read_study(arguments.study, mapping_folder());
+    show(study.alerts);
+    const auto result = study::run_study(study, run_options(arguments.common.workers(), store, display));
     display.finish();
     for (const auto& surface : result.surfaces)
         if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));

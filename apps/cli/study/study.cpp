@@ -71,6 +71,8 @@ void show_failures(const study::StudyResult& result) {
     }
     for (const auto& e : result.experiments)
         if (e.failed()) complain(e.error);
+    for (const auto& alert : result.alerts_of_failed_parts())
+        complain(fmt::format("{}: {}", alert.subject, alert.message));
 }
 
 /// What the results are and where.
@@ -84,6 +86,7 @@ void print_result(const study::StudyResult& result, const std::string& report, b
 study::Study study_of(const Arguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
     auto study = study::read_study(arguments.file, mapping_folder());
+    show(study.alerts);
     if (!arguments.output.empty()) study.output = arguments.output;
     return study;
 }

@@ -2,6 +2,7 @@
 #include "setae/study/open_loop.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string_view>
@@ -10,7 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 #include "setae/imaging/contact_radius.hpp"
 #include "setae/study/channel_remedy.hpp"
 #include "setae/tables/clocks.hpp"
@@ -180,6 +183,29 @@ OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping) {
                         {.table = tables::read_mapped_table(source.file, mapping), .channels = channels_of(mapping)});
 }
 
+namespace {
+
+/// An alert where W is above 0 by its error, and too small for any two solids in air.
+void add_small_work(loops::LoopAnalysis& analysis, const loops::LensAndCounterBody& bodies, const std::string& file) {
+    const auto& fit = analysis.loading.primary();
+    const auto& work = fit.work_of_adhesion;
+    constexpr double usual = 0.05, errors = 3.0;
+    const bool small =
+        fit.converged && work.value < least_work_of_adhesion && work.value > errors * work.standard_error;
+    if (!small || !(work.value > 0.0) || std::any_of(analysis.alerts.begin(), analysis.alerts.end(), names_cause))
+        return;
+    const double power = 3.0 * std::round(std::log10(usual / work.value) / 3.0);
+    analysis.alerts.push_back(
+        {"UNITS_IMPLAUSIBLE", file,
+         fmt::format(
+             "W = {} is below {}: forces of {} are too small for a radius of {}, the likely factor is 10^{:.0f}",
+             format_value(work.value, "J/m2", 3), format_value(least_work_of_adhesion, "J/m2", 3),
+             format_value(1.5 * pi * bodies.radius * work.value, "N", 3), format_value(bodies.radius, "m", 3), power),
+         "check the units of force and radius"});
+}
+
+}  // namespace
+
 bool names_cause(const Alert& alert) { return alert.code == "UNITS_IMPLAUSIBLE"; }
 
 StatedBodies bodies_stated_in(const Table& loop) {
@@ -215,6 +241,7 @@ loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& fi
             return loops::analyse(loops::loop_from_table(opened.table), bodies, options, file);
         });
         analysis.alerts.insert(analysis.alerts.begin(), opened.alerts.begin(), opened.alerts.end());
+        add_small_work(analysis, bodies, file);
         std::stable_partition(analysis.alerts.begin(), analysis.alerts.end(), names_cause);
         return analysis;
     });

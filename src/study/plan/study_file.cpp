@@ -63,6 +63,7 @@ const Keys<MeasurementInput>& measurement_keys() {
                                  "its kind")
             .add("tip_radius", &Input::tip_radius, positive(dimension::length),
                  "what the tip hides is cut from the spectrum")
+            .plausible(1e-10, 1e-3)
             .choice<std::string>("tip_shape", &Input::tip_shape,
                                  {{"sphere", "sphere"}, {"cone", "cone"}, {"paraboloid", "paraboloid"}},
                                  "of the tip, with `tip_radius` at its apex; without it a sphere")
@@ -77,6 +78,7 @@ const Keys<MeasurementInput>& measurement_keys() {
                   "with it")
             .add("foil_thickness", &Input::foil_thickness, positive(dimension::length),
                  "of a side view's lamella along the beam; without it what the contour's file says, else a line")
+            .plausible(1e-9, 1e-4)
             .add(
                 "height_calibration", &Input::height_calibration, positive(dimension::none),
                 "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
@@ -85,10 +87,13 @@ const Keys<MeasurementInput>& measurement_keys() {
                  "the same of lengths along the surface; a micrograph has both under one name")
             .add("numerical_aperture", &Input::numerical_aperture, positive(dimension::none),
                  "of an optical profiler; with `light_wavelength` the fitted spectrum allows for what it blurs")
+            .plausible(0.01, 1.6)
             .add("light_wavelength", &Input::light_wavelength, positive(dimension::length),
                  "mean wavelength of its light")
+            .plausible(1e-7, 1e-5)
             .add("resolution", &Input::resolution, positive(dimension::length),
                  "what it hides is cut from the spectrum")
+            .plausible(1e-11, 1e-3)
             .parsed(
                 "trend", "`none`, `mean`, `tilt`, `parabola`",
                 [](Input& input, const std::string& name) { input.trend = topography::trend_from_name(name); },
@@ -126,13 +131,17 @@ const Keys<PublishedMoments>& moment_keys() {
     static const auto keys =
         Keys<Moments>()
             .add("rms_height", &Moments::rms_height, positive(dimension::length), "h_rms")
+            .plausible(1e-12, 1e-3)
             .required()
             .add("rms_slope", &Moments::rms_slope, positive(dimension::none), "h'_rms")
+            .plausible(1e-7, 1e2)
             .required()
             .add("rms_curvature", &Moments::rms_curvature, positive(dimension::wavevector), "h''_rms")
+            .plausible(1e-3, 1e11)
             .required()
             .add("short_wavevector", &Moments::short_wavevector, positive(dimension::wavevector),
                  "where the spectrum ends")
+            .plausible(1e2, 1e12)
             .required();
     return keys;
 }
@@ -233,9 +242,11 @@ const Keys<ElastomerInput>& elastomer_keys() {
         Keys<Input>()
             .add("youngs_modulus", &Input::youngs_modulus, positive(dimension::pressure),
                  "without it the mean of the loops on this elastomer")
+            .plausible(1e2, 2e8)
             .add("poisson_ratio", &Input::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
             .by_default("0.5")
             .add("surface_energy", &Input::surface_energy, non_negative(dimension::surface_energy), "γ1")
+            .plausible(1e-3, 1.0)
             .required()
             .add({"surface_energy_law", "table", "", "",
                   "`{ area_ratio = [1.0, …], surface_energy = [\"25 mJ/m2\", …], form = \"end_states\" }`: γ1 against "
@@ -250,13 +261,18 @@ const Keys<ElastomerInput>& elastomer_keys() {
                 "χ of an interface whose energy changes with the stretch of the soft side, γ1s2 − γ12 = χ (r − 1), for "
                 "the general balance")
             .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "of the lens")
+            .plausible(1e-9, 1.0)
             .add("sphere_height", &Input::sphere_height, positive(dimension::length), "of the lens")
+            .plausible(1e-8, 1.0)
             .add("preload", &Input::preload, non_negative(dimension::force),
                  "with sphere_radius: loops with this largest force are predicted, measured or not")
+            .plausible(1e-12, 10.0)
             .add("speed", &Input::speed, positive(dimension::length / dimension::time),
                  "of the motor in loops of pairs that have none; without it the mean of the loops on this elastomer")
+            .plausible(1e-12, 1.0)
             .add("hold_time", &Input::hold_time, non_negative(dimension::time),
                  "of the motor at their turning point, likewise")
+            .plausible(1e-6, 1e7)
             .table<StatedEdgeSpeed>(
                 "crack_speed", edge_speed_keys(),
                 [](Input& e, StatedEdgeSpeed stated) { e.crack_speed = std::move(stated); },
@@ -275,7 +291,9 @@ const Keys<ElastomerInput>& elastomer_keys() {
             .add("crosslink_molar_mass", &Input::crosslink_molar_mass, positive(dimension::molar_mass),
                  "M_c, for the plausibility of E against ρRT/M_c")
             .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "ρ of it")
-            .add("temperature", &Input::temperature, positive(dimension::temperature), "T of it");
+            .plausible(100.0, 1e4)
+            .add("temperature", &Input::temperature, positive(dimension::temperature), "T of it")
+            .plausible(50.0, 1000.0);
     return keys;
 }
 
@@ -329,6 +347,7 @@ const Keys<ExperimentInput>& experiment_keys() {
             .add("elastomer", &Input::elastomer, "one of [elastomers]")
             .required()
             .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "overrides the elastomer's")
+            .plausible(1e-9, 1.0)
             .choice<std::string>("stage", &Input::stage, {{"before", "before"}, {"after", "after"}},
                                  "of a reference: before or after the rough loops")
             .add(
@@ -449,9 +468,13 @@ private:
 
     template <class Field>
     void read_rows(TomlReader& rows, const Dimension& dimension, Field field) {
-        for (const auto& surface : rows.keys())
-            assign(rows, surface, rows.uncertains(surface.c_str(), dimension),
-                   [field](PublishedPair& pair, const Estimate& value) { pair.*field = value; });
+        for (const auto& surface : rows.keys()) {
+            const auto values = rows.uncertains(surface.c_str(), dimension);
+            if (dimension == dimension::surface_energy)
+                for (const auto& value : values)
+                    remark_implausible(rows, surface.c_str(), value.value, 1e-6, 10.0, si_unit(dimension));
+            assign(rows, surface, values, [field](PublishedPair& pair, const Estimate& value) { pair.*field = value; });
+        }
     }
 
     template <class Assign>
@@ -497,7 +520,9 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
                 "the likelihood of surfaces with several measurements")
             .add("longest_wavelength", &Options::longest_wavelength, positive(dimension::length),
                  "limit of all integrals; its ± is in every number of every surface that reaches so far")
+            .plausible(1e-10, 1.0)
             .add("shortest_wavelength", &Options::shortest_wavelength, positive(dimension::length), "likewise")
+            .plausible(1e-11, 1e-3)
             .add(
                 "surface_shortest_wavelength", [](auto& o) -> auto& { return o.likelihood.shortest_wavelength; },
                 positive(dimension::length),
@@ -541,6 +566,7 @@ const Keys<RoughSolid>& rough_solid_keys() {
     static const auto keys =
         Keys<RoughSolid>()
             .add("youngs_modulus", &RoughSolid::youngs_modulus, positive(dimension::pressure), "")
+            .plausible(1e6, std::numeric_limits<double>::infinity())  // a rigid one is stated by any large number
             .required()
             .add("poisson_ratio", &RoughSolid::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
             .required();
@@ -594,7 +620,8 @@ const Keys<Study>& top_keys() {
                                  .file("output", &Study::output, "folder of the results")
                                  .by_default("`NAME_results` beside `NAME.toml`")
                                  .add("work_of_adhesion", &Study::work_of_adhesion, positive(dimension::surface_energy),
-                                      "W_int for predictions; without it the fitted one");
+                                      "W_int for predictions; without it the fitted one")
+                                 .plausible(1e-4, 10.0);
     return keys;
 }
 
@@ -688,6 +715,8 @@ Study read_study(const std::string& path, const std::string& mapping_folder) {
     });
     reader.finish();
     reader.require_inputs_used();
+    for (const auto& remark : reader.remarks())
+        study.alerts.push_back({"UNITS_IMPLAUSIBLE", remark.place, remark.key + " = " + remark.text, "check its unit"});
     if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
         throw FormatError(
             path, {}, "missing [rough_solid] with youngs_modulus and poisson_ratio, which the contact modulus needs");

@@ -196,7 +196,8 @@ struct Study {
     std::string path;
     std::string title;
     std::string description;
-    std::string output;  ///< folder of the results
+    std::string output;         ///< folder of the results
+    std::vector<Alert> alerts;  ///< values that can be taken but are not likely, each with its line
     SurfaceAnalysisOptions analysis;
     ComparisonOptions comparison;
     double counter_youngs_modulus = 0.0;  ///< of the rough solid [Pa]

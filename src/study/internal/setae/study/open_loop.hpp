@@ -56,6 +56,9 @@ struct StatedBodies {
 /// Multiplies the channels of an open loop.
 void apply(const loops::Calibration& factors, OpenedLoop& loop);
 
+/// W [J/m²] of adhesive contacts below which forces are likely too small for the radius.
+inline constexpr double least_work_of_adhesion = 3e-4;
+
 /// Whether an alert names what makes all numbers of a loop wrong: it comes before those that follow from it.
 [[nodiscard]] bool names_cause(const Alert& alert);
 
