@@ -16,6 +16,7 @@
 #include "setae/output/fit_json.hpp"
 #include "setae/study/file_content.hpp"
 #include "setae/study/force_map.hpp"
+#include "setae/study/own_outputs.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping_folder.hpp"
 
@@ -58,7 +59,8 @@ std::vector<std::string> LoopFiles::expanded() const {
         }
         std::vector<std::string> within;
         for (const auto& entry : std::filesystem::directory_iterator(path))
-            if (entry.is_regular_file() && !entry.path().filename().string().starts_with("."))
+            if (entry.is_regular_file() && !entry.path().filename().string().starts_with(".") &&
+                !study::is_own_output(entry.path().string()))
                 within.push_back(entry.path().string());
         std::sort(within.begin(), within.end());
         all.insert(all.end(), within.begin(), within.end());

@@ -38,12 +38,16 @@ void print_summary(const study::StudyDraft& draft, const std::string& file) {
     print(fmt::format("{}: {} with {}, {}, {}; {} left out\n", file, counted(draft.surfaces, "surface"),
                       counted(draft.measurements, "measurement"), counted(draft.loops, "loop"),
                       counted(draft.micrographs, "micrograph"), counted(draft.left_out.size(), "file")));
+    if (!draft.own.empty())
+        print(fmt::format("{} passed over, which setae wrote: figures, tables, reports\n",
+                          counted(draft.own.size(), "file")));
     print(fmt::format("setae study {} --dry-run lists what it leaves open\n", shell_word(file)));
 }
 
 output::Json json_of(const study::StudyDraft& draft, const std::string& file) {
     output::Json json{{"study", file},        {"surfaces", draft.surfaces},       {"measurements", draft.measurements},
                       {"loops", draft.loops}, {"micrographs", draft.micrographs}, {"left_out", output::Json::array()}};
+    json["passed_over"] = draft.own;
     for (const auto& left : draft.left_out) json["left_out"].push_back({{"file", left.path}, {"reason", left.reason}});
     return json;
 }

@@ -33,18 +33,6 @@ fs::path whole_path(const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
 }
 
-/// Whether a folder holds what a study left behind.
-bool holds_results(const fs::path& folder) {
-    std::error_code ignored;
-    return fs::exists(folder / "study.json", ignored) && fs::exists(folder / "report.html", ignored);
-}
-
-bool is_result(const fs::path& file) {
-    for (auto folder = file.parent_path(); folder != folder.parent_path(); folder = folder.parent_path())
-        if (holds_results(folder)) return true;
-    return false;
-}
-
 /// The folder that surfaces are named from: the one given, or the one around all that are.
 fs::path root_of(const std::vector<std::string>& paths) {
     fs::path root;
@@ -80,9 +68,10 @@ public:
           mapping_folder_(mapping_folder) {
         const auto found = found_files(paths);
         draft_.left_out = found.unreadable;
+        draft_.own = found.own;
         std::set<fs::path> seen{whole_path(study_file)};
         for (const auto& file : found.files)
-            if (const auto whole = whole_path(file); seen.insert(whole).second && !is_result(whole)) look_at(file);
+            if (const auto whole = whole_path(file); seen.insert(whole).second) look_at(file);
         for (const auto& content : contents_) add(*content);
     }
 

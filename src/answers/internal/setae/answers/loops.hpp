@@ -25,7 +25,8 @@ struct LoopFiles {
 
     /// What is chosen of columns. @throws InvalidArgument for one that is no ROLE=COLUMN.
     [[nodiscard]] tables::ChosenColumns chosen() const;
-    /// The files, those of folders in alphabetical order. @throws InvalidArgument where there is none.
+    /// The files, those of folders in alphabetical order and without what setae wrote of results. @throws
+    /// InvalidArgument where there is none.
     [[nodiscard]] std::vector<std::string> expanded() const;
     [[nodiscard]] study::LoopSource source(const std::string& file) const;
     /// The file of the mapping that was named, by its path or by the name it has in the folder; nothing where none was.

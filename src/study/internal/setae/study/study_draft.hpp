@@ -14,6 +14,7 @@ struct StudyDraft {
     std::string text;  ///< TOML that read_study() takes as it stands
     std::size_t surfaces = 0, measurements = 0, loops = 0, micrographs = 0;
     std::vector<UnreadablePath> left_out;  ///< files that are nothing a study names
+    std::vector<std::string> own;          ///< files of the folders that setae wrote: figures, tables, reports
 };
 
 /// Drafts the study of files and folders: surfaces from what measured them, grouped by folder, with what the files say
