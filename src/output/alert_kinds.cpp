@@ -169,6 +169,7 @@ std::vector<AlertKind> of_surfaces() {
          "way; the average stands for it"},
         {"SPECTRUM_CONVERTED", about,
          "a given spectrum's first column holds frequencies or wavelengths, or its density has another normalisation"},
+        {"FEW_POINTS", about, "a measurement has too few points in a line for a spectrum to be fitted to it"},
         {"PART_FAILED", about,
          "an elastomer, a pair or a comparison of a study cannot be computed; the rest is complete"},
         {"SPECTRUM_CONVENTION", about, "a given spectrum does not say how its density is normalised"},

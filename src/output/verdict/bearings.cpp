@@ -26,6 +26,7 @@ const std::vector<Bearing>& bearings() {
         {{"CHECKSUM"}, "A checksum of {} is wrong: what was read may be damaged."},
         {{"UNIT_ASSUMED", "UNIT_GUESSED", "UNIT_MISMATCH", "UNITS_IMPLAUSIBLE"},
          "The units of {} are not certain: its numbers scale with them."},
+        {{"FEW_POINTS"}, "The fitted spectrum does not rest on {}."},
         {{"PART_FAILED"}, "Of {} a number is missing that could not be computed."},
         {{"SPECTRUM_CONVENTION"},
          "The normalisation of the spectrum of {} is not certain: heights and slopes scale with it."},
