@@ -16,6 +16,7 @@
 #include "setae/study/study_keys.hpp"
 #include "setae/tables/column_guess.hpp"
 #include "setae/tables/force_curve.hpp"
+#include "setae/tables/force_map.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping.hpp"
 #include "setae/tables/spreadsheet.hpp"
