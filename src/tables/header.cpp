@@ -112,6 +112,11 @@ std::optional<Unit> try_parse_unit(std::string_view text) {
     }
 }
 
+bool is_unit_of(std::string_view text, const Dimension& dimension) {
+    const auto unit = try_parse_unit(text);
+    return unit && unit->dimension == dimension;
+}
+
 HeaderCell parse_header_cell(std::string_view cell) {
     cell = trimmed(cell);
     if (auto found = with_brackets(cell)) return *found;

@@ -15,6 +15,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/tables/header.hpp"
 #include "setae/tables/table_file.hpp"
 #include "spectrum_convention.hpp"
 
@@ -34,14 +35,6 @@ bool is_standard_error(const std::string& name) {
     return lower.find("err") != std::string::npos || lower.find("std") != std::string::npos;
 }
 
-bool has_dimension(const std::string& unit, const Dimension& dimension) {
-    try {
-        return parse_unit(unit).dimension == dimension;
-    } catch (const InvalidArgument&) {
-        return false;
-    }
-}
-
 std::string shown(const RawTable::RawColumn& column, const char* otherwise) {
     return column.name.empty() ? std::string(otherwise) : fmt::format("column '{}'", column.name);
 }
@@ -54,7 +47,7 @@ Array1D abscissa_of(const RawTable::RawColumn& raw, const std::string& quantity,
 
 /// The density in SI as it stands in the file.
 Array1D density_of(const RawTable::RawColumn& raw, const std::string& path) {
-    const bool areal = has_dimension(raw.unit, dimension::power_spectrum_2d);
+    const bool areal = is_unit_of(raw.unit, dimension::power_spectrum_2d);
     return in_si(raw, areal ? "C_iso" : "C1D", areal ? dimension::power_spectrum_2d : dimension::power_spectrum_1d,
                  path)
         .values;
@@ -77,9 +70,9 @@ double rms_height_of(const SpectrumConvention& convention, const std::vector<Raw
 SpectrumConvention convention_of(const RawTable& raw, const SpectrumUnits& units, const std::string& path) {
     const auto& columns = raw.columns;
     if (columns[0].name.empty() && columns[1].name.empty() && units.empty())
-        return {.quantity = has_dimension(columns[0].unit, dimension::length) ? "wavelength" : "wavevector",
-                .kind = has_dimension(columns[1].unit, dimension::power_spectrum_2d) ? DensityKind::areal
-                                                                                     : DensityKind::per_cycle};
+        return {.quantity = is_unit_of(columns[0].unit, dimension::length) ? "wavelength" : "wavevector",
+                .kind = is_unit_of(columns[1].unit, dimension::power_spectrum_2d) ? DensityKind::areal
+                                                                                  : DensityKind::per_cycle};
     const auto possible = possible_conventions(raw, units);
     if (possible.size() == 1) return possible.front();
     std::vector<std::string> readings;
@@ -166,12 +159,12 @@ std::string without_markup(const std::string& text) {
 }
 
 bool is_density(const RawTable::RawColumn& column) {
-    return has_dimension(column.unit, dimension::power_spectrum_1d) ||
-           has_dimension(column.unit, dimension::power_spectrum_2d);
+    return is_unit_of(column.unit, dimension::power_spectrum_1d) ||
+           is_unit_of(column.unit, dimension::power_spectrum_2d);
 }
 
 bool is_wavevector(const RawTable::RawColumn& column) {
-    return has_dimension(column.unit, dimension::wavevector) || has_dimension(column.unit, dimension::length);
+    return is_unit_of(column.unit, dimension::wavevector) || is_unit_of(column.unit, dimension::length);
 }
 
 /// Whole lines from the beginning of a file, enough for its header and some numbers.

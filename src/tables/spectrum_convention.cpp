@@ -46,11 +46,6 @@ bool holds_any(std::string_view text, std::initializer_list<std::string_view> wo
                        [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
 }
 
-bool has_dimension(const std::string& unit, const Dimension& dimension) {
-    const auto known = try_parse_unit(unit);
-    return known && known->dimension == dimension;
-}
-
 /// Everything above the numbers and in the names, for words that say how a density is normalised.
 std::string all_words(const RawTable& table) {
     std::string text;
@@ -71,7 +66,7 @@ std::string sides_in(const std::string& text) {
 
 /// What the first column holds by its unit and name; nothing where both a wavevector and a frequency may be meant.
 std::string quantity_of(const RawTable::RawColumn& column) {
-    if (has_dimension(column.unit, dimension::length)) return wavelength;
+    if (is_unit_of(column.unit, dimension::length)) return wavelength;
     const auto unit = folded(column.unit), name = bare(column.name);
     if (holds_any(unit, {"rad"}) || holds_any(name, {"angular", "kreisfreq", "rad"})) return wavevector;
     if (holds_any(unit, {"cyc"}) || holds_any(name, {"freq", "frec", "cycles"}) ||
@@ -186,7 +181,7 @@ double rms_height(const Array1D& q, const Array1D& density, bool areal) {
 
 std::vector<SpectrumConvention> possible_conventions(const RawTable& table, const SpectrumUnits& stated) {
     const auto words = all_words(table);
-    const bool areal = has_dimension(table.columns[1].unit, dimension::power_spectrum_2d);
+    const bool areal = is_unit_of(table.columns[1].unit, dimension::power_spectrum_2d);
     const auto& name = stated.kind.empty() ? table.columns[1].name : stated.kind;
     const auto sides = stated.sides.empty() ? sides_in(words) : stated.sides;
     auto quantity = stated.quantity.empty() ? quantity_of(table.columns[0]) : stated.quantity;
