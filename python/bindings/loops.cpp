@@ -29,8 +29,10 @@ void bind_requests(nb::module_& module) {
             [](answers::LoopFiles* files, const std::string& mapping, const std::string& mapping_folder,
                const std::string& camera, const std::string& camera_mapping, const std::string& clock_offset,
                const std::string& pixel, std::optional<double> frame_rate, bool fringes,
-               const std::string& spring_constant, const std::string& sensitivity, std::optional<long> curve_number) {
+               const std::string& spring_constant, const std::string& sensitivity, std::optional<long> curve_number,
+               const std::vector<std::string>& columns) {
                 new (files) answers::LoopFiles;
+                files->columns = columns;
                 files->map = mapping;
                 files->mapping_folder = mapping_folder;
                 files->camera = camera;
@@ -45,7 +47,7 @@ void bind_requests(nb::module_& module) {
             },
             nb::arg("mapping"), nb::arg("mapping_folder"), nb::arg("camera"), nb::arg("camera_mapping"),
             nb::arg("clock_offset"), nb::arg("pixel"), nb::arg("frame_rate").none(), nb::arg("fringes"),
-            nb::arg("spring_constant"), nb::arg("sensitivity"), nb::arg("curve_number").none());
+            nb::arg("spring_constant"), nb::arg("sensitivity"), nb::arg("curve_number").none(), nb::arg("columns"));
     nb::class_<answers::LoopBodies>(module, "LoopBodies")
         .def(
             "__init__",

@@ -44,17 +44,18 @@ struct Figure {
     const study_figures::StudyFigure* figure;
 };
 
-study::Study read(const std::string& file, const std::string& output) {
-    auto study = study::read_study(file);
+study::Study read(const std::string& file, const std::string& output, const std::string& mapping_folder) {
+    auto study = study::read_study(file, mapping_folder);
     if (!output.empty()) study.output = output;
     return study;
 }
 
 /// cache: the folder; empty: the user's own; absent: nothing is kept.
 Run run(const std::string& file, const std::string& output, const std::optional<std::string>& cache,
-        const std::atomic<bool>& cancelled) {
+        const std::string& mapping_folder, const std::atomic<bool>& cancelled) {
     auto done = std::make_shared<Study>(cache);
-    done->result = study::run_study(read(file, output), {.store = done->store.get(), .cancelled = &cancelled});
+    done->result =
+        study::run_study(read(file, output, mapping_folder), {.store = done->store.get(), .cancelled = &cancelled});
     done->figures = study_figures::study_figures(done->result, {.store = done->store.get()});
     return done;
 }
@@ -177,14 +178,18 @@ void bind_studies(nb::module_& module) {
         nb::arg("value"), nb::arg("standard_error"), nb::arg("unit"), nb::arg("interval").none(),
         "a number in SI as a study's report shows it");
     module.def(
-        "title_of_study", [](const std::string& file) { return read(file, {}).title; }, nb::arg("file"),
-        "reads a study; what is wrong with its file is raised");
+        "title_of_study",
+        [](const std::string& file, const std::string& mapping_folder) { return read(file, {}, mapping_folder).title; },
+        nb::arg("file"), nb::arg("mapping_folder"), "reads a study; what is wrong with its file is raised");
     module.def(
         "run_study",
-        [](const std::string& file, const std::string& output, const std::optional<std::string>& cache) {
-            return unlocked([&](const std::atomic<bool>& cancelled) { return run(file, output, cache, cancelled); });
+        [](const std::string& file, const std::string& output, const std::optional<std::string>& cache,
+           const std::string& mapping_folder) {
+            return unlocked([&](const std::atomic<bool>& cancelled) {
+                return run(file, output, cache, mapping_folder, cancelled);
+            });
         },
-        nb::arg("file"), nb::arg("output"), nb::arg("cache").none());
+        nb::arg("file"), nb::arg("output"), nb::arg("cache").none(), nb::arg("mapping_folder"));
 }
 
 }  // namespace setae::python

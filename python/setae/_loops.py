@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import json
-import pathlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _setae
-from ._options import Path, Text, filled, path, text
+from ._options import MAPPINGS, Path, Text, filled, path, text, texts
 from ._quantities import Alert, Answer, Quantity, alerts_from
 
 if TYPE_CHECKING:
@@ -103,7 +102,7 @@ class Loop:
     def fit(
         self,
         *,
-        models: Sequence[str] = (),
+        models: Sequence[str] | str = (),
         branch: str = "loading",
         errors: str = "orthogonal_distance",
         model_contact_point: Text | None = None,
@@ -119,7 +118,7 @@ class Loop:
         ``drift``, ``no_drift``, ``force_zero``, ``whole_retraction`` … as the options of ``setae jkr fit``.
         """
         wanted = {
-            "models": list(models),
+            "models": texts(models),
             "branch": branch,
             "errors": errors,
             "contact_point": text(model_contact_point),
@@ -146,15 +145,16 @@ class Loop:
 
 
 def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
-             **texts: Text | None) -> dict[str, Any]:
+             columns: Mapping[str, str] | None = None, **texts: Text | None) -> dict[str, Any]:
     """Arguments of LoopFiles; what is not named is left open."""
     names = ("mapping", "camera", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
     return {
         **{name: text(texts.get(name)) for name in names},
-        "mapping_folder": str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings"),
+        "mapping_folder": MAPPINGS,
         "frame_rate": frame_rate,
         "fringes": fringes,
         "curve_number": curve_number,
+        "columns": [f"{role}={chosen}" for role, chosen in (columns or {}).items()],
     }
 
 
@@ -190,11 +190,13 @@ def loop(
     spring_constant: Text | None = None,
     sensitivity: Text | None = None,
     curve_number: int | None = None,
+    columns: Mapping[str, str] | None = None,
 ) -> Loop:
     """A loop: a table with units in the header, setae's loop file, a workbook, a force curve.
 
     radius: of the sphere, where the file does not say it.  mapping: names the columns of a foreign table, by its file or its name.
-    camera: its own table of times and contact radii, or its pictures.
+    columns: overrules what names and units say: ``{"force": "Load"}``, ``{"force": "Kraft[uN]"}`` with a unit that the header lacks, or an
+    expression, ``{"force": "-1 * load"}``.  camera: its own table of times and contact radii, or its pictures.
     """
     files = files_of(
         mapping=mapping,
@@ -207,6 +209,7 @@ def loop(
         spring_constant=spring_constant,
         sensitivity=sensitivity,
         curve_number=curve_number,
+        columns=columns,
     )
     bodies = bodies_of(radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, nu=nu, counter_E=counter_E,
                        counter_nu=counter_nu)

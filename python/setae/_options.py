@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 import os
+import pathlib
+from collections.abc import Sequence
 from typing import Any, TypeVar, Union
 
 from ._quantities import Quantity
@@ -13,6 +15,8 @@ from ._quantities import Quantity
 Text = Union[str, Quantity]
 #: A file by its path.
 Path = Union[str, "os.PathLike[str]"]
+#: The mappings that go by their names.
+MAPPINGS = str(pathlib.Path(__file__).parent / "share" / "setae" / "mappings")
 
 
 def text(value: Text | float | None) -> str:
@@ -29,6 +33,11 @@ def text(value: Text | float | None) -> str:
     raise TypeError(f"{type(value).__name__}; expected a text with its unit, such as '10 ± 2 nm'")
 
 
+def texts(value: Sequence[str] | str) -> list[str]:
+    """A list of texts, of which one may be given alone."""
+    return [value] if isinstance(value, str) else list(value)
+
+
 Request = TypeVar("Request")
 
 
@@ -39,6 +48,8 @@ def filled(request: Request, **given: Any) -> Request:
             continue
         if not hasattr(request, name):
             raise TypeError(f"unknown argument '{name}'; expected one of {', '.join(n for n in dir(request) if n[0] != '_')}")
+        if isinstance(getattr(request, name), list):
+            value = texts(value) if isinstance(value, str) else value
         setattr(request, name, text(value) if isinstance(value, Quantity) else value)
     return request
 

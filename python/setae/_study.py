@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import _setae
-from ._options import Path, filled, path
+from ._options import MAPPINGS, Path, filled, path
 from ._quantities import Answer, Quantity
 
 
@@ -142,7 +142,7 @@ class Study:
     def run(self, *, output: Path | None = None, cache: Path | None = None, keep: bool = True) -> StudyResult:
         """Runs it. What was computed before is taken from the cache, which the program uses, too; ``keep=False`` does without."""
         folder = (path(cache) if cache is not None else "") if keep else None
-        run = _setae.run_study(self.file, "" if output is None else path(output), folder)
+        run = _setae.run_study(self.file, "" if output is None else path(output), folder, MAPPINGS)
         return StudyResult.of(run, self.file)
 
 
@@ -194,4 +194,4 @@ def study(file: Path) -> Study:
     :raises FormatError: for an unknown key, a missing or wrong unit, a name that is not declared
     """
     name = os.fspath(file)
-    return Study(name, _setae.title_of_study(name))
+    return Study(name, _setae.title_of_study(name, MAPPINGS))

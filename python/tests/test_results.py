@@ -83,6 +83,27 @@ def test_a_fit_says_its_numbers_first(data):
     assert repr(fit) == f"LoopFit(E* = {fit.E_star}, W = {fit.W}, E_loss = {fit.loss})"
 
 
+def test_columns_of_a_loop_are_chosen(data, tmp_path):
+    whole = setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm")
+    time, force, displacement = (whole[name] for name in ("time", "force", "displacement"))
+    rows = "".join(f"{t!r},{-1e6 * f!r},{1e6 * d!r}\n" for t, f, d in zip(time.tolist(), force.tolist(), displacement.tolist()))
+    table = tmp_path / "kraft.csv"
+    table.write_text("Zeit [s],Kraft,Weg [um]\n" + rows)
+    with pytest.raises(setae.FormatError, match="has no unit"):
+        setae.loop(table, radius="1.25 mm")
+    loop = setae.loop(table, radius="1.25 mm", columns={"force": "-1 uN * kraft"})
+    assert np.allclose(loop["force"], force, rtol=1e-12, atol=0) and np.allclose(loop["displacement"], displacement, rtol=1e-12, atol=0)
+    with pytest.raises(setae.UndefinedDataError, match='--column force="-1 \\* kraft\\[uN\\]"'):
+        setae.loop(table, radius="1.25 mm", columns={"force": "Kraft[uN]"}).fit()
+
+
+def test_one_model_may_be_named_alone(data):
+    loop = setae.loop(data / "loops/rougher_soft.csv", radius="1.25 mm")
+    assert loop.fit(models="jkr").json() == loop.fit(models=["jkr"]).json()
+    with pytest.raises(setae.InvalidArgument, match="unknown contact model 'jkk'"):
+        loop.fit(models="jkk")
+
+
 def test_other_packages_take_them(scan):
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
     psd = setae.power_spectrum(scan)

@@ -166,7 +166,7 @@ Contents contents(const ContentsRequest& request) {
     if (request.heights && request.no_heights)
         throw InvalidArgument("--heights and --no-heights contradict each other; expected one of them");
     const auto found = study::found_files(request.paths);
-    Contents contents{.files = {}, .failed = found.unreadable};
+    Contents contents{.files = {}, .failed = found.unreadable, .own = found.own};
     for (const auto& file : found.files) {
         try {
             contents.files.push_back(listed(file, request));
@@ -184,6 +184,7 @@ output::Json to_json(const Contents& contents) {
         json["files"].push_back(file_json(file));
         for (const auto& channel : file.channels) json["channels"].push_back(channel_json(file.content.file, channel));
     }
+    json["passed_over"] = contents.own;
     for (const auto& failed : contents.failed)
         json["failed"].push_back({{"file", failed.path}, {"error", failed.reason}});
     return json;

@@ -9,11 +9,14 @@
 
 #include "setae/bytes/archive_folder.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/loops/machine_stiffness.hpp"
+#include "setae/loops/model_fits.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/study/file_content.hpp"
 #include "setae/study/force_map.hpp"
+#include "setae/study/own_outputs.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping_folder.hpp"
 
@@ -56,7 +59,8 @@ std::vector<std::string> LoopFiles::expanded() const {
         }
         std::vector<std::string> within;
         for (const auto& entry : std::filesystem::directory_iterator(path))
-            if (entry.is_regular_file() && !entry.path().filename().string().starts_with("."))
+            if (entry.is_regular_file() && !entry.path().filename().string().starts_with(".") &&
+                !study::is_own_output(entry.path().string()))
                 within.push_back(entry.path().string());
         std::sort(within.begin(), within.end());
         all.insert(all.end(), within.begin(), within.end());
@@ -65,9 +69,23 @@ std::vector<std::string> LoopFiles::expanded() const {
     return all;
 }
 
+tables::ChosenColumns LoopFiles::chosen() const {
+    tables::ChosenColumns all;
+    for (const auto& text : columns) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos || equals == 0 || trimmed(text.substr(equals + 1)).empty())
+            throw InvalidArgument(fmt::format("--column {}: expected ROLE=COLUMN, such as force=Load", text));
+        const std::string role(trimmed(text.substr(0, equals)));
+        if (!all.emplace(role, trimmed(text.substr(equals + 1))).second)
+            throw InvalidArgument(fmt::format("--column {}: {} is chosen twice; choose one column", text, role));
+    }
+    return all;
+}
+
 study::LoopSource LoopFiles::source(const std::string& file) const {
     study::LoopSource source{.file = file};
     source.mapping = mapping();
+    source.columns = chosen();
     if (!camera.empty()) {
         source.camera = study::CameraInput{.file = camera,
                                            .clock_offset = given(clock_offset, dimension::time),
@@ -87,7 +105,19 @@ std::optional<std::string> LoopFiles::mapping() const {
 
 study::OpenedLoop LoopFiles::open(const std::string& file) const {
     const auto wanted = source(file);
-    return curve_number ? study::open_force_curve(file, *curve_number, wanted.force_curve) : study::open_loop(wanted);
+    if (!curve_number && !map.empty()) return study::open_loop(wanted);
+    if (!curve_number) {
+        try {
+            return study::open_loop(wanted);
+        } catch (const FormatError& error) {
+            const auto remark = tables::fitting_mappings_remark(file, mapping_folder);
+            if (remark.empty()) throw;
+            throw InvalidArgument(error.what() + remark);
+        }
+    }
+    auto opened = study::open_force_curve(file, *curve_number, wanted.force_curve);
+    opened.channels = tables::choose_columns(opened.table, file, wanted.columns);
+    return opened;
 }
 
 study::StatedBodies LoopBodies::bodies(const Table& loop) const {
@@ -156,6 +186,8 @@ loops::AnalysisOptions LoopSettings::options(const Table& loop) const {
 
 study::LoopModelOptions LoopModelsRequest::options() const {
     const auto shares = [&](const char* what) { return std::find(shared.begin(), shared.end(), what) != shared.end(); };
+    for (const auto& name : models)
+        if (name != "all") (void)loops::model_named(name);
     study::LoopModelOptions options{.models = models,
                                     .profile = profile,
                                     .crack_speed = crack_speed,

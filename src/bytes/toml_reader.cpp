@@ -35,7 +35,10 @@ toml::table parse_toml_file(const std::string& path) {
 }
 
 TomlReader::TomlReader(const toml::table& table, std::string path, std::string where)
-    : table_(&table), path_(std::move(path)), where_(std::move(where)) {}
+    : table_(&table),
+      path_(std::move(path)),
+      where_(std::move(where)),
+      remarks_(std::make_shared<std::vector<KeyRemark>>()) {}
 
 const toml::node* TomlReader::find(const char* key) {
     known_.insert(key);
@@ -46,6 +49,13 @@ void TomlReader::fail(const char* key, const std::string& what) const {
     const auto* node = table_->get(key);
     throw FormatError(path_, position(node ? *node : static_cast<const toml::node&>(*table_)),
                       fmt::format("{}{}: {}", where_.empty() ? "" : where_ + ".", key, what));
+}
+
+void TomlReader::remark(const char* key, std::string text) {
+    const auto* node = table_->get(key);
+    const auto& place = node ? *node : static_cast<const toml::node&>(*table_);
+    remarks_->push_back({fmt::format("{}:{}", path_, place.source().begin.line),
+                         where_.empty() ? std::string(key) : fmt::format("{}.{}", where_, key), std::move(text)});
 }
 
 std::optional<std::string> TomlReader::text(const char* key) {
@@ -136,8 +146,8 @@ Estimate TomlReader::named(const std::string& name, const std::string& value, co
             return std::abs(a - b) <= rounding * std::abs(a);
         };
         if (!alike(estimate.value, again.value) || !alike(estimate.standard_error, again.standard_error))
-            throw InvalidArgument(fmt::format("input '{}' is '{}' here and '{}' in line {}; one name is one input", name,
-                                              value, input.text, input.place.line));
+            throw InvalidArgument(fmt::format("input '{}' is '{}' here and '{}' in line {}; one name is one input",
+                                              name, value, input.text, input.place.line));
     }
     estimate.input = name;
     return estimate;
@@ -150,8 +160,7 @@ void TomlReader::name_inputs(const char* key) {
             const auto* node = group.find(name.c_str());
             if (!node->is_string() && !node->is_number())
                 group.fail(name.c_str(), "expected a value with its ± and unit in quotes");
-            const auto text =
-                node->is_string() ? node->as_string()->get() : fmt::format("{}", *node->value<double>());
+            const auto text = node->is_string() ? node->as_string()->get() : fmt::format("{}", *node->value<double>());
             named_->inputs[name] = {text, node->source().begin, false};
         }
     });
@@ -161,15 +170,17 @@ void TomlReader::require_inputs_used() const {
     if (!named_) return;
     for (const auto& [name, input] : named_->inputs)
         if (!input.used)
-            throw FormatError(path_, position_at(input.place),
-                              fmt::format("no key mentions the input '{}'; write its name where its value is meant, such "
-                                          "as surface_energy = \"{}\"",
-                                          name, name));
+            throw FormatError(
+                path_, position_at(input.place),
+                fmt::format("no key mentions the input '{}'; write its name where its value is meant, such "
+                            "as surface_energy = \"{}\"",
+                            name, name));
 }
 
 TomlReader TomlReader::inner(const toml::table& table, std::string where) const {
     TomlReader reader(table, path_, std::move(where));
     reader.named_ = named_;
+    reader.remarks_ = remarks_;
     return reader;
 }
 

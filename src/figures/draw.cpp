@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "setae/bytes/png_mark.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -123,7 +125,7 @@ std::string drawn(const Figure& figure, const std::string& ending) {
     auto content = bytes::read_back(folder.file(output.c_str()));
     if (ending == "pdf") erase_date(content);
     if (ending == "svg") complete_svg(content);
-    return content;
+    return bytes::with_png_mark(std::move(content));
 }
 
 std::string drawing_program() {

@@ -7,6 +7,7 @@
 #include "setae/core/units.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/spectral_fit/likelihood_spectrum.hpp"
+#include "setae/study/open_loop.hpp"
 #include "setae/study/study.hpp"
 
 namespace setae::output {
@@ -166,7 +167,12 @@ std::vector<AlertKind> of_surfaces() {
         {"LIKELIHOOD_FAILED", about,
          "the likelihood could not be fitted, or leaves h_rms or h'_rms uncertain by more than a factor of ten either "
          "way; the average stands for it"},
-        {"SPECTRUM_CONVERTED", about, "a given spectrum's first column holds frequencies or wavelengths"},
+        {"SPECTRUM_CONVERTED", about,
+         "a given spectrum's first column holds frequencies or wavelengths, or its density has another normalisation"},
+        {"FEW_POINTS", about, "a measurement has too few points in a line for a spectrum to be fitted to it"},
+        {"PART_FAILED", about,
+         "an elastomer, a pair or a comparison of a study cannot be computed; the rest is complete"},
+        {"SPECTRUM_CONVENTION", about, "a given spectrum does not say how its density is normalised"},
         {"SPECTRUM_WITHOUT_ERROR", about, "a given spectrum has no column of standard errors"},
         {"NO_INSTRUMENT", about,
          "what instrument read the heights is not stated; waves down to their sampling are believed"},
@@ -264,9 +270,12 @@ std::vector<AlertKind> of_loops() {
          fmt::format("more than {} of the frames in contact have no radius", percent(limits.frames_missing)),
          "a choice: radii between frames are interpolated"},
         {"UNITS_IMPLAUSIBLE", about,
-         fmt::format("radius larger than the sphere's, E* outside {:g} … {:g} Pa, or W above {:g} J/m²",
-                     limits.contact_modulus_least, limits.contact_modulus_most, limits.work_of_adhesion_most),
-         "gels and diamond; adhesives that flow"},
+         fmt::format(
+             "radius larger than the sphere's, E* outside {:g} … {:g} Pa, W above {:g} J/m², or W of an adhesive "
+             "contact below {:g} J/m²; in a study a value far from what is usual",
+             limits.contact_modulus_least, limits.contact_modulus_most, limits.work_of_adhesion_most,
+             study::least_work_of_adhesion),
+         "gels and diamond; adhesives that flow; contacts in a liquid"},
         {"TWO_CONTACTS", about, "the record holds several contacts"},
         {"SHEET_CHOSEN", about, "a workbook has tables on several sheets; the first with a loop was read"},
         {"COLUMN_GUESSED", about, "a column was taken for what its name and unit say"},

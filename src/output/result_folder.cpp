@@ -14,15 +14,15 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/study/own_outputs.hpp"
 
 namespace setae::output {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* list_name = "files.txt";
-constexpr std::string_view heading =
-    "# setae: files of this study's results; the next run replaces and removes these alone\n";
+constexpr const char* list_name = study::result_list;
+constexpr std::string_view heading = study::result_list_heading;
 constexpr std::string_view study_mark = "# study: ";
 
 /// What says, where it exists, that all results do.
@@ -88,7 +88,7 @@ void protect_inputs(const study::Study& study) {
 ResultFolder::ResultFolder(const study::Study& study)
     : folder_(study.output), study_(identity_of(study, study.output)) {
     std::error_code failure;
-    fs::create_directories(folder_, failure);
+    made_ = fs::create_directories(folder_, failure);
     if (failure)
         throw FileError(fmt::format("{}: cannot make the folder of the results ({})", folder_, failure.message()));
     protect_inputs(study);
@@ -98,6 +98,11 @@ ResultFolder::ResultFolder(const study::Study& study)
     auto list = read_list(list_path);
     require_same_study(list, study_, folder_);
     listed_ = std::move(list.names);
+}
+
+ResultFolder::~ResultFolder() {
+    std::error_code not_empty;
+    if (made_) fs::remove(folder_, not_empty);
 }
 
 bool ResultFolder::holds(const std::string& name) const {

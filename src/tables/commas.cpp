@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/tables/commas.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
@@ -8,21 +10,53 @@
 
 namespace setae::tables {
 
-std::optional<DoubtfulComma> undecided_commas(const std::vector<std::string_view>& lines, const Layout& layout) {
+std::optional<DoubtfulCell> undecided_commas(const std::vector<std::string_view>& lines, const Layout& layout) {
     if (layout.dialect.decimal_point != ',' || layout.dialect.separator == ';') return std::nullopt;
     std::vector<std::string_view> cells;
-    std::optional<DoubtfulComma> doubtful;
+    std::optional<DoubtfulCell> doubtful;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
         if (line.starts_with('#') || line.starts_with('%')) continue;
         split_cells(lines[i], layout.dialect.separator, cells);
         for (const auto cell : cells) {
             if (cell.find(',') == std::string_view::npos) continue;
-            if (!is_grouped(cell, ',', true)) return std::nullopt;
-            if (!doubtful) doubtful = DoubtfulComma{std::string(cell), i + 1};
+            if (!is_grouped(cell, ',')) return std::nullopt;
+            if (!doubtful) doubtful = DoubtfulCell{std::string(cell), i + 1};
         }
     }
     return doubtful;
+}
+
+std::optional<DoubtfulCell> undecided_points(const std::vector<std::string_view>& lines, const Layout& layout) {
+    if (layout.dialect.decimal_point != '.' || layout.dialect.separator != ';') return std::nullopt;
+    struct Column {
+        bool whole = false;  ///< a number without a point
+        bool zeros = false;  ///< a group that decimals would not end with
+        std::optional<DoubtfulCell> first;
+    };
+    std::vector<Column> columns(layout.columns);
+    std::vector<std::string_view> cells;
+    for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
+        const auto line = trimmed(lines[i]);
+        if (line.empty() || line.starts_with('#') || line.starts_with('%')) continue;
+        if (line.find('.') == std::string_view::npos) {
+            for (auto& column : columns) column.whole = true;
+            continue;
+        }
+        split_cells(lines[i], layout.dialect.separator, cells);
+        for (std::size_t k = 0; k < std::min(cells.size(), columns.size()); ++k) {
+            const auto cell = cells[k];
+            if (cell.empty()) continue;
+            const bool pointed = cell.find('.') != std::string_view::npos;
+            if (pointed && !is_grouped(cell, '.')) return std::nullopt;
+            columns[k].whole |= !pointed;
+            columns[k].zeros |= pointed && cell.ends_with('0');
+            if (pointed && !columns[k].first) columns[k].first = DoubtfulCell{std::string(cell), i + 1};
+        }
+    }
+    for (const auto& column : columns)
+        if (column.whole && column.zeros) return column.first;
+    return std::nullopt;
 }
 
 void require_separating_commas(const std::vector<std::string>& header, std::string_view first_row, std::size_t line,

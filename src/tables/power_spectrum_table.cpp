@@ -2,18 +2,22 @@
 #include "setae/tables/power_spectrum_table.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/text.hpp"
-#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/tables/header.hpp"
 #include "setae/tables/table_file.hpp"
+#include "spectrum_convention.hpp"
 
 namespace setae::tables {
 namespace {
@@ -31,41 +35,73 @@ bool is_standard_error(const std::string& name) {
     return lower.find("err") != std::string::npos || lower.find("std") != std::string::npos;
 }
 
-bool says_frequency(const std::string& name) {
-    const auto lower = bytes::lowered(name);
-    return lower.find("freq") != std::string::npos || lower == "f" || lower == "nu" || lower == "ν" ||
-           lower == "1/lambda" || lower == "1/λ";
+std::string shown(const RawTable::RawColumn& column, const char* otherwise) {
+    return column.name.empty() ? std::string(otherwise) : fmt::format("column '{}'", column.name);
 }
 
-bool has_dimension(const std::string& unit, const Dimension& dimension) {
-    try {
-        return parse_unit(unit).dimension == dimension;
-    } catch (const InvalidArgument&) {
-        return false;
-    }
+/// The first column in SI.
+Array1D abscissa_of(const RawTable::RawColumn& raw, const std::string& quantity, const std::string& path) {
+    const bool length = quantity == "wavelength";
+    return in_si(raw, quantity.c_str(), length ? dimension::length : dimension::wavevector, path).values;
 }
 
-/// What the first column holds: as it is said, else by its unit and name.
-std::string quantity_of(const RawTable::RawColumn& column, const SpectrumUnits& units) {
-    if (!units.quantity.empty()) return units.quantity;
-    if (has_dimension(column.unit, dimension::length)) return "wavelength";
-    return says_frequency(column.name) ? "frequency" : "wavevector";
+/// The density in SI as it stands in the file.
+Array1D density_of(const RawTable::RawColumn& raw, const std::string& path) {
+    const bool areal = is_unit_of(raw.unit, dimension::power_spectrum_2d);
+    return in_si(raw, areal ? "C_iso" : "C1D", areal ? dimension::power_spectrum_2d : dimension::power_spectrum_1d,
+                 path)
+        .values;
 }
 
-/// The first column as wavevectors; says what it was where it was none.
-Column wavevectors(const RawTable::RawColumn& raw, Table& table, const std::string& path) {
-    constexpr const char* normalised = "; the density counts as that of both signs, h_rms^2 = int C(f) df over +-f";
-    const auto& quantity = table.metadata.at("quantity");
-    const auto name = raw.name.empty() ? std::string("the first column") : fmt::format("column '{}'", raw.name);
-    if (quantity == "wavelength") {
-        auto column = in_si(raw, "wavelength", dimension::length, path);
-        table.metadata["converted"] = name + " holds wavelengths: q = 2 pi/lambda";
-        return {"wavevector", "1/m", 2.0 * pi / column.values};
-    }
-    auto column = in_si(raw, "wavevector", dimension::wavevector, path);
-    if (quantity == "wavevector") return column;
-    table.metadata["converted"] = fmt::format("{} holds frequencies: q = 2 pi f{}", name, normalised);
-    return {column.name, column.unit, 2.0 * pi * column.values};
+/// h_rms of a reading over the rows with a wavevector above 0.
+double rms_height_of(const SpectrumConvention& convention, const std::vector<RawTable::RawColumn>& columns,
+                     const std::string& path) {
+    const auto spectrum = converted(convention, abscissa_of(columns[0], convention.quantity, path));
+    const Array1D density = spectrum.factor * density_of(columns[1], path);
+    std::vector<Index> order;
+    for (Index i = 0; i < density.size(); ++i)
+        if (spectrum.wavevector[i] > 0.0 && std::isfinite(spectrum.wavevector[i])) order.push_back(i);
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return spectrum.wavevector[a] < spectrum.wavevector[b]; });
+    return rms_height(spectrum.wavevector(order), density(order), spectrum.areal);
+}
+
+/// The convention that names, header and options tell. @throws FormatError that lists the readings where they do not.
+SpectrumConvention convention_of(const RawTable& raw, const SpectrumUnits& units, const std::string& path) {
+    const auto& columns = raw.columns;
+    if (columns[0].name.empty() && columns[1].name.empty() && units.empty())
+        return {.quantity = is_unit_of(columns[0].unit, dimension::length) ? "wavelength" : "wavevector",
+                .kind = is_unit_of(columns[1].unit, dimension::power_spectrum_2d) ? DensityKind::areal
+                                                                                  : DensityKind::per_cycle};
+    const auto possible = possible_conventions(raw, units);
+    if (possible.size() == 1) return possible.front();
+    std::vector<std::string> readings;
+    for (const auto& reading : possible)
+        readings.push_back(fmt::format("--unit \"{}\": {}, {}", as_option(reading, units), normalisation(reading),
+                                       format_value(rms_height_of(reading, columns, path), "m", 3)));
+    throw FormatError(
+        path, {},
+        fmt::format(
+            "the header leaves open how {} against {} is normalised; say it (in a study as power_spectrum_unit), "
+            "h_rms is then: {}",
+            shown(columns[1], "the density"), shown(columns[0], "the first column"), fmt::join(readings, "; ")));
+}
+
+/// Says what was made of the columns where they are not wavevectors and C1D or C_iso by their names.
+void describe_convention(Table& table, const SpectrumConvention& convention, const RawTable& raw,
+                         const std::string& path) {
+    table.metadata["quantity"] = convention.quantity;
+    if (convention.own()) return;
+    const auto& columns = raw.columns;
+    const auto first = shown(columns[0], "the first column"), second = shown(columns[1], "the density");
+    const std::string quantity = convention.quantity == "frequency"    ? first + " holds frequencies, q = 2π f; "
+                                 : convention.quantity == "wavelength" ? first + " holds wavelengths, q = 2π/λ; "
+                                                                       : "";
+    const std::string name = convention.density.empty() ? (convention.areal() ? "C_iso" : "C1D") : convention.density;
+    const bool same = !convention.one_sided && convention.density.empty() && quantity.empty();
+    table.metadata[same ? "assumed" : "converted"] =
+        fmt::format("{}{} counts as {}{}, {}: h_rms is {}", quantity, second, convention.one_sided ? "one-sided " : "",
+                    name, normalisation(convention), format_value(rms_height_of(convention, columns, path), "m", 3));
 }
 
 /// Rows by rising wavevector.
@@ -81,27 +117,54 @@ void sort_rows(Table& table, const std::string& path) {
             throw FormatError(path, {}, fmt::format("wavevector {:.6g} 1/m stands in two rows", sorted[i]));
 }
 
+void keep_positive(Table& table) {
+    std::vector<Index> kept;
+    for (Index i = 0; i < table.rows(); ++i)
+        if (table.columns[0].values[i] > 0.0) kept.push_back(i);
+    for (auto& column : table.columns) column.values = Array1D(column.values(kept));
+}
+
 /// The dialect ';' with decimal comma begins with a row that is no data, even where it holds numbers.
 void drop_first_row(RawTable& table) {
     for (auto& column : table.columns) column.values = Array1D(column.values.tail(column.values.size() - 1));
 }
 
+bool same_unit(const std::string& a, const std::string& b) {
+    try {
+        const auto first = parse_unit(a), second = parse_unit(b);
+        return first.dimension == second.dimension && std::abs(first.factor - second.factor) <= 1e-12 * first.factor;
+    } catch (const InvalidArgument&) {
+        return a == b;
+    }
+}
+
 /// Gives a column the unit that the command names; one that the header states stays, and must be the same.
 void give_unit(RawTable::RawColumn& column, const std::string& unit, const std::string& path) {
-    if (unit.empty() || column.unit == unit) return;
+    if (unit.empty() || (!column.unit.empty() && same_unit(column.unit, unit))) return;
     if (!column.unit.empty())
         throw InvalidArgument(fmt::format("{}: column '{}' is in {} by its header, {} was given; leave the unit out",
                                           path, column.name, column.unit, unit));
     column.unit = unit;
 }
 
+/// "m<sup>3</sup>" as Gwyddion marks it up.
+std::string without_markup(const std::string& text) {
+    std::string plain;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto end = text[i] == '<' ? text.find('>', i) : std::string::npos;
+        if (end == std::string::npos) plain += text[i];
+        else i = end;
+    }
+    return plain;
+}
+
 bool is_density(const RawTable::RawColumn& column) {
-    return has_dimension(column.unit, dimension::power_spectrum_1d) ||
-           has_dimension(column.unit, dimension::power_spectrum_2d);
+    return is_unit_of(column.unit, dimension::power_spectrum_1d) ||
+           is_unit_of(column.unit, dimension::power_spectrum_2d);
 }
 
 bool is_wavevector(const RawTable::RawColumn& column) {
-    return has_dimension(column.unit, dimension::wavevector) || has_dimension(column.unit, dimension::length);
+    return is_unit_of(column.unit, dimension::wavevector) || is_unit_of(column.unit, dimension::length);
 }
 
 /// Whole lines from the beginning of a file, enough for its header and some numbers.
@@ -119,23 +182,38 @@ SpectrumUnits SpectrumUnits::from_text(const std::string& text) {
     const auto comma = text.find(',');
     if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
         throw InvalidArgument(fmt::format(
-            "'{}' are no two units; expected those of wavevector and density, as in \"1/um, nm3\" or \"frequency 1/um, nm3\"",
+            "'{}' are no two columns; expected what wavevector and density are, as in \"1/um, nm3\", \"frequency 1/um, "
+            "one-sided nm3\" or \"wavevector, W1\"",
             text));
     const std::string_view all = text;
-    SpectrumUnits units{"", std::string(trimmed(all.substr(0, comma))), std::string(trimmed(all.substr(comma + 1)))};
-    for (const char* quantity : {"wavevector", "frequency", "wavelength"})
-        if (units.wavevector.starts_with(std::string(quantity) + " ")) {
-            units.quantity = quantity;
-            units.wavevector = std::string(trimmed(units.wavevector.substr(units.quantity.size())));
-        }
+    SpectrumUnits units{.quantity = {},
+                        .wavevector = std::string(trimmed(all.substr(0, comma))),
+                        .density = std::string(trimmed(all.substr(comma + 1)))};
+    const auto take = [](std::string& from, std::string& to, std::initializer_list<const char*> words) {
+        for (const char* word : words)
+            if (from == word || from.starts_with(std::string(word) + " ")) {
+                to = word;
+                from = std::string(trimmed(from.substr(to.size())));
+                return;
+            }
+    };
+    take(units.wavevector, units.quantity, {"wavevector", "frequency", "wavelength"});
+    take(units.density, units.sides, {"one-sided", "two-sided"});
+    if (!units.sides.empty()) units.sides = units.sides.substr(0, 3);
+    take(units.density, units.kind, {"C1D", "W1", "Wr", "C_iso", "W2"});
     return units;
+}
+
+bool SpectrumUnits::empty() const {
+    return quantity.empty() && wavevector.empty() && density.empty() && sides.empty() && kind.empty();
 }
 
 bool is_power_spectrum_table(const bytes::Source& source) {
     try {
         const auto text = first_lines(source);
         if (!bytes::looks_like_text(text)) return false;
-        const auto table = read_raw_table(bytes::memory_source(source.name, text));
+        auto table = read_raw_table(bytes::memory_source(source.name, text));
+        for (auto& column : table.columns) column.unit = without_markup(column.unit);
         return table.columns.size() >= 2 && is_wavevector(table.columns[0]) && is_density(table.columns[1]);
     } catch (const Error&) {
         return false;  // no table, and what it is others say
@@ -145,6 +223,7 @@ bool is_power_spectrum_table(const bytes::Source& source) {
 Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& units) {
     auto raw = read_raw_table(bytes::file_source(path));
     auto& columns = raw.columns;
+    for (auto& column : columns) column.unit = without_markup(column.unit);
     if (columns.size() < 2)
         throw FormatError(path, {}, fmt::format("{} column, expected wavevector and C1D", columns.size()));
     give_unit(columns[0], units.wavevector, path);
@@ -165,14 +244,16 @@ Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& un
         table.metadata["units"] = "assumed SI";
         if (raw.separator == ';' && raw.decimal_point == ',' && raw.header.empty()) drop_first_row(raw);
     }
-    table.metadata["quantity"] = quantity_of(columns[0], units);
+    const auto convention = convention_of(raw, units, path);
+    describe_convention(table, convention, raw, path);
     table.metadata["units_of_file"] = fmt::format("{}, {}", columns[0].unit, columns[1].unit);
-    table.columns.push_back(wavevectors(columns[0], table, path));
-    const bool areal = has_dimension(columns[1].unit, dimension::power_spectrum_2d);
-    const auto& density = areal ? dimension::power_spectrum_2d : dimension::power_spectrum_1d;
-    table.columns.push_back(in_si(columns[1], areal ? "C_iso" : "C1D", density, path));
+    const auto spectrum = converted(convention, abscissa_of(columns[0], convention.quantity, path));
+    const char* unit = spectrum.areal ? "m4" : "m3";
+    table.columns.push_back({"wavevector", "1/m", spectrum.wavevector});
+    table.columns.push_back({spectrum.areal ? "C_iso" : "C1D", unit, spectrum.factor * density_of(columns[1], path)});
     if (columns.size() > 2 && is_standard_error(columns[2].name))
-        table.columns.push_back(in_si(columns[2], "standard_error", density, path));
+        table.columns.push_back({"standard_error", unit, spectrum.factor * density_of(columns[2], path)});
+    if (convention.kind == DensityKind::radial) keep_positive(table);  // C_iso at q = 0 is not in it
     sort_rows(table, path);
     if (!(table.columns[0].values > 0.0).any())
         throw FormatError(path, {}, fmt::format("no positive wavevector among {} rows", table.rows()));
@@ -187,7 +268,13 @@ std::vector<Alert> alerts_of(const Table& power_spectrum, const std::string& sub
                           "write them in the header as q [1/m], C1D [m3]"});
     if (const auto converted = said.find("converted"); converted != said.end())
         alerts.push_back({"SPECTRUM_CONVERTED", subject, fmt::format("{}: {}", said.at("file"), converted->second),
-                          "name the column q where it holds wavevectors"});
+                          "name the columns q and C1D where they are these, or say what they are by --unit "
+                          "(power_spectrum_unit in a study)"});
+    if (const auto assumed = said.find("assumed"); assumed != said.end())
+        alerts.push_back(
+            {"SPECTRUM_CONVENTION", subject, fmt::format("{}: {}", said.at("file"), assumed->second),
+             "name the columns q and C1D, or say what they are by --unit (power_spectrum_unit in a study), "
+             "such as \"wavevector, W1\""});
     return alerts;
 }
 

@@ -125,17 +125,18 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-/// Refuses commas that may begin decimals or group thousands: "1,234" with no cell that decides.
-void require_decided_commas(const std::vector<std::string_view>& lines, const Layout& layout,
-                            const TableOptions& options, const std::string& name) {
+/// Refuses commas and points that may begin decimals or group thousands: "1,234" with no cell that decides.
+void require_decided_signs(const std::vector<std::string_view>& lines, const Layout& layout,
+                           const TableOptions& options, const std::string& name) {
     if (options.decimal_point) return;
-    if (const auto doubtful = undecided_commas(lines, layout))
+    auto doubtful = undecided_commas(lines, layout);
+    if (!doubtful) doubtful = undecided_points(lines, layout);
+    if (doubtful)
         throw FormatError(
             name, {.line = doubtful->line},
-            fmt::format(
-                "'{:.40}' is ambiguous, and so is every number with a comma here: a decimal comma or grouped thousands; "
-                "say decimal = \"comma\" or decimal = \"point\" in [file] of a mapping",
-                doubtful->cell));
+            fmt::format("'{:.40}' is ambiguous, and so is every number with a {} here: decimals or grouped thousands; "
+                        "say decimal = \"comma\" or decimal = \"point\" in [file] of a mapping",
+                        doubtful->cell, layout.dialect.decimal_point == ',' ? "comma" : "point"));
 }
 
 /// "# key: value" lines.
@@ -177,7 +178,7 @@ RawTable read_raw_table(const bytes::Source& source, const TableOptions& options
         throw FormatError(source.name, {.line = begin + 1},
                           "no row of numbers; expected columns of numbers below a header");
     layout->first_row += begin;
-    require_decided_commas(lines, *layout, options, source.name);
+    require_decided_signs(lines, *layout, options, source.name);
     const auto numbers = layout->text.empty() ? parse_rows(text, lines, *layout, source.name)
                                               : parse_rows_with_words(lines, *layout, source.name);
 
@@ -200,7 +201,10 @@ RawTable read_raw_table(const bytes::Source& source, const TableOptions& options
 }
 
 Table read_table(const std::string& path, const TableOptions& options) {
-    const auto raw = read_raw_table(bytes::file_source(path), options);
+    return table_in_si(read_raw_table(bytes::file_source(path), options), path);
+}
+
+Table table_in_si(const RawTable& raw, const std::string& path) {
     Table table;
     table.metadata = raw.metadata;
     table.metadata["file"] = path;

@@ -16,7 +16,7 @@ void add_file_options(Options& options, answers::FileRequest& file) {
         .read_by([](const std::string& text) { (void)answers::lengths_of(text); });
     options.add(
         "--unit", file.unit,
-        "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights; of a table of a spectrum \"1/um, nm3\" or \"frequency 1/um, nm3\"");
+        "unit of lengths where the file leaves it open, such as um; \"mm, um\": of x, then of heights; of a table of a spectrum \"1/um, nm3\", \"frequency 1/um, one-sided nm3\" or \"wavevector, W1\"");
     add_layout_option(options, file.as);
     options.add("--channel", file.channel,
                 "channel: its number, counted from 0 as `setae info` lists them, or its name or the beginning of it");

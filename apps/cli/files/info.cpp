@@ -10,6 +10,7 @@
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
+#include "setae/core/words.hpp"
 
 namespace setae::cli::info_command {
 namespace {
@@ -59,6 +60,9 @@ ExitCode run(const Arguments& arguments) {
     if (!contents.files.empty() && arguments.common.json) print_json(answers::to_json(contents));
     if (!arguments.common.json)
         print(file_tables(contents.files, arguments.all ? Detail::all : Detail::usual, output_size().width));
+    if (!arguments.common.json && !contents.own.empty())
+        print(fmt::format("\n{} passed over, which setae wrote: figures, tables, reports\n",
+                          counted(contents.own.size(), "file", "files")));
     const bool any_bad_channel = show_remarks(contents, arguments.common.json);
     if (contents.files.empty()) return ExitCode::nothing_done;
     return contents.failed.empty() && !any_bad_channel ? ExitCode::done : ExitCode::some_failed;

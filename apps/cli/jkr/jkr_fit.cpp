@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -48,6 +49,7 @@ struct Arguments {
     ModelArguments models;
     CurveArguments curve;
     std::string tidy, figures, output;
+    bool full = false;  ///< every fit and warning of each of several loops
     FigureOption figure;
 };
 
@@ -219,6 +221,22 @@ void share(const AnalysedLoop& loop, const study::LoopModelOptions& models, std:
     }
 }
 
+/// A loop's file without its folder, where no other has that name.
+std::string name_among(const std::vector<std::string>& files, const std::string& file) {
+    const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+    return std::ranges::count(files, name(file), name) == 1 ? name(file) : file;
+}
+
+/// Everything of a loop; what makes all its numbers wrong comes first.
+void print_whole(const AnalysedLoop& loop, const study::LoopModelOptions& models) {
+    const auto& alerts = loop.analysis.alerts;
+    const auto others = std::find_if_not(alerts.begin(), alerts.end(), study::names_cause);
+    show({alerts.begin(), others});
+    print_loop(loop.file, loop.analysis);
+    if (models.any()) print_models("", answers::models_of(loop, models));
+    show({others, alerts.end()});
+}
+
 /// Loops among them, with the fit they share where one is wanted.
 ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& request, output::Json& list,
                    std::optional<loops::GlobalFit>& global) {
@@ -226,6 +244,9 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
     FigureFolder figures(arguments);
     const auto models = arguments.models.options();
     std::vector<loops::GlobalBranch> shared;
+    const auto files = request.loops.expanded();
+    const bool in_rows = files.size() > 1 && !arguments.full;
+    auto rows = output::loop_rows_table();
     const auto code = for_each_loop(request, arguments.common.workers(), [&](const AnalysedLoop& loop) {
         output::add_fits(fits, output::labels_stated_in(loop.opened.table, loop.file), loop.analysis);
         if (!arguments.figures.empty()) figures.add(loop);
@@ -235,13 +256,14 @@ ExitCode fit_loops(const Arguments& arguments, const LoopAnalysisRequest& reques
         if (models.shared()) share(loop, models, shared);
         if (arguments.common.json) {
             list.push_back(answers::fit_json(loop, models));
-        } else {
-            print_loop(loop.file, loop.analysis);
-            if (models.any()) print_models(answers::models_of(loop, models));
-            show(loop.analysis.alerts);
+            return;
         }
+        output::add_loop_row(rows, name_among(files, loop.file), loop.analysis);
+        if (!in_rows) print_whole(loop, models);
+        else if (models.any()) print_models(loop.file, answers::models_of(loop, models));
     });
     if (code == ExitCode::nothing_done) return code;
+    if (!arguments.common.json && in_rows) print(tables::as_text(rows) + "--long prints every fit and warning\n");
     if (models.shared()) global = study::shared_fit(shared, models);
     if (!arguments.figures.empty()) figures.write();
     if (!arguments.tidy.empty()) bytes::write_whole_file(arguments.tidy, tables::as_csv(fits));
@@ -299,13 +321,14 @@ Action declare(Options& options) {
         "figure OUT.svg, .pdf or .png of the one loop with its fits; of files of many force curves a folder: NAME.csv, a row "
         "a curve, and NAME.gwy, maps of E*, E, W, pull-off and loss");
     arguments->figure.add_to(options);
+    options.flag("--long", arguments->full, "of several loops every fit and warning, not a row per loop");
     options.add("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
     options.add("--figures", arguments->figures,
                 "folder of figures: each loop with its fits and residuals, E* and W against the range of the fit");
     options.example("setae jkr fit loop.csv --radius \"1.25 mm\" -o loop.svg",
                     "E* and W of loading, pull-off and loss, drawn with the fits");
-    options.example("setae jkr fit loops/*.csv --radius \"1.25 mm\" --tidy fits.csv",
-                    "every fit of every loop as one table");
+    options.example("setae jkr fit loops --radius \"1.25 mm\" --tidy fits.csv",
+                    "a row per loop; every fit of every loop as one table");
     options.example("setae jkr fit curve.jpk-force --radius \"20 nm\" --curve-model dmt", "a force curve");
     return action(options, arguments, explanation, run);
 }

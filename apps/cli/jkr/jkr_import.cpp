@@ -15,6 +15,7 @@
 #include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -39,7 +40,7 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     LoopArguments loops;
-    std::vector<std::string> columns, entries;
+    std::vector<std::string> entries;
     std::string encoding, separator, decimal, header_end, sheet, save_map, output;
 };
 
@@ -90,7 +91,8 @@ output::Json json_of(const tables::ColumnGuess& guess) {
             candidates.push_back({{"column", candidate.column + 1},
                                   {"confidence", candidate.confidence},
                                   {"reason", candidate.reason},
-                                  {"from_area", candidate.from_area}});
+                                  {"from_area", candidate.derivation == tables::Derivation::radius_of_area},
+                                  {"negative", candidate.derivation == tables::Derivation::negative}});
         json["roles"].push_back({{"role", role.role}, {"candidates", candidates}});
     }
     return json;
@@ -143,7 +145,7 @@ struct Understood {
 };
 
 Understood understood(const Arguments& arguments, const std::string& file) {
-    const auto chosen = assignments(arguments.columns, "--column");
+    const auto chosen = arguments.loops.chosen();
     if (const auto mapping = arguments.loops.mapping())
         return {.mapping = tables::with_results(tables::read_mapping(*mapping), chosen)};
     if (!is_foreign_table(file)) return {};
@@ -154,10 +156,13 @@ Understood understood(const Arguments& arguments, const std::string& file) {
     try {
         result.mapping = tables::mapping_from(*result.guess, chosen, wanted);
     } catch (const FormatError& error) {
-        const auto fitting = tables::fitting_mappings(file, mapping_folder());
-        if (fitting.empty()) throw;
-        throw InvalidArgument(fmt::format("{}; a mapping that came with setae reads it: --mapping {}", error.what(),
-                                          fmt::join(fitting, ", or --mapping ")));
+        auto help = tables::fitting_mappings_remark(file, mapping_folder());
+        if (!arguments.save_map.empty()) {
+            bytes::write_whole_file(arguments.save_map, tables::mapping_template(*result.guess, chosen, wanted));
+            help += fmt::format("; {} written: answer each \"?\" in it and give it by --mapping", arguments.save_map);
+        }
+        if (help.empty()) throw;
+        throw InvalidArgument(error.what() + help);
     }
     return result;
 }
@@ -214,9 +219,6 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->loops.add_to(options);
-    options.add(
-        "--column", arguments->columns,
-        "ROLE=COLUMN overrules the guess, such as force=Load or displacement=3 (from 1), or ROLE=EXPRESSION over columns, such as force=\"3.01 N/m * mems\"; also contact_radius, time");
     options.add("--encoding", arguments->encoding, "utf-8, utf-16 or latin-1; default: found")
         .one_of({"utf-8", "utf-16", "latin-1"});
     options.add("--separator", arguments->separator, "tab, comma, semicolon or blank; default: found")
@@ -227,7 +229,8 @@ Action declare(Options& options) {
                 "of a workbook, by its name; default: the first that holds a loop, else the first that holds a table");
     options.add("--set", arguments->entries,
                 "KEY=VALUE written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
-    options.add("--save-map", arguments->save_map, "write the mapping as a template for --map");
+    options.add("--save-map", arguments->save_map,
+                "write the mapping as a template for --map; a \"?\" in it asks for what the file does not say");
     options.add("-o,--output", arguments->output, "loop file, or folder of loop files; without it nothing is written");
     options.example("setae jkr import force_curve.txt -o loop.csv",
                     "a table as a loop file; the columns are guessed and shown");

@@ -47,8 +47,8 @@ void ModelArguments::add_to(Options& options) {
         .one_of({"modulus", "work"});
 }
 
-void print_models(const study::LoopModels& models) {
-    std::string text, reasons;
+void print_models(const std::string& loop, const study::LoopModels& models) {
+    std::string text = loop.empty() ? "" : loop + "\n", reasons;
     tables::TidyTable table{"", {"model", "E* [MPa]", "W [mJ/m²]", "λ", "χ²_red", "n", "ΔAICc"}, {}};
     for (const auto& fit : models.fits) add_row(table, fit, undefined);
     if (models.comparison) {

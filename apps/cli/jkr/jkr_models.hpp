@@ -11,7 +11,8 @@ struct ModelArguments : answers::LoopModelsRequest {
     void add_to(Options& options);
 };
 
-void print_models(const study::LoopModels& models);
+/// The models of a loop, below its name where that is not empty.
+void print_models(const std::string& loop, const study::LoopModels& models);
 void print_shared(const loops::GlobalFit& fit);
 
 }  // namespace setae::cli

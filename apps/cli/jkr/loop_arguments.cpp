@@ -20,6 +20,9 @@ void LoopArguments::add_to(Options& options) {
         "--map,--mapping", map,
         "mapping (TOML) that names the columns of a foreign table: its file, or its name where it came with setae, such as eoh");
     options.add(
+        "--column", columns,
+        "ROLE=COLUMN overrules what names and units say, such as force=Load, displacement=3 (from 1), force=\"Kraft[uN]\" (a unit that the header lacks), or ROLE=EXPRESSION over columns, such as force=\"-1 * load\"; also contact_radius, time");
+    options.add(
         "--camera", camera,
         "of the camera on its own clock: a table of time and contact_radius, or its pictures (TIFF stack, AVI, folder)");
     options.add("--camera-map", camera_map, "mapping file of the camera's table");

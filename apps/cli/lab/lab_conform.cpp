@@ -7,6 +7,7 @@
 
 #include "program/command.hpp"
 #include "program/command_line.hpp"
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
@@ -49,8 +50,8 @@ answers::PatchProgress progress_line() {
 
 answers::PatchSurveyAnswer survey_of_study(const ConformArguments& arguments, const cache::Store& store,
                                            ProgressDisplay& display) {
-    const auto result =
-        study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    const auto result = study::run_study(study::read_study(arguments.study, mapping_folder()),
+                                         run_options(arguments.common.workers(), store, display));
     display.finish();
     return answers::patch_survey(result, arguments, arguments.common.workers(), progress_line());
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/bytes/whole_file.hpp"
@@ -86,8 +87,8 @@ ExitCode list(const PlotArguments& arguments, const std::vector<study_figures::S
 }
 
 ExitCode plot(const PlotArguments& arguments, const cache::Store& store, ProgressDisplay& display) {
-    const auto result =
-        study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    const auto result = study::run_study(study::read_study(arguments.study, mapping_folder()),
+                                         run_options(arguments.common.workers(), store, display));
     display.finish();
     const study_figures::GalleryOptions options{
         .width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};

@@ -8,6 +8,7 @@
 
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "program/terminal.hpp"
@@ -84,8 +85,9 @@ int write_figures(const std::vector<file_figures::StudyFigure>& figures, const P
 }
 
 ExitCode predict(const PredictArguments& arguments, const cache::Store& store, ProgressDisplay& display) {
-    const auto result =
-        study::run_study(study::read_study(arguments.study), run_options(arguments.common.workers(), store, display));
+    const auto study = study::read_study(arguments.study, mapping_folder());
+    show(study.alerts);
+    const auto result = study::run_study(study, run_options(arguments.common.workers(), store, display));
     display.finish();
     for (const auto& surface : result.surfaces)
         if (surface.failed()) complain(fmt::format("surface {}: {}", surface.name, surface.error));
@@ -96,8 +98,9 @@ ExitCode predict(const PredictArguments& arguments, const cache::Store& store, P
                   .threads = arguments.common.workers(),
                   .cancelled = &interruption()};
     const parallel::CancellationScope scope(interruption());
-    const auto hysteresis =
-        result.hysteresis && !trials ? *result.hysteresis : study::hysteresis_of(result, trials, arguments.common.workers());
+    const auto hysteresis = result.hysteresis && !trials
+                                ? *result.hysteresis
+                                : study::hysteresis_of(result, trials, arguments.common.workers());
     int failures = result.failures();
     if (!arguments.output.empty()) {
         std::filesystem::create_directories(arguments.output);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/print_json.hpp"
@@ -70,6 +71,8 @@ void show_failures(const study::StudyResult& result) {
     }
     for (const auto& e : result.experiments)
         if (e.failed()) complain(e.error);
+    for (const auto& alert : result.alerts_of_failed_parts())
+        complain(fmt::format("{}: {}", alert.subject, alert.message));
 }
 
 /// What the results are and where.
@@ -82,7 +85,8 @@ void print_result(const study::StudyResult& result, const std::string& report, b
 
 study::Study study_of(const Arguments& arguments) {
     if (arguments.file.empty()) throw InvalidArgument("no study; expected a TOML file, see docs/guides/study.md");
-    auto study = study::read_study(arguments.file);
+    auto study = study::read_study(arguments.file, mapping_folder());
+    show(study.alerts);
     if (!arguments.output.empty()) study.output = arguments.output;
     return study;
 }
@@ -273,9 +277,10 @@ Action declare(Options& options) {
         "list what one further measurement would leave of a number's ±, the most telling first, then stop; [costs] of "
         "the study tells hours");
     options
-        .add("--target", arguments->target,
-             "the number that --next is about: W_int, a pair such as \"E07 on rough\", or how far two balances differ in "
-              "W_int, such as \"(7) - (10)\"")
+        .add(
+            "--target", arguments->target,
+            "the number that --next is about: W_int, a pair such as \"E07 on rough\", or how far two balances differ in "
+            "W_int, such as \"(7) - (10)\"")
         .value_named("NUMBER");
     options.add("--documentation", arguments->documentation,
                 "write the pages on keys, alerts and figures of studies to this folder");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/command.hpp"
+#include "program/data_folder.hpp"
 #include "program/messages.hpp"
 #include "program/print_json.hpp"
 #include "setae/bytes/whole_file.hpp"
@@ -37,12 +38,16 @@ void print_summary(const study::StudyDraft& draft, const std::string& file) {
     print(fmt::format("{}: {} with {}, {}, {}; {} left out\n", file, counted(draft.surfaces, "surface"),
                       counted(draft.measurements, "measurement"), counted(draft.loops, "loop"),
                       counted(draft.micrographs, "micrograph"), counted(draft.left_out.size(), "file")));
+    if (!draft.own.empty())
+        print(fmt::format("{} passed over, which setae wrote: figures, tables, reports\n",
+                          counted(draft.own.size(), "file")));
     print(fmt::format("setae study {} --dry-run lists what it leaves open\n", shell_word(file)));
 }
 
 output::Json json_of(const study::StudyDraft& draft, const std::string& file) {
     output::Json json{{"study", file},        {"surfaces", draft.surfaces},       {"measurements", draft.measurements},
                       {"loops", draft.loops}, {"micrographs", draft.micrographs}, {"left_out", output::Json::array()}};
+    json["passed_over"] = draft.own;
     for (const auto& left : draft.left_out) json["left_out"].push_back({{"file", left.path}, {"reason", left.reason}});
     return json;
 }
@@ -53,7 +58,7 @@ ExitCode run(const Arguments& arguments) {
         throw InvalidArgument(
             fmt::format("{}: is there already and stays as it is; name another file by -o, or replace it by --force",
                         arguments.output));
-    const auto draft = study::draft_study(arguments.paths, arguments.output);
+    const auto draft = study::draft_study(arguments.paths, arguments.output, mapping_folder());
     if (draft.surfaces + draft.loops + draft.micrographs == 0) {
         for (const auto& left : draft.left_out) complain(left.reason);
         throw InvalidArgument("no measurement, loop, spectrum or micrograph found; nothing was written");
@@ -72,7 +77,8 @@ Action declare(Options& options) {
     options.add("-o,--output", arguments->output, "study file to be written; its paths are relative to its folder")
         .default_shown();
     options.flag("--force", arguments->force, "replace a file that is there");
-    options.example("setae study init data -o study.toml", "a draft of what the files say, and of what they leave open");
+    options.example("setae study init data -o study.toml",
+                    "a draft of what the files say, and of what they leave open");
     return action(options, arguments, explanation, run);
 }
 

@@ -18,8 +18,9 @@ void SynthesisOptions::add_to(Options& options) {
         .quantity(positive(dimension::power_spectrum_2d));
     options.add("--spectrum,table", spectrum,
                 "table of q and C_iso [m4] or C1D [m3] instead of a self-affine spectrum");
-    options.add("--unit", spectrum_unit,
-                "of the table's columns where its header has none, such as \"1/um, nm3\" or \"frequency 1/um, nm3\"");
+    options.add(
+        "--unit", spectrum_unit,
+        "of the table's columns where its header has none, such as \"1/um, nm3\" or \"frequency 1/um, one-sided nm3\"");
     options.add("--pixels", pixels, "points along x and y, such as 1024x512; one number for both")
         .default_shown()
         .read_by([](const std::string& text) { (void)answers::point_counts(text); });

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "setae/bytes/png_mark.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/imaging/contact_radius.hpp"
@@ -72,7 +73,7 @@ void write_overlay(const std::string& path, const FrameSource& source, std::size
             : fmt::format("frame {}: {}", found.number, to_string(contact.state));
     cv::putText(picture, words, {8, 20}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 0}, 3, cv::LINE_AA);
     cv::putText(picture, words, {8, 20}, cv::FONT_HERSHEY_SIMPLEX, 0.5, words_colour, 1, cv::LINE_AA);
-    bytes::write_whole_file(path, png_of(picture));
+    bytes::write_whole_file(path, bytes::with_png_mark(png_of(picture)));
 }
 
 }  // namespace setae::imaging

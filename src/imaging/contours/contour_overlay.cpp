@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "setae/bytes/png_mark.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/imaging/png_writer.hpp"
 
@@ -70,7 +71,7 @@ public:
         cv::putText(picture_, text, {8, 20 + 20 * row}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 0}, 3, cv::LINE_AA);
         cv::putText(picture_, text, {8, 20 + 20 * row}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {255, 255, 255}, 1, cv::LINE_AA);
     }
-    [[nodiscard]] std::string png() const { return png_of(picture_); }
+    [[nodiscard]] std::string png() const { return bytes::with_png_mark(png_of(picture_)); }
 
 private:
     static constexpr int shift = 4;  // 16ths of a pixel

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/output/loop_tables.hpp"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "setae/core/constants.hpp"
+#include "setae/core/uncertain_text.hpp"
 
 namespace setae::output {
 namespace {
@@ -238,6 +244,30 @@ void add_energies(tables::TidyTable& table, const LoopLabels& labels, const loop
         }
         add_reason(table, std::move(row), cycle.energy.reason);
     }
+}
+
+tables::TidyTable loop_rows_table() {
+    return {
+        "",
+        {"loop", "E* [MPa]", "W loading [mJ/m²]", "W unloading [mJ/m²]", "W pull-off [mJ/m²]", "loss [nJ]", "warnings"},
+        {}};
+}
+
+void add_loop_row(tables::TidyTable& table, const std::string& name, const loops::LoopAnalysis& analysis) {
+    constexpr double mega = 1e6, milli = 1e-3, nano = 1e-9;
+    const auto cell = [](const Estimate* estimate, double unit) {
+        return estimate ? uncertain_number(*estimate, unit) : std::string("–");
+    };
+    const auto work = [&](const JkrFit& fit) { return cell(fit.converged ? &fit.work_of_adhesion : nullptr, milli); };
+    const auto& loading = analysis.loading.primary();
+    std::vector<std::string> codes;
+    for (const auto& alert : analysis.alerts)
+        if (std::find(codes.begin(), codes.end(), alert.code) == codes.end()) codes.push_back(alert.code);
+    const auto loss = analysis.loop ? analysis.loop->estimate() : Estimate{undefined};
+    table.rows.push_back({name, cell(loading.converged ? &loading.contact_modulus : nullptr, mega), work(loading),
+                          analysis.unloading ? work(analysis.unloading->primary()) : "–",
+                          cell(analysis.pull_off ? &analysis.pull_off->work_of_adhesion : nullptr, milli),
+                          cell(analysis.loop ? &loss : nullptr, nano), fmt::format("{}", fmt::join(codes, ", "))});
 }
 
 }  // namespace setae::output

@@ -19,6 +19,10 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/output/file_names.hpp"
+#include "setae/output/force_map_output.hpp"
+#include "setae/output/hysteresis_output.hpp"
+#include "setae/output/loop_tables.hpp"
+#include "setae/study/own_outputs.hpp"
 
 namespace setae::output::result_folder_test {
 namespace {
@@ -168,6 +172,28 @@ TEST_F(FolderTest, DoesNotReplaceWhatTheStudyReads) {
     EXPECT_THROW(run({"a.csv"}), FileError);
     EXPECT_THROW(run({"b.csv"}), FileError);  // nor is it removed
     EXPECT_TRUE(fs::exists(study.output + "/a.csv"));
+}
+
+TEST_F(FolderTest, LeavesNoEmptyFolderBehind) {
+    { const ResultFolder nothing_written(study); }
+    EXPECT_FALSE(fs::exists(study.output));
+    fs::create_directories(study.output);
+    { const ResultFolder nothing_written(study); }
+    EXPECT_TRUE(fs::exists(study.output)) << "it was there before";
+    run({"a.csv"});
+    EXPECT_TRUE(fs::exists(study.output + "/a.csv"));
+}
+
+TEST_F(FolderTest, TablesThatCommandsWriteAreKnownAsOwn) {
+    const auto own = [&](const tables::TidyTable& table) {
+        const auto path = (root / "table.csv").string();
+        bytes::write_whole_file(path, tables::as_csv(table));
+        return study::is_own_output(path);
+    };
+    EXPECT_TRUE(own(fits_table()));
+    EXPECT_TRUE(own(energies_table()));
+    EXPECT_TRUE(own(curves_table({})));
+    for (const auto& [name, table] : hysteresis_tables({})) EXPECT_TRUE(own(table)) << name;
 }
 
 }  // namespace

@@ -10,26 +10,13 @@ namespace setae::output {
 namespace {
 
 /// Kinds that put a number in doubt, worst first; others follow in the order they were found.
-constexpr std::array<std::string_view, 20> telling{"LIKELIHOOD_FAILED",
-                                                   "NOT_CONVERGED",
-                                                   "FILES_LEFT_OUT",
-                                                   "UNREADABLE_MEMBER",
-                                                   "UNIT_MISMATCH",
-                                                   "SIZE_MISMATCH",
-                                                   "INSTRUMENTS_DISAGREE",
-                                                   "NO_INSTRUMENT",
-                                                   "NO_TIP_RADIUS",
-                                                   "SAME_MEASUREMENT",
-                                                   "UNIT_GUESSED",
-                                                   "UNIT_ASSUMED",
-                                                   "WAVES_BEYOND_DATA",
-                                                   "BAND_LIMITED",
-                                                   "ONE_PLACE",
-                                                   "HEIGHT_UNKNOWN",
-                                                   "WILL_NOT_CONFORM",
-                                                   "MEASUREMENTS_SCATTER",
-                                                   "MEASURED_SLOPES",
-                                                   "SINGLE_INSTRUMENT_DECADE"};
+constexpr std::array<std::string_view, 23> telling{
+    "UNITS_IMPLAUSIBLE",    "PART_FAILED",       "LIKELIHOOD_FAILED",       "NOT_CONVERGED",
+    "FILES_LEFT_OUT",       "UNREADABLE_MEMBER", "UNIT_MISMATCH",           "SIZE_MISMATCH",
+    "INSTRUMENTS_DISAGREE", "NO_INSTRUMENT",     "NO_TIP_RADIUS",           "SAME_MEASUREMENT",
+    "UNIT_GUESSED",         "UNIT_ASSUMED",      "SPECTRUM_CONVENTION",     "WAVES_BEYOND_DATA",
+    "BAND_LIMITED",         "ONE_PLACE",         "HEIGHT_UNKNOWN",          "WILL_NOT_CONFORM",
+    "MEASUREMENTS_SCATTER", "MEASURED_SLOPES",   "SINGLE_INSTRUMENT_DECADE"};
 
 std::size_t rank_of(const AlertGroup& group) {
     return static_cast<std::size_t>(std::find(telling.begin(), telling.end(), group.code) - telling.begin());

@@ -2,6 +2,7 @@
 #include "setae/study/open_loop.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string_view>
@@ -10,14 +11,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 #include "setae/imaging/contact_radius.hpp"
+#include "setae/study/channel_remedy.hpp"
 #include "setae/tables/clocks.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/table_file.hpp"
 
 namespace setae::study {
 namespace {
+
+/// Messages about reversed or swapped channels end with what to type.
+template <class Computation>
+auto with_remedies(const tables::ChannelNames& channels, Computation&& computation) {
+    try {
+        return computation();
+    } catch (const loops::ChannelFaultError& error) {
+        throw loops::ChannelFaultError(error.fault(),
+                                       fmt::format("{}; {}", error.what(), channel_remedy(error.fault(), channels)));
+    }
+}
 
 /// Messages of a computation begin with the file it is about.
 template <class Computation>
@@ -27,6 +42,8 @@ auto naming(const std::string& file, Computation&& computation) {
     };
     try {
         return computation();
+    } catch (const loops::ChannelFaultError& error) {
+        throw loops::ChannelFaultError(error.fault(), named(error.what()));
     } catch (const UndefinedDataError& error) {
         throw UndefinedDataError(named(error.what()));
     } catch (const InvalidArgument& error) {
@@ -34,17 +51,29 @@ auto naming(const std::string& file, Computation&& computation) {
     }
 }
 
+OpenedLoop in_chosen_columns(OpenedLoop opened, const LoopSource& source) {
+    opened.channels = tables::choose_columns(opened.table, source.file, source.columns);
+    return opened;
+}
+
+/// Names of a mapping's own columns stand for the file's.
+tables::ChannelNames channels_of(const tables::Mapping& mapping) {
+    tables::ChannelNames channels;
+    for (const auto& result : mapping.results) channels[result.name] = {"", "", result.expression};
+    return channels;
+}
+
 OpenedLoop read_unmapped(const LoopSource& source) {
     const auto file = bytes::file_source(source.file);
-    if (tables::is_loop_file(file)) return {.table = tables::read_loop(source.file)};
+    if (tables::is_loop_file(file)) return in_chosen_columns({.table = tables::read_loop(source.file)}, source);
     if (tables::force_curve_format(file)) {
         auto curve = tables::read_force_curve(file, source.force_curve);
         require_constants(curve, source.file);
-        return {.table = std::move(curve)};
+        return in_chosen_columns({.table = std::move(curve)}, source);
     }
     auto loop = tables::read_loop_table(
-        source.file, source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete);
-    OpenedLoop opened{.table = std::move(loop.table)};
+        source.file, source.camera ? tables::LoopColumns::force_record : tables::LoopColumns::complete, source.columns);
+    OpenedLoop opened{.table = std::move(loop.table), .channels = std::move(loop.channels)};
     if (const auto others = opened.table.metadata.find("other_sheets"); others != opened.table.metadata.end())
         opened.alerts.push_back({"SHEET_CHOSEN", source.file,
                                  fmt::format("the sheet '{}' was read; sheets with a table besides: {}",
@@ -52,7 +81,7 @@ OpenedLoop read_unmapped(const LoopSource& source) {
                                  "read another with `setae jkr import --sheet NAME`, or a mapping file that names it"});
     for (const auto& sentence : loop.taken)
         opened.alerts.push_back({"COLUMN_GUESSED", source.file, sentence,
-                                 "give another by a mapping file, which `setae jkr import` makes"});
+                                 "name another by --column ROLE=COLUMN (in a study columns = { ROLE = \"COLUMN\" })"});
     if (!loop.unused.empty())
         opened.alerts.push_back({"COLUMN_UNUSED", source.file,
                                  fmt::format("not used: {}", fmt::join(loop.unused, ", ")),
@@ -144,13 +173,40 @@ void require_constants(const Table& curve, const std::string& file) {
 }
 
 OpenedLoop open_loop(const LoopSource& source) {
-    return source.mapping ? open_loop(source, tables::read_mapping(*source.mapping))
-                          : on_one_clock(source, read_unmapped(source));
+    return source.mapping
+               ? open_loop(source, tables::with_results(tables::read_mapping(*source.mapping), source.columns))
+               : on_one_clock(source, read_unmapped(source));
 }
 
 OpenedLoop open_loop(const LoopSource& source, const tables::Mapping& mapping) {
-    return on_one_clock(source, {.table = tables::read_mapped_table(source.file, mapping)});
+    return on_one_clock(source,
+                        {.table = tables::read_mapped_table(source.file, mapping), .channels = channels_of(mapping)});
 }
+
+namespace {
+
+/// An alert where W is above 0 by its error, and too small for any two solids in air.
+void add_small_work(loops::LoopAnalysis& analysis, const loops::LensAndCounterBody& bodies, const std::string& file) {
+    const auto& fit = analysis.loading.primary();
+    const auto& work = fit.work_of_adhesion;
+    constexpr double usual = 0.05, errors = 3.0;
+    const bool small =
+        fit.converged && work.value < least_work_of_adhesion && work.value > errors * work.standard_error;
+    if (!small || !(work.value > 0.0) || std::any_of(analysis.alerts.begin(), analysis.alerts.end(), names_cause))
+        return;
+    const double power = 3.0 * std::round(std::log10(usual / work.value) / 3.0);
+    analysis.alerts.push_back(
+        {"UNITS_IMPLAUSIBLE", file,
+         fmt::format(
+             "W = {} is below {}: forces of {} are too small for a radius of {}, the likely factor is 10^{:.0f}",
+             format_value(work.value, "J/m2", 3), format_value(least_work_of_adhesion, "J/m2", 3),
+             format_value(1.5 * pi * bodies.radius * work.value, "N", 3), format_value(bodies.radius, "m", 3), power),
+         "check the units of force and radius"});
+}
+
+}  // namespace
+
+bool names_cause(const Alert& alert) { return alert.code == "UNITS_IMPLAUSIBLE"; }
 
 StatedBodies bodies_stated_in(const Table& loop) {
     using loops::SharedInput;
@@ -181,8 +237,12 @@ void apply(const loops::Calibration& factors, OpenedLoop& loop) {
 loops::LoopAnalysis analyse_loop(const OpenedLoop& opened, const std::string& file,
                                  const loops::LensAndCounterBody& bodies, const loops::AnalysisOptions& options) {
     return naming(file, [&] {
-        auto analysis = loops::analyse(loops::loop_from_table(opened.table), bodies, options, file);
+        auto analysis = with_remedies(opened.channels, [&] {
+            return loops::analyse(loops::loop_from_table(opened.table), bodies, options, file);
+        });
         analysis.alerts.insert(analysis.alerts.begin(), opened.alerts.begin(), opened.alerts.end());
+        add_small_work(analysis, bodies, file);
+        std::stable_partition(analysis.alerts.begin(), analysis.alerts.end(), names_cause);
         return analysis;
     });
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "draft_text.hpp"
 #include "setae/bytes/text.hpp"
@@ -116,9 +117,14 @@ std::string experiment_text(const RecognisedLoop& loop) {
         if (missing == "spring_constant")
             text += draft_line("spring_constant", "?", "of the cantilever, such as \"0.05 N/m\"");
         if (missing == "sensitivity") text += draft_line("sensitivity", "?", "of its deflection, such as \"55 nm/V\"");
-        if (missing == "columns")
-            text +=
-                draft_line("mapping", "?", "a file that names its columns, see `setae jkr import`: " + content.note);
+        if (missing == "columns" && loop.loop->mappings.size() == 1)
+            text += draft_line("mapping", loop.loop->mappings.front(), "came with setae and reads its columns");
+        else if (missing == "columns")
+            text += draft_line(
+                "mapping", "?",
+                loop.loop->mappings.empty()
+                    ? "a file that names its columns, see `setae jkr import`: " + content.note
+                    : fmt::format("one that came with setae and reads it: {}", fmt::join(loop.loop->mappings, ", ")));
     }
     return text;
 }

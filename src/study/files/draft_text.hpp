@@ -22,6 +22,7 @@ struct DraftMeasurement {
 struct DraftLoop {
     std::string file;  ///< as the draft names it
     const FileContent* content;
+    std::vector<std::string> mappings{};  ///< that came with setae and read it, where its columns are not known
 };
 
 /// The lines above everything.

@@ -16,6 +16,7 @@
 #include "setae/study/study_keys.hpp"
 #include "setae/tables/column_guess.hpp"
 #include "setae/tables/force_curve.hpp"
+#include "setae/tables/force_map.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping.hpp"
 #include "setae/tables/spreadsheet.hpp"
@@ -158,8 +159,9 @@ std::optional<FileContent> loop_by_columns(const std::string& file, const NamedC
 FileContent content_of_spectrum(const std::string& file, const FileQuestions& questions) {
     FileContent content{.file = file, .kind = FileKind::spectrum, .format = ""};
     content.table = tables::read_power_spectrum_table(file, questions.spectrum);
-    if (const auto said = content.table->metadata.find("converted"); said != content.table->metadata.end())
-        content.note = said->second;
+    for (const char* key : {"converted", "assumed"})
+        if (const auto said = content.table->metadata.find(key); said != content.table->metadata.end())
+            content.note = said->second;
     return content;
 }
 

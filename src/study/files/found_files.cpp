@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/study/file_content.hpp"
+#include "setae/study/own_outputs.hpp"
 #include "setae/tables/force_curve.hpp"
 
 namespace setae::study {
@@ -38,14 +40,15 @@ bool is_plain_archive(const std::string& path) {
 void add_archive(const std::string& path, FoundFiles& found) {
     try {
         const auto files = bytes::files_of_archive(path);
-        found.files.insert(found.files.end(), files.begin(), files.end());
+        for (const auto& file : files) (is_own_output(file) ? found.own : found.files).push_back(file);
     } catch (const Error& error) {
         found.unreadable.push_back({path, error.what()});
     }
 }
 
-/// Adds the files of a folder, then those of its folders.
-void add_folder(const fs::path& folder, FoundFiles& found) {
+/// Adds the files of a folder, then those of its folders; `results`: files of studies' results.
+void add_folder(const fs::path& folder, FoundFiles& found, std::set<std::string> results) {
+    results.merge(results_in(folder.string()));
     std::vector<fs::path> files, folders;
     std::error_code failure;
     for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
@@ -60,9 +63,10 @@ void add_folder(const fs::path& folder, FoundFiles& found) {
     std::sort(files.begin(), files.end());
     std::sort(folders.begin(), folders.end());
     for (const auto& file : files)
-        if (is_plain_archive(file.string())) add_archive(file.string(), found);
+        if (results.contains(file.string()) || is_own_output(file.string())) found.own.push_back(file.string());
+        else if (is_plain_archive(file.string())) add_archive(file.string(), found);
         else found.files.push_back(file.string());
-    for (const auto& inner : folders) add_folder(inner, found);
+    for (const auto& inner : folders) add_folder(inner, found, results);
 }
 
 }  // namespace
@@ -76,8 +80,8 @@ FoundFiles found_files(const std::vector<std::string>& paths) {
     FoundFiles found;
     for (const auto& path : paths) {
         std::error_code unknown;
-        const auto files = found.files.size(), unreadable = found.unreadable.size();
-        if (fs::is_directory(path, unknown)) add_folder(path, found);
+        const auto files = found.files.size(), unreadable = found.unreadable.size(), own = found.own.size();
+        if (fs::is_directory(path, unknown)) add_folder(path, found, {});
         else if (is_plain_archive(path)) add_archive(path, found);
         else {
             found.files.push_back(path);
@@ -85,7 +89,12 @@ FoundFiles found_files(const std::vector<std::string>& paths) {
         }
         if (found.files.size() == files && found.unreadable.size() == unreadable)
             found.unreadable.push_back(
-                {path, fmt::format("{}: a folder without files; hidden files and linked folders are left out", path)});
+                {path,
+                 found.own.size() > own
+                     ? fmt::format("{}: a folder that holds nothing but what setae wrote; name its files to look "
+                                   "at them",
+                                   path)
+                     : fmt::format("{}: a folder without files; hidden files and linked folders are left out", path)});
     }
     return found;
 }

@@ -14,6 +14,7 @@
 #include "setae/core/text.hpp"
 #include "setae/formats/container.hpp"
 #include "setae/study/instrument_words.hpp"
+#include "setae/tables/mapping_folder.hpp"
 
 namespace setae::study {
 namespace {
@@ -30,18 +31,6 @@ struct SurfaceFiles {
 fs::path whole_path(const fs::path& path) {
     std::error_code ignored;
     return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
-}
-
-/// Whether a folder holds what a study left behind.
-bool holds_results(const fs::path& folder) {
-    std::error_code ignored;
-    return fs::exists(folder / "study.json", ignored) && fs::exists(folder / "report.html", ignored);
-}
-
-bool is_result(const fs::path& file) {
-    for (auto folder = file.parent_path(); folder != folder.parent_path(); folder = folder.parent_path())
-        if (holds_results(folder)) return true;
-    return false;
 }
 
 /// The folder that surfaces are named from: the one given, or the one around all that are.
@@ -73,13 +62,16 @@ std::string surface_of_folder(const fs::path& folder, const fs::path& root) {
 
 class Draft {
 public:
-    Draft(const std::vector<std::string>& paths, const std::string& study_file)
-        : root_(root_of(paths)), base_(whole_path(fs::path(study_file)).parent_path()) {
+    Draft(const std::vector<std::string>& paths, const std::string& study_file, const std::string& mapping_folder)
+        : root_(root_of(paths)),
+          base_(whole_path(fs::path(study_file)).parent_path()),
+          mapping_folder_(mapping_folder) {
         const auto found = found_files(paths);
         draft_.left_out = found.unreadable;
+        draft_.own = found.own;
         std::set<fs::path> seen{whole_path(study_file)};
         for (const auto& file : found.files)
-            if (const auto whole = whole_path(file); seen.insert(whole).second && !is_result(whole)) look_at(file);
+            if (const auto whole = whole_path(file); seen.insert(whole).second) look_at(file);
         for (const auto& content : contents_) add(*content);
     }
 
@@ -131,12 +123,19 @@ private:
             case FileKind::micrograph: return surface_of(content.file).micrographs.push_back(&content);
             case FileKind::recording: return recordings_.push_back(relative(content.file));
             case FileKind::loop:
-            case FileKind::force_curve: return loops_.push_back({relative(content.file), &content});
+            case FileKind::force_curve:
+                return loops_.push_back({relative(content.file), &content, mappings_of(content)});
             case FileKind::study:
             case FileKind::recipe:
             case FileKind::mapping:
             case FileKind::pipeline: return;
         }
+    }
+
+    /// The mappings that read a loop whose columns no rule knows.
+    [[nodiscard]] std::vector<std::string> mappings_of(const FileContent& content) const {
+        const bool open = std::find(content.missing.begin(), content.missing.end(), "columns") != content.missing.end();
+        return open ? tables::fitting_mappings(content.file, mapping_folder_) : std::vector<std::string>{};
     }
 
     /// The preferred channel, with the others in its remark.
@@ -219,6 +218,7 @@ private:
     }
 
     fs::path root_, base_;
+    std::string mapping_folder_;
     std::vector<std::unique_ptr<FileContent>> contents_;
     std::vector<SurfaceFiles> surfaces_;
     std::vector<DraftLoop> loops_;
@@ -228,8 +228,9 @@ private:
 
 }  // namespace
 
-StudyDraft draft_study(const std::vector<std::string>& paths, const std::string& study_file) {
-    return Draft(paths, study_file).written();
+StudyDraft draft_study(const std::vector<std::string>& paths, const std::string& study_file,
+                       const std::string& mapping_folder) {
+    return Draft(paths, study_file, mapping_folder).written();
 }
 
 }  // namespace setae::study

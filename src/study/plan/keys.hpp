@@ -31,6 +31,10 @@ void parse_at(const bytes::TomlReader& reader, const char* key, const Parser& pa
     }
 }
 
+/// Keeps a remark where a value lies outside two, with the power of 1000 that its unit may be off by. 0 is a choice.
+void remark_implausible(bytes::TomlReader& reader, const char* key, double value, double lower, double upper,
+                        const std::string& unit);
+
 /// Keys of a table that describes a T: what each means to readers, and how it is read into the T.
 ///
 /// A field is a pointer to a member of T, or a function that gives a reference into it. What a T holds before it is
@@ -63,6 +67,7 @@ public:
     template <class Field>
     Keys& add(const char* key, Field field, const Expected& expected, std::string meaning) {
         using Value = Plain<Field>;
+        values_ = [field](T& of, const std::function<void(double)>& take) { each_value(std::invoke(field, of), take); };
         const bool plain = expected.dimension == dimension::none;
         const auto within =
             std::isinf(expected.domain.lower) ? std::string() : " " + std::string(expected.domain.words);
@@ -156,6 +161,19 @@ public:
         return *this;
     }
 
+    /// Values of the key added last that are likely, in SI: another one is kept with a remark, as its unit may be
+    /// wrong.
+    Keys& plausible(double lower, double upper) {
+        auto& [description, read] = keys_.back();
+        read = [=, key = description.key, unit = description.unit, values = values_, before = std::move(read)](
+                   Reader& reader, T& of) {
+            before(reader, of);
+            if (reader.contains(key.c_str()))
+                values(of, [&](double value) { remark_implausible(reader, key.c_str(), value, lower, upper, unit); });
+        };
+        return *this;
+    }
+
     /// The key added last must be there.
     Keys& required() {
         auto& [description, read] = keys_.back();
@@ -200,6 +218,16 @@ private:
     template <class Field>
     using Plain = typename Held<std::remove_cvref_t<std::invoke_result_t<Field, T&>>>::type;
 
+    /// Calls `take` for each number of a field that holds one.
+    template <class Value>
+    static void each_value(const Value& value, const std::function<void(double)>& take) {
+        if constexpr (std::is_arithmetic_v<Value>) take(static_cast<double>(value));
+        else if constexpr (std::same_as<Value, Estimate>) take(value.value);
+        else if constexpr (std::same_as<Value, std::vector<double>>)
+            for (const double one : value) take(one);
+        else if (value) each_value(*value, take);
+    }
+
     /// What a fresh T says in a field, in words; empty where it says nothing.
     template <class Field>
     static std::string untouched(Field field) {
@@ -212,6 +240,7 @@ private:
     }
 
     std::vector<std::pair<KeyDescription, Read>> keys_;
+    std::function<void(T&, const std::function<void(double)>&)> values_;  ///< of the quantity added last
 };
 
 }  // namespace setae::study

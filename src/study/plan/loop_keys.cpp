@@ -37,6 +37,16 @@ void read_models(TomlReader& reader, ExperimentInput& e) {
     if (reader.is_list("models")) e.models.models = std::move(models);
 }
 
+void read_columns(TomlReader& reader, ExperimentInput& e) {
+    static const std::vector<std::string> roles{"force", "displacement", "contact_radius", "time"};
+    reader.table("columns", [&](TomlReader inner) {
+        e.columns.clear();
+        for (const auto& role : roles)
+            if (const auto column = inner.text(role.c_str())) e.columns[role] = *column;
+        inner.finish();
+    });
+}
+
 void read_exponent(TomlReader& reader, ExperimentInput& e) {
     if (const auto exponent = reader.number("exponent", domain::positive)) e.models.exponent = exponent;
 }
@@ -58,7 +68,13 @@ Keys<ExperimentInput> keys_of_loops() {
     using Analysis = loops::AnalysisOptions;
     using Models = LoopModelOptions;
     Keys<ExperimentInput> keys;
-    keys.whole("samples_dropped", analysis(&Analysis::samples_dropped), 0, most_samples,
+    keys.add(
+            {"columns", "table of texts", "", "",
+             "`{ force = \"Load\", displacement = \"3\" }`: columns of the file, in place of what names and units say, with a "
+             "unit that the header lacks as in `\"Kraft[uN]\"`, or expressions over them such as `\"-1 * load\"`; "
+             "also `contact_radius`, `time`"},
+            read_columns)
+        .whole("samples_dropped", analysis(&Analysis::samples_dropped), 0, most_samples,
                "samples left out after the jump-in")
         .whole("retraction_points", analysis(&Analysis::retraction_points), 2, most_samples,
                "samples before pull-off that (S2) rests on")

@@ -15,6 +15,7 @@
 #include "setae/core/units.hpp"
 #include "setae/study/pipeline_file.hpp"
 #include "setae/study/study.hpp"
+#include "setae/tables/mapping_folder.hpp"
 
 namespace setae::study {
 namespace {
@@ -62,6 +63,7 @@ const Keys<MeasurementInput>& measurement_keys() {
                                  "its kind")
             .add("tip_radius", &Input::tip_radius, positive(dimension::length),
                  "what the tip hides is cut from the spectrum")
+            .plausible(1e-10, 1e-3)
             .choice<std::string>("tip_shape", &Input::tip_shape,
                                  {{"sphere", "sphere"}, {"cone", "cone"}, {"paraboloid", "paraboloid"}},
                                  "of the tip, with `tip_radius` at its apex; without it a sphere")
@@ -76,6 +78,7 @@ const Keys<MeasurementInput>& measurement_keys() {
                   "with it")
             .add("foil_thickness", &Input::foil_thickness, positive(dimension::length),
                  "of a side view's lamella along the beam; without it what the contour's file says, else a line")
+            .plausible(1e-9, 1e-4)
             .add(
                 "height_calibration", &Input::height_calibration, positive(dimension::none),
                 "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
@@ -84,10 +87,13 @@ const Keys<MeasurementInput>& measurement_keys() {
                  "the same of lengths along the surface; a micrograph has both under one name")
             .add("numerical_aperture", &Input::numerical_aperture, positive(dimension::none),
                  "of an optical profiler; with `light_wavelength` the fitted spectrum allows for what it blurs")
+            .plausible(0.01, 1.6)
             .add("light_wavelength", &Input::light_wavelength, positive(dimension::length),
                  "mean wavelength of its light")
+            .plausible(1e-7, 1e-5)
             .add("resolution", &Input::resolution, positive(dimension::length),
                  "what it hides is cut from the spectrum")
+            .plausible(1e-11, 1e-3)
             .parsed(
                 "trend", "`none`, `mean`, `tilt`, `parabola`",
                 [](Input& input, const std::string& name) { input.trend = topography::trend_from_name(name); },
@@ -125,13 +131,17 @@ const Keys<PublishedMoments>& moment_keys() {
     static const auto keys =
         Keys<Moments>()
             .add("rms_height", &Moments::rms_height, positive(dimension::length), "h_rms")
+            .plausible(1e-12, 1e-3)
             .required()
             .add("rms_slope", &Moments::rms_slope, positive(dimension::none), "h'_rms")
+            .plausible(1e-7, 1e2)
             .required()
             .add("rms_curvature", &Moments::rms_curvature, positive(dimension::wavevector), "h''_rms")
+            .plausible(1e-3, 1e11)
             .required()
             .add("short_wavevector", &Moments::short_wavevector, positive(dimension::wavevector),
                  "where the spectrum ends")
+            .plausible(1e2, 1e12)
             .required();
     return keys;
 }
@@ -151,11 +161,12 @@ const Keys<SurfaceInput>& surface_keys() {
             .file("power_spectrum", &Input::power_spectrum,
                   "a table of C1D, or of C_iso, against wavevector, frequency or wavelength in place of measurements")
             .parsed(
-                "power_spectrum_unit", "two units such as `1/um, nm3`",
+                "power_spectrum_unit", "two columns such as `1/um, nm3`",
                 [](Input& input, const std::string& text) {
                     input.spectrum_units = tables::SpectrumUnits::from_text(text);
                 },
-                "of its columns where its header has none; `frequency 1/um, nm3` says what the first one holds")
+                "units of its columns where its header has none, and what they hold: `frequency 1/um, one-sided nm3`, "
+                "`wavevector, W1` (h_rms² = ∫ W1 dk over ±k), `Wr`, `W2`")
             .add({"pipeline", "file", "", "", "processing steps of all measurements that name none of their own"},
                  [](TomlReader& reader, Input& surface) {
                      MeasurementInput of_all;
@@ -231,9 +242,11 @@ const Keys<ElastomerInput>& elastomer_keys() {
         Keys<Input>()
             .add("youngs_modulus", &Input::youngs_modulus, positive(dimension::pressure),
                  "without it the mean of the loops on this elastomer")
+            .plausible(1e2, 2e8)
             .add("poisson_ratio", &Input::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
             .by_default("0.5")
             .add("surface_energy", &Input::surface_energy, non_negative(dimension::surface_energy), "γ1")
+            .plausible(1e-3, 1.0)
             .required()
             .add({"surface_energy_law", "table", "", "",
                   "`{ area_ratio = [1.0, …], surface_energy = [\"25 mJ/m2\", …], form = \"end_states\" }`: γ1 against "
@@ -248,13 +261,18 @@ const Keys<ElastomerInput>& elastomer_keys() {
                 "χ of an interface whose energy changes with the stretch of the soft side, γ1s2 − γ12 = χ (r − 1), for "
                 "the general balance")
             .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "of the lens")
+            .plausible(1e-9, 1.0)
             .add("sphere_height", &Input::sphere_height, positive(dimension::length), "of the lens")
+            .plausible(1e-8, 1.0)
             .add("preload", &Input::preload, non_negative(dimension::force),
                  "with sphere_radius: loops with this largest force are predicted, measured or not")
+            .plausible(1e-12, 10.0)
             .add("speed", &Input::speed, positive(dimension::length / dimension::time),
                  "of the motor in loops of pairs that have none; without it the mean of the loops on this elastomer")
+            .plausible(1e-12, 1.0)
             .add("hold_time", &Input::hold_time, non_negative(dimension::time),
                  "of the motor at their turning point, likewise")
+            .plausible(1e-6, 1e7)
             .table<StatedEdgeSpeed>(
                 "crack_speed", edge_speed_keys(),
                 [](Input& e, StatedEdgeSpeed stated) { e.crack_speed = std::move(stated); },
@@ -273,7 +291,9 @@ const Keys<ElastomerInput>& elastomer_keys() {
             .add("crosslink_molar_mass", &Input::crosslink_molar_mass, positive(dimension::molar_mass),
                  "M_c, for the plausibility of E against ρRT/M_c")
             .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "ρ of it")
-            .add("temperature", &Input::temperature, positive(dimension::temperature), "T of it");
+            .plausible(100.0, 1e4)
+            .add("temperature", &Input::temperature, positive(dimension::temperature), "T of it")
+            .plausible(50.0, 1000.0);
     return keys;
 }
 
@@ -284,7 +304,7 @@ const Keys<CameraInput>& camera_keys() {
             .file("file", &Input::file,
                   "contact radii on the camera's own clock, or its pictures: TIFF stack, AVI, folder")
             .required()
-            .file("mapping", &Input::mapping, "names the columns of a foreign table")
+            .file("mapping", &Input::mapping, "names the columns of a foreign table: its file or its name")
             .add("clock_offset", &Input::clock_offset, dimension::time,
                  "added to the camera's times; without it, it is found")
             .add("pixel_size", &Input::pixel_size, positive(dimension::length), "of pictures that do not say it")
@@ -300,7 +320,10 @@ const Keys<ExperimentInput>& experiment_keys() {
         Keys<Input>()
             .file("file", &Input::file, "a loop: table, workbook or force curve")
             .required()
-            .file("mapping", &Input::mapping, "names the columns of a foreign table (examples/mappings/eoh.toml)")
+            .file(
+                "mapping", &Input::mapping,
+                "names the columns of a foreign table (examples/mappings/eoh.toml): its file, or its name where it came "
+                "with setae, such as `eoh`")
             .table<CameraInput>(
                 "camera", camera_keys(), [](Input& e, CameraInput camera) { e.camera = std::move(camera); },
                 "contact radii from elsewhere, keys below")
@@ -324,6 +347,7 @@ const Keys<ExperimentInput>& experiment_keys() {
             .add("elastomer", &Input::elastomer, "one of [elastomers]")
             .required()
             .add("sphere_radius", &Input::sphere_radius, positive(dimension::length), "overrides the elastomer's")
+            .plausible(1e-9, 1.0)
             .choice<std::string>("stage", &Input::stage, {{"before", "before"}, {"after", "after"}},
                                  "of a reference: before or after the rough loops")
             .add(
@@ -357,10 +381,26 @@ void require_same_shared_fit(const TomlReader& reader, const ExperimentInput& ex
                                     other.file));
 }
 
+/// The mapping of that name in a folder, where there is no such file beside the study.
+void find_mapping(const TomlReader& reader, const char* key, std::optional<std::string>& mapping,
+                  const std::string& folder) {
+    const auto name = mapping ? fs::path(*mapping).filename() : fs::path();
+    const bool bare = mapping && name.extension().empty() && reader.beside(name.string()) == *mapping;
+    if (!bare || folder.empty() || fs::exists(*mapping)) return;
+    try {
+        mapping = tables::mapping_path(name.string(), folder);
+    } catch (const FileError& error) {
+        reader.fail(key, error.what());
+    }
+}
+
 /// An experiment of a study whose experiments before it are read; it comes with what [loops] says.
-ExperimentInput read_experiment(TomlReader reader, const Study& study, ExperimentInput experiment) {
+ExperimentInput read_experiment(TomlReader reader, const Study& study, ExperimentInput experiment,
+                                const std::string& mapping_folder) {
     loop_keys().read(reader, experiment);
     experiment_keys().read(reader, experiment);
+    find_mapping(reader, "mapping", experiment.mapping, mapping_folder);
+    if (experiment.camera) find_mapping(reader, "camera", experiment.camera->mapping, mapping_folder);
     require_same_shared_fit(reader, experiment, study);
     reader.finish();
     if (experiment.surface.empty() != experiment.reference)
@@ -428,9 +468,13 @@ private:
 
     template <class Field>
     void read_rows(TomlReader& rows, const Dimension& dimension, Field field) {
-        for (const auto& surface : rows.keys())
-            assign(rows, surface, rows.uncertains(surface.c_str(), dimension),
-                   [field](PublishedPair& pair, const Estimate& value) { pair.*field = value; });
+        for (const auto& surface : rows.keys()) {
+            const auto values = rows.uncertains(surface.c_str(), dimension);
+            if (dimension == dimension::surface_energy)
+                for (const auto& value : values)
+                    remark_implausible(rows, surface.c_str(), value.value, 1e-6, 10.0, si_unit(dimension));
+            assign(rows, surface, values, [field](PublishedPair& pair, const Estimate& value) { pair.*field = value; });
+        }
     }
 
     template <class Assign>
@@ -476,7 +520,9 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
                 "the likelihood of surfaces with several measurements")
             .add("longest_wavelength", &Options::longest_wavelength, positive(dimension::length),
                  "limit of all integrals; its ± is in every number of every surface that reaches so far")
+            .plausible(1e-10, 1.0)
             .add("shortest_wavelength", &Options::shortest_wavelength, positive(dimension::length), "likewise")
+            .plausible(1e-11, 1e-3)
             .add(
                 "surface_shortest_wavelength", [](auto& o) -> auto& { return o.likelihood.shortest_wavelength; },
                 positive(dimension::length),
@@ -520,6 +566,7 @@ const Keys<RoughSolid>& rough_solid_keys() {
     static const auto keys =
         Keys<RoughSolid>()
             .add("youngs_modulus", &RoughSolid::youngs_modulus, positive(dimension::pressure), "")
+            .plausible(1e6, std::numeric_limits<double>::infinity())  // a rigid one is stated by any large number
             .required()
             .add("poisson_ratio", &RoughSolid::poisson_ratio, {dimension::none, domain::poisson_ratio}, "")
             .required();
@@ -573,7 +620,8 @@ const Keys<Study>& top_keys() {
                                  .file("output", &Study::output, "folder of the results")
                                  .by_default("`NAME_results` beside `NAME.toml`")
                                  .add("work_of_adhesion", &Study::work_of_adhesion, positive(dimension::surface_energy),
-                                      "W_int for predictions; without it the fitted one");
+                                      "W_int for predictions; without it the fitted one")
+                                 .plausible(1e-4, 10.0);
     return keys;
 }
 
@@ -622,7 +670,7 @@ const SurfaceInput* Study::surface(const std::string& name) const {
     return found == surfaces.end() ? nullptr : &*found;
 }
 
-Study read_study(const std::string& path) {
+Study read_study(const std::string& path, const std::string& mapping_folder) {
     const auto document = bytes::parse_toml_file(path);
     TomlReader reader(document, path, "");
     Study study;
@@ -648,7 +696,7 @@ Study read_study(const std::string& path) {
     ExperimentInput of_all;
     reader.table("loops", [&](TomlReader inner) { of_all = loop_keys().from(std::move(inner)); });
     reader.each_table("experiments", [&](TomlReader inner) {
-        study.experiments.push_back(read_experiment(std::move(inner), study, of_all));
+        study.experiments.push_back(read_experiment(std::move(inner), study, of_all, mapping_folder));
     });
     reader.table("published", [&](TomlReader inner) { PublishedTables(study).read(std::move(inner)); });
     reader.named_tables("reported", [&](const std::string& fit, TomlReader inner) {
@@ -667,6 +715,8 @@ Study read_study(const std::string& path) {
     });
     reader.finish();
     reader.require_inputs_used();
+    for (const auto& remark : reader.remarks())
+        study.alerts.push_back({"UNITS_IMPLAUSIBLE", remark.place, remark.key + " = " + remark.text, "check its unit"});
     if (!study.elastomers.empty() && !(study.counter_youngs_modulus > 0.0))
         throw FormatError(
             path, {}, "missing [rough_solid] with youngs_modulus and poisson_ratio, which the contact modulus needs");

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <type_traits>
 
 #include <fmt/format.h>
 
+#include "failed_part.hpp"
 #include "pairs.hpp"
 #include "setae/adhesion/contact_scales.hpp"
 #include "setae/adhesion/partial_contact.hpp"
@@ -51,6 +53,14 @@ private:
         };
     }
     [[nodiscard]] std::vector<PairPoint> points(Balance balance, const ParametersOf& parameters_of) const;
+    /// A fit, or why it cannot be made.
+    template <class Fit>
+    [[nodiscard]] std::invoke_result_t<Fit> attempted(const char* part, const Fit& fit) {
+        std::invoke_result_t<Fit> outcome;
+        if (!alone(to_.failed_parts, part, [&] { outcome = fit(); }))
+            outcome = std::invoke_result_t<Fit>::missing(to_.failed_parts.back().message);
+        return outcome;
+    }
     [[nodiscard]] Outcome<adhesion::WorkFit> fit_approach(Balance balance) const;
     [[nodiscard]] Outcome<adhesion::LossFits> fit_losses() const;
     [[nodiscard]] std::vector<adhesion::FreeEnergyPoint> free_points(const ParametersOf& parameters_of,
@@ -102,13 +112,18 @@ std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& p
         const auto& elastomer = result_.elastomer(pair.elastomer);
         if (!predictable(surface, elastomer)) continue;
         const auto index = static_cast<std::size_t>(&surface - result_.surfaces.data());
-        const auto rough = in_contact(pair, parameters_of(index));
-        auto point = balance({surface.name, rough.parameters, rough.spread}, elastomer.soft_side());
-        point.measured = *pair.approach;
-        point.measured.value = std::max(0.0, point.measured.value);
-        point.measured_inputs = pair.approach_inputs;
-        point.measured_noise = pair.approach_fits;
-        found.push_back(std::move(point));
+        alone(to_.failed_parts, pair_name(pair), [&] {
+            const auto rough = in_contact(pair, parameters_of(index));
+            auto point = balance({surface.name, rough.parameters, rough.spread}, elastomer.soft_side());
+            if (!std::isfinite(point.slope) || !std::isfinite(point.offset))
+                throw UndefinedDataError(
+                    fmt::format("its balance is no number: slope {}, offset {} J/m2", point.slope, point.offset));
+            point.measured = *pair.approach;
+            point.measured.value = std::max(0.0, point.measured.value);
+            point.measured_inputs = pair.approach_inputs;
+            point.measured_noise = pair.approach_fits;
+            found.push_back(std::move(point));
+        });
     }
     return found;
 }
@@ -280,17 +295,23 @@ std::vector<CutoffPoint> Concluding::scan_cutoffs() const {
 
 void Concluding::fit() {
     find_shares();
-    to_.modified = fit_approach(adhesion::modified_point);
-    to_.persson_tosatti = fit_approach(adhesion::persson_tosatti_point);
-    to_.without_area_change = fit_approach(adhesion::point_without_area_change);
-    to_.loop = fit_losses();
-    to_.free_energies = fit_free();
-    to_.strained_interface = fit_interface();
+    to_.modified = attempted("fit of (7)", [&] { return fit_approach(adhesion::modified_point); });
+    to_.persson_tosatti = attempted("fit of (S13)", [&] { return fit_approach(adhesion::persson_tosatti_point); });
+    to_.without_area_change =
+        attempted("fit of (2)", [&] { return fit_approach(adhesion::point_without_area_change); });
+    to_.loop = attempted("fit of (10)", [&] { return fit_losses(); });
+    to_.free_energies = attempted("fit with free energies", [&] { return fit_free(); });
+    to_.strained_interface = attempted("fit of a strained interface", [&] { return fit_interface(); });
     if (to_.modified) {
-        to_.left_out = adhesion::predict_left_out(to_.modified->pairs);
-        to_.profiles = adhesion::profile_inputs(to_.modified->pairs, to_.modified->generalised, profiled_inputs());
-        to_.cutoff_scan = scan_cutoffs();
-        to_.balances = compare_balances();
+        const auto& pairs = to_.modified->pairs;
+        const auto part = [&](const char* name, const auto& computation) {
+            alone(to_.failed_parts, name, computation);
+        };
+        part("pairs left out", [&] { to_.left_out = adhesion::predict_left_out(pairs); });
+        part("profiles over inputs",
+             [&] { to_.profiles = adhesion::profile_inputs(pairs, to_.modified->generalised, profiled_inputs()); });
+        part("scan of short cutoffs", [&] { to_.cutoff_scan = scan_cutoffs(); });
+        part("comparison of balances", [&] { to_.balances = compare_balances(); });
     }
     if (const auto& given = result_.study.work_of_adhesion) {
         to_.work_of_adhesion = *given;
@@ -352,8 +373,7 @@ void Concluding::add_departure(PairResult& pair) const {
     pair.line->departure = adhesion::departure_from(to_.modified->generalised, *pair.line, 1.0);
     pair.modified->traced = adhesion::raw_prediction(*pair.line, to_.traced_work_of_adhesion);
     pair.modified->estimate = pair.modified->traced.estimate();
-    pair.partial_contact->components =
-        combined({{1.0, pair.partial_contact->components}, {1.0, pair.line->departure}});
+    pair.partial_contact->components = combined({{1.0, pair.partial_contact->components}, {1.0, pair.line->departure}});
 }
 
 void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const ElastomerResult& elastomer) const {
@@ -398,7 +418,10 @@ void Concluding::predict() {
     for (auto& pair : to_.pairs) {
         const auto& surface = result_.surface(pair.surface);
         const auto& elastomer = result_.elastomer(pair.elastomer);
-        if (predictable(surface, elastomer)) predict(pair, surface, elastomer);
+        if (!predictable(surface, elastomer)) continue;
+        auto predicted = pair;
+        if (alone(pair.alerts, pair_name(pair), [&] { predict(predicted, surface, elastomer); }))
+            pair = std::move(predicted);
     }
 }
 
@@ -461,7 +484,7 @@ void conclude(const StudyResult& result, Conclusions& conclusions) {
     concluding.fit();
     concluding.predict();
     concluding.test();
-    concluding.draw();
+    alone(conclusions.failed_parts, "draws of W_int and of the predictions", [&] { concluding.draw(); });
 }
 
 }  // namespace setae::study

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "failed_part.hpp"
 #include "loop_quantities.hpp"
 #include "pairs.hpp"
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/units.hpp"
 #include "setae/loops/rubber.hpp"
 #include "statistics.hpp"
 
@@ -31,14 +34,27 @@ std::optional<Outcome<loops::GlobalFit>> share(const StudyResult& result, const 
     }
 }
 
+/// E/(1 − ν²) of the rough solid [Pa], which E* of no contact with it exceeds.
+double rough_contact_modulus(const Study& study) {
+    return study.counter_youngs_modulus / (1.0 - study.counter_poisson_ratio * study.counter_poisson_ratio);
+}
+
 /// E of the loops on an elastomer; nothing where there is none.
 void take_loops(ElastomerResult& elastomer, const StudyResult& result) {
     LoopsInMean loops;
-    for (const auto& e : result.experiments)
-        if (e.analysis && !e.input.excluded() && e.input.elastomer == elastomer.input.name) {
-            loops.loops.push_back(&e);
-            loops.values.push_back(e.analysis->loading.primary().youngs_modulus);
+    for (const auto& e : result.experiments) {
+        if (!e.analysis || e.input.excluded() || e.input.elastomer != elastomer.input.name) continue;
+        const auto& fit = e.analysis->loading.primary();
+        if (!std::isfinite(fit.youngs_modulus.value)) {
+            add_failed_part(elastomer.alerts, "elastomer " + elastomer.input.name,
+                            fmt::format("{} gives no E: its E* is {}, and the rough solid alone yields {}",
+                                        e.input.file, format_value(fit.contact_modulus.value, "Pa", 3),
+                                        format_value(rough_contact_modulus(result.study), "Pa", 3)));
+            continue;
         }
+        loops.loops.push_back(&e);
+        loops.values.push_back(fit.youngs_modulus);
+    }
     if (loops.loops.empty()) return;
     auto [mean, weights] = weighted_mean_of(loops.values);
     loops.weights = std::move(weights);
@@ -46,8 +62,7 @@ void take_loops(ElastomerResult& elastomer, const StudyResult& result) {
     const auto inputs = inputs_in_mean(loops, &LoopDependence::youngs_modulus);
     elastomer.traced_youngs_modulus = {mean.value, combined({{1.0, fits}, {1.0, inputs}})};
     if (auto rest = beyond_fits(mean, fits); rest.directions.size() > 0)
-        elastomer.traced_youngs_modulus.components[loops_name(elastomer.input.name)] =
-            std::move(rest);
+        elastomer.traced_youngs_modulus.components[loops_name(elastomer.input.name)] = std::move(rest);
     elastomer.youngs_modulus = inputs.empty() ? mean : elastomer.traced_youngs_modulus.estimate(mean.method);
     elastomer.modulus_from_loops = true;
 }

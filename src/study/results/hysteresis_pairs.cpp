@@ -161,6 +161,19 @@ std::string reason_against(const SurfaceResult& surface, const PairResult& pair,
     return state.conforming_gain() > 0.0 ? "" : "stretching the soft side costs more than W_int gains";
 }
 
+/// Why a law cannot be evaluated for a pair; empty where all can.
+std::string reason_of_laws(const PreparedPair& pair) {
+    const hysteresis::MeasuredRetraction any{.value = {.value = 1.0, .standard_error = 0.0}, .inputs = {}};
+    try {
+        for (const auto& model : hysteresis::retraction_models())
+            for (const auto* of : {&*pair.from_roughness, &*pair.as_measured})
+                if (of->lacks(model).empty()) (void)hysteresis::retraction_point(model, *of, any);
+    } catch (const InvalidArgument& error) {
+        return error.what();
+    }
+    return "";
+}
+
 const ElastomerTimes& times_of(std::vector<ElastomerTimes>& known, const StudyResult& result,
                                const std::string& elastomer) {
     for (const auto& times : known)
@@ -214,6 +227,10 @@ PreparedPairs prepared_pairs(const StudyResult& result) {
         prepared.from_roughness.emplace(std::move(base));
         prepared.as_measured.emplace(std::move(measured));
         read_area(prepared, drive);
+        if (auto reason = reason_of_laws(prepared); !reason.empty()) {
+            found.skipped.push_back({pair.surface, pair.elastomer, std::move(reason)});
+            found.pairs.pop_back();
+        }
     }
     return found;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "loop_quantities.hpp"
 
+#include <cmath>
+
 #include "pairs.hpp"
 
 namespace setae::study {
@@ -48,7 +50,7 @@ LoopsInMean loops_with(const StudyResult& result, const LoopQuantity& quantity, 
         if (!e.analysis || e.input.reference || e.input.elastomer != elastomer) continue;
         if ((surface && e.input.surface != *surface) || (e.input.excluded() && !excluded)) continue;
         const auto value = quantity.of(*e.analysis);
-        if (!value) continue;
+        if (!value || !std::isfinite(value->value)) continue;
         found.loops.push_back(&e);
         found.values.push_back(*value);
     }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "failed_part.hpp"
 #include "loop_quantities.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
@@ -79,7 +80,16 @@ void take_replicates(PairResult& pair, const StudyResult& result, const Elastome
     }
 }
 
+void take_measured(PairResult& pair, const StudyResult& result, const ElastomerResult& elastomer) {
+    if (const auto* published = published_of(result.study, pair)) take_published(pair, *published);
+    take_loops(pair, result, elastomer);
+    take_replicates(pair, result, elastomer);
+    if (!pair.ideal_loss && pair.approach) pair.ideal_loss = ideal_loss(elastomer, pair.approach->value);
+}
+
 }  // namespace
+
+std::string pair_name(const PairResult& pair) { return pair.surface + " × " + pair.elastomer; }
 
 std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion) {
     if (!elastomer.input.sphere_radius || !(elastomer.contact_modulus.value > 0.0)) return std::nullopt;
@@ -96,10 +106,9 @@ std::vector<PairResult> measured_pairs(const StudyResult& result) {
             PairResult pair;
             pair.surface = surface.name;
             pair.elastomer = elastomer.input.name;
-            if (const auto* published = published_of(result.study, pair)) take_published(pair, *published);
-            take_loops(pair, result, elastomer);
-            take_replicates(pair, result, elastomer);
-            if (!pair.ideal_loss && pair.approach) pair.ideal_loss = ideal_loss(elastomer, pair.approach->value);
+            auto measured = pair;
+            if (alone(pair.alerts, pair_name(pair), [&] { take_measured(measured, result, elastomer); }))
+                pair = std::move(measured);
             pairs.push_back(std::move(pair));
         }
     return pairs;

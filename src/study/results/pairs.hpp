@@ -20,6 +20,9 @@ inline constexpr const char* energy_loss = "energy_loss";
 /// Mixed models of every quantity, for the elastomers whose loops name a lens, a spot or an exclusion.
 [[nodiscard]] std::vector<ElastomerReplicates> elastomer_replicates(const StudyResult& result);
 
+/// "rough × soft".
+[[nodiscard]] std::string pair_name(const PairResult& pair);
+
 /// Every surface × elastomer pair with its measured values, from loops or published tables.
 [[nodiscard]] std::vector<PairResult> measured_pairs(const StudyResult& result);
 

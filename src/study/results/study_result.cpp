@@ -2,9 +2,11 @@
 #include "setae/study/study_result.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "failed_part.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::study {
@@ -35,13 +37,15 @@ std::optional<TracedValue> PairResult::traced_retraction() const {
 std::optional<TracedValue> PairResult::traced_loss() const { return traced(*this, "E_loss", loss, loss_inputs, {}); }
 
 adhesion::SoftSide ElastomerResult::soft_side() const {
-    return {input.name, traced_contact_modulus,
+    return {input.name,
+            traced_contact_modulus,
             {input.surface_energy, input_name(input.surface_energy, fmt::format("surface energy of {}", input.name))}};
 }
 
 TracedValue ElastomerResult::traced_radius() const {
     if (!input.sphere_radius) throw InternalError(fmt::format("elastomer '{}' has no sphere", input.name));
-    return {*input.sphere_radius, input_name(*input.sphere_radius, fmt::format("elastomers.{}.sphere_radius", input.name))};
+    return {*input.sphere_radius,
+            input_name(*input.sphere_radius, fmt::format("elastomers.{}.sphere_radius", input.name))};
 }
 
 int StudyResult::failures() const {
@@ -51,7 +55,19 @@ int StudyResult::failures() const {
         for (const auto& m : s.measurements) count += m.failed() ? 1 : 0;
     }
     for (const auto& e : experiments) count += e.failed() ? 1 : 0;
-    return count;
+    return count + static_cast<int>(alerts_of_failed_parts().size());
+}
+
+std::vector<Alert> StudyResult::alerts_of_failed_parts() const {
+    std::vector<Alert> found;
+    const auto add = [&](const std::vector<Alert>& from) {
+        std::copy_if(from.begin(), from.end(), std::back_inserter(found),
+                     [](const Alert& alert) { return alert.code == part_failed; });
+    };
+    for (const auto& elastomer : elastomers) add(elastomer.alerts);
+    for (const auto& pair : pairs) add(pair.alerts);
+    add(alerts);
+    return found;
 }
 
 int StudyResult::successes() const {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "results/failed_part.hpp"
 #include "results/pairs.hpp"
 #include "run.hpp"
 #include "setae/core/errors.hpp"
@@ -170,10 +171,14 @@ void expect_steps(const Study& study, Run& run) {
 
 /// What follows from a study's surfaces and loops.
 void bring_together(StudyResult& result) {
-    for (const auto& input : result.study.elastomers) result.elastomers.push_back(elastomer_result(input, result));
-    result.replicates = elastomer_replicates(result);
+    for (const auto& input : result.study.elastomers) {
+        ElastomerResult elastomer{.input = input};
+        alone(elastomer.alerts, "elastomer " + input.name, [&] { elastomer = elastomer_result(input, result); });
+        result.elastomers.push_back(std::move(elastomer));
+    }
+    alone(result.alerts, "repeated loops", [&] { result.replicates = elastomer_replicates(result); });
     result.pairs = measured_pairs(result);
-    evaluate_references(result);
+    alone(result.alerts, "smooth references", [&] { evaluate_references(result); });
     const bool likelihoods = std::any_of(result.surfaces.begin(), result.surfaces.end(),
                                          [](const auto& s) { return s.method == SpectrumMethod::likelihood; });
     if (likelihoods) {
@@ -181,19 +186,28 @@ void bring_together(StudyResult& result) {
         conclude(result, *result.by_average);
     }
     conclude(result, result);
+    for (const auto& alert : result.failed_parts) result.alerts.push_back(alert);
+    if (result.by_average)
+        for (auto alert : result.by_average->failed_parts) {
+            alert.subject += ", by averages";
+            result.alerts.push_back(std::move(alert));
+        }
 }
 
 /// How pairs hold on, where that takes no minutes.
-Outcome<Hysteresis> way_back_of(const StudyResult& result, parallel::Threads threads) {
+Outcome<Hysteresis> way_back_of(StudyResult& result, parallel::Threads threads) {
     using Missing = Outcome<Hysteresis>;
     const auto measured = std::ranges::count_if(
         result.pairs, [](const PairResult& pair) { return pair.approach && (pair.retraction || pair.pull_off); });
     if (measured > most_ranked_by_studies)
-        return Missing::missing(fmt::format("ranking laws by {} pairs takes minutes: setae predict {}", measured,
-                                            result.study.path));
+        return Missing::missing(
+            fmt::format("ranking laws by {} pairs takes minutes: setae predict {}", measured, result.study.path));
     try {
         return hysteresis_of(result, {}, threads);
     } catch (const UndefinedDataError& error) {
+        return Missing::missing(error.what());
+    } catch (const InvalidArgument& error) {  // what a wrong input leads to
+        add_failed_part(result.alerts, "retraction by roughness", error.what());
         return Missing::missing(error.what());
     }
 }
@@ -212,6 +226,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     StudyResult result;
     result.study = std::move(study);
     const auto& inputs = result.study;
+    result.alerts = inputs.alerts;
     result.inputs = input_files(inputs, options.threads);
     Run run(options, result.inputs);
     expect_steps(inputs, run);

@@ -142,7 +142,7 @@ namespace setae::tables {
 
 SETAE_KEEP(ForceCurveOptions, spring_constant, sensitivity)
 
-SETAE_KEEP(SpectrumUnits, quantity, wavevector, density)
+SETAE_KEEP(SpectrumUnits, quantity, wavevector, density, sides, kind)
 
 }  // namespace setae::tables
 
@@ -238,7 +238,7 @@ void serialize(Archive& archive, LoopAnalysis& of) {
 namespace setae::study {
 
 SETAE_KEEP(CameraInput, file, mapping, clock_offset, pixel_size, frame_rate, fringes)
-SETAE_KEEP(LoopSource, file, mapping, camera, force_curve)
+SETAE_KEEP(LoopSource, file, mapping, camera, force_curve, columns)
 SETAE_KEEP(LoopNumbers, contact_modulus, youngs_modulus, approach, pull_off, retraction, loss, contact_area)
 SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, tip_half_angle, tip_file, foil_thickness,
            height_calibration, lateral_calibration, numerical_aperture, light_wavelength, resolution, trend, direction,

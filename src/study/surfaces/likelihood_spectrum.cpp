@@ -135,6 +135,13 @@ void add_sources(SpectrumResult& result, const spectral_fit::LikelihoodSpectrum&
     }
 }
 
+constexpr Index least_points = 8;  ///< of a line whose periodogram tells something of a spectrum
+
+Index points_in_lines(const topography::Measurement& measurement) {
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) return map->heights.rows();
+    return std::visit([](const auto& line) { return static_cast<Index>(line.heights.size()); }, measurement);
+}
+
 }  // namespace
 
 void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurement> prepared,
@@ -143,6 +150,14 @@ void estimate_by_likelihood(SurfaceResult& surface, std::vector<PreparedMeasurem
     for (std::size_t i = 0; i < prepared.size(); ++i) {
         if (surface.measurements[i].failed()) continue;
         auto& p = prepared[i];
+        if (const auto points = points_in_lines(p.measurement); points < least_points) {
+            surface.alerts.push_back(
+                {"FEW_POINTS", surface.measurements[i].file,
+                 fmt::format("{} points in a line, fewer than {}: it is in the average, not in the fitted spectrum",
+                             points, least_points),
+                 "measure with more points, or take it out of the study"});
+            continue;
+        }
         const auto names = input_names(p, surface.name);
         const auto factor = [](const std::string& name, const Estimate& calibration) {
             return spectral_fit::SharedFactor{name, name.empty() ? 0.0 : relative_error(calibration)};

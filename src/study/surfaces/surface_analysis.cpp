@@ -215,6 +215,20 @@ std::pair<std::string, std::optional<std::string>> identity_of(const Measurement
     return {digest.empty() ? std::filesystem::path(input.file).lexically_normal().string() : digest, input.channel};
 }
 
+/// @throws UndefinedDataError for a surface whose spectrum gives no numbers within the limits asked for.
+void require_numbers(const SurfaceResult& surface) {
+    for (const auto& [method, spectrum] : spectra_of(surface)) {
+        const auto& p = spectrum->parameters;
+        if (std::isfinite(p.rms_height) && std::isfinite(p.rms_slope) && std::isfinite(p.elastic_energy_per_modulus))
+            continue;
+        const auto& band = spectrum->curve.band;
+        throw UndefinedDataError(fmt::format(
+            "its spectrum ({}) gives no rms height, slope and energy: waves from {} to {} are left; widen "
+            "longest_wavelength and shortest_wavelength",
+            method, format_value(2.0 * pi / band.upper, "m", 3), format_value(2.0 * pi / band.lower, "m", 3)));
+    }
+}
+
 /// The same data listed more than once say no more than once.
 void look_for_copies(SurfaceResult& surface, const SurfaceInput& input, const Run& run) {
     std::map<std::pair<std::string, std::optional<std::string>>, std::vector<std::string>> files;
@@ -271,6 +285,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             look_at_longer_waves(surface, options);
             look_for_one_place(surface);
         }
+        require_numbers(surface);
         // a failure may be gone the next time
         if (std::none_of(surface.measurements.begin(), surface.measurements.end(),
                          [](const auto& m) { return m.failed(); }))

@@ -161,5 +161,25 @@ TEST(OpenLoop, CountsFramesOfARecordingWithoutARadius) {
     EXPECT_NEAR(radius[1600], 2e-6 * 12.0, 0.5e-6);  // the first frame, at 16 s
 }
 
+TEST(OpenLoop, TakesChosenColumnsOfTablesMappingsAndLoopFiles) {
+    const TemporaryFolder folder;
+    const auto table = folder.write("t.csv", "Kraft,gap [um]\n1,60\n2,50\n");
+    const auto opened = open_loop({.file = table, .columns = {{"force", "-1 uN * kraft"}}});
+    EXPECT_DOUBLE_EQ(opened.table.at("force")[1], -2e-6);
+    EXPECT_DOUBLE_EQ(opened.table.at("displacement")[1], -50e-6);
+    EXPECT_EQ(opened.channels.at("force").expression, "-1 uN * kraft");
+    EXPECT_EQ(opened.channels.at("displacement").expression, "-1 * gap");
+    const auto mapping = folder.write(
+        "m.toml",
+        "[columns.k]\nheader = \"Kraft\"\nunit = \"mN\"\n[columns.g]\nheader = \"gap\"\n[table]\nforce = \"k\"\n"
+        "displacement = \"g\"\n");
+    const auto mapped = open_loop({.file = table, .mapping = mapping, .columns = {{"displacement", "-1 * g"}}});
+    EXPECT_DOUBLE_EQ(mapped.table.at("force")[1], 2e-3);
+    EXPECT_DOUBLE_EQ(mapped.table.at("displacement")[1], -50e-6);
+    const auto own =
+        folder.write("l.csv", "# format: setae loop\n# version: 1\nforce [N],displacement [m]\n1,2\n3,4\n");
+    EXPECT_EQ(open_loop({.file = own, .columns = {{"force", "-1 * force"}}}).table.at("force")[1], -3.0);
+}
+
 }  // namespace
 }  // namespace setae::study::open_loop_test

@@ -62,18 +62,22 @@ protected:
     }
 
     StudyResult run(const std::string& experiments, int threads = 2) {
-        const auto path = (folder_ / "study.toml").string();
-        std::ofstream(path)
-            << "[rough_solid]\nyoungs_modulus = \"1e9 GPa\"\npoisson_ratio = 0.0\n"
-               "[analysis]\nwindow = \"none\"\nbootstrap_resamples = 0\n"
-               "[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
-               "[surfaces.B]\nmeasurements = [{ file = \"b.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
-               "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
-               "[elastomers.other]\nyoungs_modulus = \"0.75 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
-            << experiments;
-        auto study = read_study(path);
-        return run_study(study, {threads});
+        return run_text(std::string(beginning) + experiments, threads);
     }
+
+    StudyResult run_text(const std::string& text, int threads = 2) {
+        const auto path = (folder_ / "study.toml").string();
+        std::ofstream(path) << text;
+        return run_study(read_study(path), {threads});
+    }
+
+    static constexpr const char* beginning =
+        "[rough_solid]\nyoungs_modulus = \"1e9 GPa\"\npoisson_ratio = 0.0\n"
+        "[analysis]\nwindow = \"none\"\nbootstrap_resamples = 0\n"
+        "[surfaces.A]\nmeasurements = [{ file = \"a.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
+        "[surfaces.B]\nmeasurements = [{ file = \"b.csv\", instrument = \"stylus\", trend = \"mean\" }]\n"
+        "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n"
+        "[elastomers.other]\nyoungs_modulus = \"0.75 MPa\"\nsurface_energy = \"25 mJ/m2\"\nsphere_radius = \"1 mm\"\n";
 
     static constexpr const char* rough_loops =
         "[[experiments]]\nfile = \"loop0.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n"
@@ -224,7 +228,7 @@ TEST_F(StudyOfFiles, GivenSpectraCarryTheirErrorsAndTheirConventions) {
         }
     };
     write("q.csv", "q [1/m],C1D [m3],standard_error [m3]", 1.0, true);
-    write("f.csv", "frequency (1/m),PSD (m3)", 2.0 * pi, false);
+    write("f.csv", "frequency (1/m),two-sided PSD (m3)", 2.0 * pi, false);
     const auto path = (folder_ / "both.toml").string();
     std::ofstream(path) << "work_of_adhesion = \"37 ± 3.7 mJ/m2\"\n[surfaces.Q]\npower_spectrum = \"q.csv\"\n"
                            "[surfaces.F]\npower_spectrum = \"f.csv\"\n[rough_solid]\nyoungs_modulus = \"1.1 TPa\"\n"
@@ -255,6 +259,52 @@ TEST_F(StudyOfFiles, KeepsTheRestWhenOneLoopIsMissing) {
     EXPECT_EQ(result.failures(), 1);
     EXPECT_TRUE(result.loop);
     EXPECT_NE(result.experiments.back().error.find("none.csv"), std::string::npos);
+}
+
+TEST_F(StudyOfFiles, OneWrongUnitIsNamedWithItsLineAndLosesNothingElse) {
+    const auto with = [&](const std::string& right, const std::string& wrong) {
+        auto text = std::string(beginning) + rough_loops;
+        text.replace(text.find(right), right.size(), wrong);
+        return run_text(text);
+    };
+    const auto complete = [](const StudyResult& result, const std::string& what) {
+        for (const auto& surface : result.surfaces) EXPECT_EQ(surface.error, "") << what;
+        for (const auto& experiment : result.experiments) EXPECT_EQ(experiment.error, "") << what;
+        ASSERT_EQ(result.pairs.size(), 4u) << what;
+        for (const auto& pair : result.pairs) EXPECT_TRUE(pair.approach) << what << pair.surface << pair.elastomer;
+    };
+    for (const auto& [right, wrong, key] :
+         {std::tuple{"surface_energy = \"25 mJ/m2\"", "surface_energy = \"25 J/m2\"",
+                     "elastomers.soft.surface_energy = 25"},
+          std::tuple{"youngs_modulus = \"0.75 MPa\"", "youngs_modulus = \"0.75 GPa\"",
+                     "elastomers.other.youngs_modulus"},
+          std::tuple{"sphere_radius = \"1 mm\"", "sphere_radius = \"1 km\"", "elastomers.soft.sphere_radius"}}) {
+        const auto result = with(right, wrong);
+        complete(result, wrong);
+        ASSERT_FALSE(result.alerts.empty()) << wrong;
+        EXPECT_EQ(result.alerts.front().code, "UNITS_IMPLAUSIBLE") << wrong;
+        EXPECT_NE(result.alerts.front().subject.find("study.toml:"), std::string::npos)
+            << result.alerts.front().subject;
+        EXPECT_NE(result.alerts.front().message.find(key), std::string::npos) << result.alerts.front().message;
+        EXPECT_NE(result.alerts.front().message.find("the likely factor is 10^"), std::string::npos)
+            << result.alerts.front().message;
+    }
+    for (const char* radius : {"1 um", "1 nm", "1 m", "1 km", "1 pm"})
+        complete(with("sphere_radius = \"1 mm\"", fmt::format("sphere_radius = \"{}\"", radius)), radius);
+    for (const char* energy : {"25 uJ/m2", "25 kJ/m2", "0 J/m2"})
+        complete(with("surface_energy = \"25 mJ/m2\"", fmt::format("surface_energy = \"{}\"", energy)), energy);
+}
+
+TEST_F(StudyOfFiles, ASolidSofterThanItsContactsLeavesElastomersWithoutModulus) {
+    auto text = std::string(beginning) + rough_loops;
+    text.replace(text.find("1e9 GPa"), 7, "1 kPa");
+    const auto result = run_text(text);
+    EXPECT_EQ(result.alerts.front().code, "UNITS_IMPLAUSIBLE");
+    EXPECT_TRUE(result.surface("A").error.empty());
+    EXPECT_EQ(result.elastomer("soft").contact_modulus.value, 0.0);
+    EXPECT_TRUE(result.pairs.front().approach);
+    ASSERT_GT(result.failures(), 0);
+    EXPECT_NE(result.alerts_of_failed_parts().front().message.find("gives no E"), std::string::npos);
 }
 
 TEST_F(StudyOfFiles, GivesTheSameBytesForAnyNumberOfThreads) {

@@ -213,5 +213,40 @@ TEST(StudyKeys, TellWhatTheProgramDoesWithoutThem) {
     EXPECT_EQ(keys.at("[[experiments]] camera").type, "table");
 }
 
+TEST_F(StudyFile, FindsMappingsByFileAndByName) {
+    std::filesystem::create_directories(folder_ / "mappings");
+    std::ofstream(folder_ / "mappings" / "rig.toml") << "";
+    const auto mapping_of = [&](const std::string& name) {
+        std::ofstream(path_) << surface << "[rough_solid]\nyoungs_modulus = \"1 TPa\"\npoisson_ratio = 0.1\n"
+                             << "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n[[experiments]]\nfile = \"l.csv\"\n"
+                             << "surface = \"A\"\nelastomer = \"soft\"\nmapping = \"" << name << "\"\n";
+        return *read_study(path_, (folder_ / "mappings").string()).experiments.at(0).mapping;
+    };
+    EXPECT_EQ(mapping_of("rig"), (folder_ / "mappings" / "rig.toml").string());
+    EXPECT_EQ(mapping_of("own.toml"), (folder_ / "own.toml").string());
+    try {
+        (void)mapping_of("rog");
+        FAIL();
+    } catch (const FormatError& error) {
+        EXPECT_NE(std::string(error.what()).find("did you mean 'rig'?"), std::string::npos) << error.what();
+    }
+    std::ofstream(folder_ / "rig") << "";  // a file of that name beside the study comes first
+    EXPECT_EQ(mapping_of("rig"), (folder_ / "rig").string());
+}
+
+TEST_F(StudyFile, ReadsChosenColumnsOfAllLoopsAndOfOne) {
+    const std::string text =
+        std::string(surface) + "[rough_solid]\nyoungs_modulus = \"1 TPa\"\npoisson_ratio = 0.1\n" +
+        "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n[loops]\ncolumns = { force = \"-1 * load\" }\n" +
+        "[[experiments]]\nfile = \"l.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\n" +
+        "[[experiments]]\nfile = \"m.csv\"\nsurface = \"A\"\nelastomer = \"soft\"\ncolumns = { displacement = \"2\" }\n";
+    const auto study = read(text);
+    EXPECT_EQ(study.experiments.at(0).columns, (tables::ChosenColumns{{"force", "-1 * load"}}));
+    EXPECT_EQ(study.experiments.at(1).columns, (tables::ChosenColumns{{"displacement", "2"}}));
+    auto misspelt = text;
+    misspelt.replace(misspelt.find("displacement = \"2\""), 12, "displacment");
+    EXPECT_NE(message_of(misspelt).find("displacement"), std::string::npos) << message_of(misspelt);
+}
+
 }  // namespace
 }  // namespace setae::study::study_file_test

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "setae/bytes/text.hpp"
+#include "setae/core/errors.hpp"
 #include "setae/core/number_text.hpp"
+#include "setae/core/text.hpp"
 #include "setae/tables/header.hpp"
 
 namespace setae::tables {
@@ -45,29 +47,74 @@ FoundUnit unit_behind(std::string_view text) {
 
 }  // namespace
 
-ExpressionText expression_text(const std::string& text, std::size_t first) {
+namespace {
+
+/// A name's length and the unit in brackets behind it.
+struct FoundName {
+    std::string name;
+    std::optional<std::string> unit;
+    std::size_t length = 0;
+};
+
+FoundName leading_name(std::string_view text) {
+    FoundName found;
+    while (found.length < text.size() && (in_name(text[found.length]) || in_number(text[found.length]))) ++found.length;
+    found.name = text.substr(0, found.length);
+    const auto close = text.find(']', found.length);
+    if (!text.substr(found.length).starts_with('[') || close == std::string_view::npos) return found;
+    found.unit = trimmed(text.substr(found.length + 1, close - found.length - 1));
+    found.length = close + 1;
+    return found;
+}
+
+void add_name(const FoundName& found, ExpressionText& result) {
+    if (std::find(result.names.begin(), result.names.end(), found.name) == result.names.end())
+        result.names.push_back(found.name);
+    if (!found.unit) return;
+    const auto [known, added] = result.units.emplace(found.name, *found.unit);
+    if (!added && known->second != *found.unit)
+        throw InvalidArgument(
+            fmt::format("column '{}' has the units {} and {}; give one", found.name, known->second, *found.unit));
+}
+
+/// Letters without accents, so that names may be typed as the header has them; Å is a unit.
+std::string with_plain_names(const std::string& text) {
+    std::string plain;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const auto character = rest.substr(0, std::max<std::size_t>(utf8_length(rest), 1));
+        rest.remove_prefix(character.size());
+        const auto base = folded(character);
+        const bool letter =
+            character != "Å" && (base.empty() || (base.size() <= 2 && std::all_of(base.begin(), base.end(), in_name)));
+        plain += character.size() > 1 && letter ? base : std::string(character);
+    }
+    return plain;
+}
+
+}  // namespace
+
+ExpressionText expression_text(const std::string& typed, std::size_t first) {
+    const auto text = with_plain_names(typed);
     ExpressionText result;
     for (std::size_t at = 0; at < text.size();) {
         const auto rest = std::string_view(text).substr(at);
         if (in_name(rest.front())) {
-            std::size_t length = 1;
-            while (length < rest.size() && (in_name(rest[length]) || in_number(rest[length]))) ++length;
-            const std::string name(rest.substr(0, length));
-            const bool function = rest.substr(length).starts_with('(') || name.front() == '_';
-            if (!function && std::find(result.names.begin(), result.names.end(), name) == result.names.end())
-                result.names.push_back(name);
-            result.expression += name;
-            at += length;
+            const auto found = leading_name(rest);
+            const bool function = rest.substr(found.length).starts_with('(') || found.name.front() == '_';
+            if (!function) add_name(found, result);
+            result.expression += found.name;
+            at += found.length;
         } else if (in_number(rest.front())) {
             auto behind = rest;
             const auto number = leading<double>(behind);
-            const auto found = unit_behind(behind);
+            const auto unit = unit_behind(behind);
             const auto length = rest.size() - behind.size();
-            if (number && found.length > 0) {
+            if (number && unit.length > 0) {
                 const auto name = fmt::format("quantity_{}", first + result.constants.size());
-                result.constants.push_back({name, *number * found.unit.factor, found.unit.dimension});
+                result.constants.push_back({name, *number * unit.unit.factor, unit.unit.dimension});
                 result.expression += name;
-                at += length + found.length;
+                at += length + unit.length;
             } else {
                 result.expression += rest.substr(0, std::max<std::size_t>(length, 1));
                 at += std::max<std::size_t>(length, 1);
@@ -82,7 +129,7 @@ ExpressionText expression_text(const std::string& text, std::size_t first) {
 
 std::string name_in_expressions(const std::string& header) {
     std::string name;
-    for (const char c : bytes::lowered(header)) {
+    for (const char c : folded(header)) {
         if (in_name(c) || in_number(c)) name += c;
         else if (!name.empty() && name.back() != '_') name += '_';
     }

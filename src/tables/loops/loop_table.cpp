@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "setae/bytes/source.hpp"
 #include "setae/bytes/text.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -35,24 +37,52 @@ bool is_loop_column(const std::string& name) {
                        [&](const LoopColumn& known) { return known.name == name; });
 }
 
+/// Positions of the file's columns that a mapping names.
+std::set<std::size_t> columns_in(const Mapping& mapping, const ColumnGuess& guess) {
+    std::set<std::size_t> positions;
+    for (const auto& column : mapping.columns)
+        for (std::size_t k = 0; k < guess.columns.size(); ++k)
+            if (column.position ? static_cast<std::size_t>(*column.position) == k + 1
+                                : column.header == guess.columns[k].name)
+                positions.insert(k);
+    return positions;
+}
+
 /// Columns that words tell to be force, displacement, contact radius or time, where no column has that name itself. A
 /// role that two columns may play is left open.
-void take_guessed(LoopTable& loop, const ColumnGuess& guess, LoopColumns wanted) {
+void take_guessed(LoopTable& loop, const ColumnGuess& guess, LoopColumns wanted,
+                  const std::set<std::size_t>& of_chosen) {
     for (const auto& role : guess.roles) {
         if (wanted == LoopColumns::force_record && role.role == "contact_radius") continue;  // the camera's
         if (loop.table.find(role.role) || role.candidates.size() != 1) continue;
         const RoleCandidate& candidate = role.candidates.front();
         const auto& column = guess.columns[candidate.column];
-        if (!column.note.empty() || is_loop_column(loop.table.columns[candidate.column].name)) continue;
+        if (!column.note.empty() || of_chosen.contains(candidate.column) ||
+            is_loop_column(loop.table.columns[candidate.column].name))
+            continue;
         Column& taken = loop.table.columns[candidate.column];
-        if (candidate.from_area) {
+        if (candidate.derivation == Derivation::radius_of_area) {
             taken.values = (taken.values / pi).sqrt();
             taken.unit = "m";
         }
+        if (candidate.derivation == Derivation::negative) taken.values = -taken.values;
         taken.name = role.role;
+        loop.channels[role.role] = channel_name(guess, candidate);
         loop.taken.push_back(
             fmt::format("{} from '{}': {}", role.role, shown(column.name, column.unit), candidate.reason));
     }
+}
+
+/// A table's columns as a file would spell them, in SI.
+RawTable raw_table_of(const Table& table) {
+    RawTable raw;
+    for (const auto& column : table.columns) raw.columns.push_back({column.name, column.unit, column.values, {}});
+    return raw;
+}
+
+void put_column(Table& table, const Column& column) {
+    std::erase_if(table.columns, [&](const Column& other) { return other.name == column.name; });
+    table.columns.push_back(column);
 }
 
 }  // namespace
@@ -62,7 +92,7 @@ void require_loop_columns(const Table& table, const std::string& path, LoopColum
         throw FormatError(
             path, {},
             fmt::format("no column {}; a loop needs 'force' and 'displacement' or 'contact_radius', the table has: {}; "
-                        "name the columns by a mapping file, which `setae jkr import` makes",
+                        "name the columns by a mapping file, which `setae jkr import --save-map` makes",
                         what, column_list(table)));
     };
     if (!table.find("force")) missing("'force'");
@@ -78,23 +108,54 @@ void require_loop_columns(const Table& table, const std::string& path, LoopColum
     }
 }
 
-LoopTable read_loop_table(const std::string& path, LoopColumns wanted) {
-    LoopTable loop{.table = read_table(path)};
-    bool others = false;
-    for (auto& column : loop.table.columns) {
-        const std::string name = bytes::lowered(column.name);
-        if (is_loop_column(name)) column.name = name;
-        else others = true;
+LoopTable read_loop_table(const std::string& path, LoopColumns wanted, const ChosenColumns& chosen) {
+    const auto raw = read_raw_table(bytes::file_source(path));
+    const auto guess = guess_columns(raw, path);
+    const auto mapping = mapping_of_chosen(guess, chosen);
+    const auto of_chosen = columns_in(mapping, guess);
+    LoopTable loop{.table = table_in_si(raw, path)};
+    for (std::size_t k = 0; k < guess.columns.size(); ++k) {
+        auto& column = loop.table.columns[k];
+        const auto name = bytes::lowered(column.name);
+        if (!is_loop_column(name)) continue;
+        column.name = name;
+        loop.channels[name] = channel_name(guess, {.column = k});
     }
-    if (others) {
-        const ColumnGuess guess = guess_columns(path);
-        take_guessed(loop, guess, wanted);
-        for (std::size_t k = 0; k < guess.columns.size(); ++k)
-            if (!is_loop_column(loop.table.columns[k].name))
-                loop.unused.push_back(shown(guess.columns[k].name, guess.columns[k].unit));
+    take_guessed(loop, guess, wanted, of_chosen);
+    for (std::size_t k = 0; k < guess.columns.size(); ++k)
+        if (!is_loop_column(loop.table.columns[k].name) && !of_chosen.contains(k))
+            loop.unused.push_back(shown(guess.columns[k].name, guess.columns[k].unit));
+    if (!chosen.empty())
+        for (const auto& column : mapped_table(raw, path, mapping).columns) {
+            put_column(loop.table, column);
+            loop.channels[column.name] = channel_chosen(guess, column.name, chosen.at(column.name));
+        }
+    try {
+        require_loop_columns(loop.table, path, wanted);
+    } catch (const FormatError&) {
+        (void)mapping_from(guess, chosen, wanted);  // says what is wrong with which column, and what to type
+        throw;
     }
-    require_loop_columns(loop.table, path, wanted);
     return loop;
+}
+
+ChannelNames channels_of(const Table& loop) {
+    ChannelNames channels;
+    for (const auto& [name, unit] : loop_columns)
+        if (loop.find(name)) channels[name] = {name, unit, name};
+    return channels;
+}
+
+ChannelNames choose_columns(Table& loop, const std::string& path, const ChosenColumns& chosen) {
+    auto channels = channels_of(loop);
+    if (chosen.empty()) return channels;
+    const auto raw = raw_table_of(loop);
+    const auto guess = guess_columns(raw, path);
+    for (const auto& column : mapped_table(raw, path, mapping_of_chosen(guess, chosen)).columns) {
+        put_column(loop, column);
+        channels[column.name] = channel_chosen(guess, column.name, chosen.at(column.name));
+    }
+    return channels;
 }
 
 }  // namespace setae::tables

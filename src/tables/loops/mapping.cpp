@@ -13,6 +13,7 @@
 #include "setae/bytes/text.hpp"
 #include "setae/bytes/toml_reader.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/text.hpp"
 #include "setae/tables/header.hpp"
 
 namespace setae::tables {
@@ -71,6 +72,8 @@ MappedColumn parse_column(const std::string& name, bytes::TomlReader reader) {
     }
     if (column.header.has_value() == column.position.has_value())
         reader.fail("header", fmt::format("column '{}' needs either header or position", name));
+    if (column.header == "?" || column.unit == "?")
+        reader.fail(column.unit == "?" ? "unit" : "header", "a \"?\" asks for what no file says; put the answer there");
     if (column.unit) (void)unit_of(reader, "unit", *column.unit);
     reader.finish();
     return column;
@@ -185,7 +188,7 @@ std::string listed_headers(const RawTable& table) {
 
 bool same_header(const RawTable::RawColumn& column, const std::string& wanted) {
     const auto cell = parse_header_cell(wanted);
-    return !column.name.empty() && bytes::lowered(column.name) == bytes::lowered(cell.name) &&
+    return !column.name.empty() && folded(column.name) == folded(cell.name) &&
            (cell.unit.empty() || cell.unit == column.unit);
 }
 
@@ -230,7 +233,10 @@ SiColumn in_si(const RawTable::RawColumn& column, const MappedColumn& wanted, co
                                       column.values.size()));
     const auto name = wanted.unit ? *wanted.unit : column.unit;
     if (name.empty())
-        throw FormatError(path, {}, fmt::format("column '{}' has no unit; give it in the mapping", wanted.name));
+        throw FormatError(
+            path, {},
+            fmt::format("column '{}' has no unit; write unit = \"mN\", or what it is, into [columns.{}] of the mapping",
+                        wanted.name, wanted.name));
     const auto unit = try_parse_unit(name);
     if (!unit)
         throw FormatError(path, {},
@@ -241,7 +247,10 @@ SiColumn in_si(const RawTable::RawColumn& column, const MappedColumn& wanted, co
 }  // namespace
 
 Table read_mapped_table(const std::string& path, const Mapping& mapping) {
-    const auto raw = read_raw_table(bytes::file_source(path), mapping.file);
+    return mapped_table(read_raw_table(bytes::file_source(path), mapping.file), path, mapping);
+}
+
+Table mapped_table(const RawTable& raw, const std::string& path, const Mapping& mapping) {
     require_columns(raw, mapping, path);
     ExpressionInputs inputs;
     for (const auto& column : mapping.columns) {

@@ -92,11 +92,13 @@ TEST(LoopTable, NeedsForcesAndUnits) {
     const auto table = read_loop_table(folder.write("l.csv", "Force [mN],Displacement [um]\n1,2\n2,3\n")).table;
     EXPECT_DOUBLE_EQ(table.at("force")[0], 1e-3);
     const auto no_force = folder.write("a.csv", "signal [V],displacement [um]\n1,2\n2,3\n");
-    EXPECT_NE(message_of([&] { (void)read_loop_table(no_force); }).find("no column 'force'"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)read_loop_table(no_force); }).find("no column found for force"),
+              std::string::npos);
     const auto no_unit = folder.write("b.csv", "force,displacement [um]\n1,2\n2,3\n");
     EXPECT_NE(message_of([&] { (void)read_loop_table(no_unit); }).find("no unit"), std::string::npos);
     const auto wrong = folder.write("c.csv", "force [um],displacement [um]\n1,2\n2,3\n");
-    EXPECT_NE(message_of([&] { (void)read_loop_table(wrong); }).find("unit 'm'"), std::string::npos);
+    EXPECT_NE(message_of([&] { (void)read_loop_table(wrong); }).find("'force' [um] is in um, expected a unit of N"),
+              std::string::npos);
 }
 
 TEST(LoopTable, TakesColumnsThatImportWouldKnowAndNamesTheOthers) {
@@ -184,10 +186,13 @@ TEST(PowerSpectrumTable, SaysWhatAReaderShouldKnow) {
         for (const auto& alert : alerts_of(table, "s")) list += alert.subject + " " + alert.code + "; ";
         return list;
     };
-    EXPECT_EQ(codes(read_power_spectrum_table(bare)), "s UNIT_GUESSED; ");
+    EXPECT_EQ(codes(read_power_spectrum_table(bare)), "s UNIT_GUESSED; s SPECTRUM_CONVENTION; ");
     EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("frequency 1/um, nm4"))),
               "s SPECTRUM_CONVERTED; ");
-    EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("1/um, nm4"))), "");
+    EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("1/um, nm4"))), "s SPECTRUM_CONVENTION; ");
+    EXPECT_EQ(codes(read_power_spectrum_table(bare, SpectrumUnits::from_text("1/um, C_iso nm4"))), "");
+    const auto named = folder.write("q.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n");
+    EXPECT_EQ(codes(read_power_spectrum_table(named)), "");
 }
 
 TEST(PowerSpectrumTable, UnitsOfTheHeaderAreApplied) {
@@ -203,10 +208,10 @@ TEST(PowerSpectrumTable, UnitsOfTheHeaderAreApplied) {
 TEST(PowerSpectrumTable, FrequenciesAndWavelengthsBecomeWavevectors) {
     const TemporaryFolder folder;
     const auto by_frequency =
-        read_power_spectrum_table(folder.write("f.csv", "frequency [1/um],PSD [nm3]\n1,2\n2,1\n"));
+        read_power_spectrum_table(folder.write("f.csv", "frequency [1/um],two-sided PSD [nm3]\n1,2\n2,1\n"));
     EXPECT_DOUBLE_EQ(by_frequency.at("wavevector")[0], 2e6 * pi);
     EXPECT_DOUBLE_EQ(by_frequency.at("C1D")[0], 2e-27);
-    EXPECT_NE(by_frequency.metadata.at("converted").find("frequencies: q = 2 pi f"), std::string::npos);
+    EXPECT_NE(by_frequency.metadata.at("converted").find("frequencies, q = 2π f"), std::string::npos);
     const auto by_wavelength =
         read_power_spectrum_table(folder.write("l.csv", "wavelength [um],C1D [nm3],error [nm3]\n2,1,0.1\n4,3,0.2\n"));
     EXPECT_DOUBLE_EQ(by_wavelength.at("wavevector")[0], 0.5e6 * pi) << "ascending";
@@ -215,6 +220,96 @@ TEST(PowerSpectrumTable, FrequenciesAndWavelengthsBecomeWavevectors) {
     EXPECT_EQ(
         read_power_spectrum_table(folder.write("q.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n")).metadata.count("converted"),
         0u);
+}
+
+/// A Gaussian spectrum, σ 2 nm and T 1 µm: C1D = √π σ² T exp(−q²T²/4), C_iso = π σ² T² exp(−q²T²/4) [µm, nm].
+struct GaussianSpectrum {
+    static double C1D(double q) { return std::sqrt(pi) * 4.0 * std::exp(-0.25 * q * q); }
+    static double C_iso(double q) { return pi * 4.0 * std::exp(-0.25 * q * q); }
+};
+
+/// A table of the spectrum with `names` above, `x(q)` and `y(q)` below.
+std::string spectrum_text(const std::string& names, double (*x)(double), double (*y)(double)) {
+    std::string text = names + "\n";
+    for (int i = 1; i <= 1200; ++i) {
+        const double q = 0.005 * i;
+        text += fmt::format("{},{}\n", x(q), y(q));
+    }
+    return text;
+}
+
+TEST(PowerSpectrumTable, EveryNamedConventionGivesTheSameHeight) {
+    const auto q = [](double w) { return w; };
+    const auto f = [](double w) { return w / (2.0 * pi); };
+    const auto lambda = [](double w) { return 2.0 * pi / w; };
+    const auto C1D = [](double w) { return GaussianSpectrum::C1D(w); };
+    const auto W1 = [](double w) { return GaussianSpectrum::C1D(w) / (2.0 * pi); };
+    const auto one = [](double w) { return 2.0 * GaussianSpectrum::C1D(w); };
+    const auto C_iso = [](double w) { return GaussianSpectrum::C_iso(w); };
+    const auto W2 = [](double w) { return GaussianSpectrum::C_iso(w) / (4.0 * pi * pi); };
+    const auto Wr = [](double w) { return w * GaussianSpectrum::C_iso(w) / (2.0 * pi); };
+    const std::vector<std::string> texts{
+        spectrum_text("q [1/um],C1D [nm2 um]", q, C1D),
+        spectrum_text("wavevector (rad/µm),C^1D (nm²·µm)", q, C1D),
+        spectrum_text("f [1/um],two-sided PSD [nm2 um]", f, C1D),
+        spectrum_text("# double sided\nSpatial frequency [cycles/um],PSD [nm2 um]", f, C1D),
+        spectrum_text("Ortsfrequenz [1/um],einseitige PSD [nm2 um]", f, one),
+        spectrum_text("# one-sided spectrum\nfréquence spatiale [1/um],DSP [nm2 um]", f, one),
+        spectrum_text("q [1/um],single-sided C1D [nm2 um]", q, one),
+        spectrum_text("wavelength [um],C1D [nm2 um]", lambda, C1D),
+        spectrum_text("k [1/um],W1 [nm2 um]", q, W1),
+        spectrum_text("k [1/um],W<sub>1</sub> [nm2 um]", q, W1),
+        spectrum_text("k [1/um],W₁ [nm2 um]", q, W1),
+        spectrum_text("k [1/um],PSDF [nm2 um]", q, W1),
+        spectrum_text("# Gwyddion\nk [1/um],spectral density [nm2 um]", q, W1),
+        spectrum_text("k [1/um],Wr [nm2 um]", q, Wr),
+        spectrum_text("q [1/um],C_iso [nm2 um2]", q, C_iso),
+        spectrum_text("k [1/um],W2 [nm2 um2]", q, W2),
+        spectrum_text("angular frequency [1/um],C1D [nm2 um]", q, C1D)};
+    for (const auto& text : texts) {
+        const TemporaryFolder folder;
+        const auto path = folder.write("p.csv", text);
+        const auto header = text.substr(0, text.find("\n0"));
+        ASSERT_TRUE(is_power_spectrum_table(bytes::file_source(path))) << header;
+        const auto table = read_power_spectrum_table(path);
+        const auto& w = table.at("wavevector");
+        const bool areal = table.find("C_iso") != nullptr;
+        const auto& density = table.at(areal ? "C_iso" : "C1D");
+        const double unit = areal ? 1e-30 : 1e-24;
+        for (const Index i : {Index{10}, Index{300}}) {
+            const double of = w[i] * 1e-6;
+            EXPECT_NEAR(density[i] / unit / (areal ? GaussianSpectrum::C_iso(of) : GaussianSpectrum::C1D(of)), 1.0,
+                        1e-12)
+                << header;
+        }
+    }
+}
+
+TEST(PowerSpectrumTable, WhatTheHeaderLeavesOpenIsAskedWithTheHeights) {
+    const TemporaryFolder folder;
+    const auto q = [](double w) { return w; };
+    const auto C1D = [](double w) { return GaussianSpectrum::C1D(w); };
+    const auto message = [&](const std::string& names) {
+        const auto path = folder.write("p.csv", spectrum_text(names, q, C1D));
+        return message_of([&] { (void)read_power_spectrum_table(path); });
+    };
+    const auto by_frequency = message("frequency [1/um],PSD [nm2 um]");
+    EXPECT_TRUE(holds(by_frequency, "--unit \"frequency, C1D\": h_rms² = ∫ C df over ±f, 5.0")) << by_frequency;
+    EXPECT_TRUE(holds(by_frequency, "--unit \"frequency, one-sided C1D\"")) << by_frequency;
+    const auto by_wavevector = message("q [1/um],PSD [nm2 um]");
+    EXPECT_TRUE(holds(by_wavevector, "--unit \"wavevector, C1D\": h_rms² = (1/2π) ∫ C1D dq over ±q, 2.00 nm"))
+        << by_wavevector;
+    EXPECT_TRUE(holds(by_wavevector, "--unit \"wavevector, W1\": h_rms² = ∫ W1 dk over ±k, 5.0")) << by_wavevector;
+    EXPECT_TRUE(holds(message("k [1/um],PSD [nm2 um]"), "--unit \"frequency, C1D\""));
+    const auto path = folder.write("p.csv", spectrum_text("q [1/um],PSD [nm2 um]", q, C1D));
+    const auto stated = read_power_spectrum_table(path, SpectrumUnits::from_text("wavevector, W1"));
+    EXPECT_NEAR(stated.at("C1D")[0] / 1e-24, 2.0 * pi * GaussianSpectrum::C1D(0.005), 1e-9);
+    EXPECT_TRUE(holds(stated.metadata.at("converted"), "h_rms is 5.0"));
+    EXPECT_NEAR(
+        read_power_spectrum_table(path, SpectrumUnits::from_text("wavevector 1/um, one-sided um nm2")).at("C1D")[0] /
+            1e-24,
+        0.5 * GaussianSpectrum::C1D(0.005), 1e-12);
+    EXPECT_THROW((void)read_power_spectrum_table(path, SpectrumUnits::from_text("wavevector, C_iso")), InvalidArgument);
 }
 
 TEST(PowerSpectrumTable, AnArealDensityIsToldByItsUnit) {

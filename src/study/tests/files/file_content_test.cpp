@@ -78,7 +78,7 @@ TEST(FileContent, ASpectrumSaysWhatItsFirstColumnWasTakenFor) {
     const auto content = file_content(folder.write("f.csv", "frequency [1/um],C_iso [nm4]\n1,2\n2,1\n"));
     EXPECT_EQ(content.table->metadata.at("quantity"), "frequency");
     EXPECT_EQ(content.table->metadata.at("units_of_file"), "1/um, nm4");
-    EXPECT_NE(content.note.find("q = 2 pi f"), std::string::npos);
+    EXPECT_NE(content.note.find("q = 2π f"), std::string::npos);
     const auto bare = folder.write("bare.txt", "1 2\n2 1\n4 0.5\n");
     const auto asked = file_content(
         bare, {.heights = {}, .is_spectrum = true, .spectrum = tables::SpectrumUnits::from_text("wavelength um, nm3")});

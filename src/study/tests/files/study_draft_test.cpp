@@ -238,5 +238,17 @@ TEST(StudyDraft, OfRealContainersHasAnEntryAMember) {
     EXPECT_EQ(study.surfaces[0].measurements[2].channel, "2");
 }
 
+TEST_F(StudyDrafts, WriteTheMappingThatReadsALoop) {
+    write("data/curve.txt", "Piezo [um]\tMEMS displ.[nm]\tTime [ms]\n0,1\t1,5\t0\n0,2\t2,5\t1\n0,3\t3,5\t2\n");
+    write(
+        "mappings/rig.toml",
+        "[columns.p]\nheader = \"Piezo\"\n[columns.m]\nheader = \"MEMS displ.\"\n[constants]\nk = \"3 N/m\"\n[table]\nforce = \"k * "
+        "m\"\ndisplacement = \"p - m\"\n");
+    const auto data = folder_.path("data");
+    EXPECT_NE(draft_study({data}, folder_.path("study.toml"), folder_.path("mappings")).text.find("mapping = \"rig\""),
+              std::string::npos);
+    EXPECT_NE(draft_study({data}, folder_.path("study.toml")).text.find("mapping = \"?\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace setae::study::study_draft_test

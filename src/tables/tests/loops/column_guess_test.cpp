@@ -41,6 +41,96 @@ TEST(ColumnGuess, KnowsTheWordsOfTheField) {
     EXPECT_EQ(found("Kraft [mN];Weg [um];Zeit [s]"), (Columns{1, 2, 0, 3}));
 }
 
+TEST(ColumnGuess, KnowsTheWordsOfOtherLanguagesWithAndWithoutAccents) {
+    EXPECT_EQ(found("Force (mN);Déplacement (µm);Rayon de contact (µm);Temps (s)"), (Columns{1, 2, 3, 4}));
+    EXPECT_EQ(found("FORCE (mN);DEPLACEMENT (um);TEMPS (s)"), (Columns{1, 2, 0, 3}));
+    EXPECT_EQ(found("Fuerza [mN];Desplazamiento [um];Radio de contacto [um];Tiempo [s]"), (Columns{1, 2, 3, 4}));
+    EXPECT_EQ(found("Forza [mN];Spostamento [um];Raggio di contatto [um];Tempo [s]"), (Columns{1, 2, 3, 4}));
+    EXPECT_EQ(found("Força [mN];Deslocamento [um];Raio de contato [um];Tempo [s]"), (Columns{1, 2, 3, 4}));
+    EXPECT_EQ(found("Kracht [mN];Verplaatsing [um];Contactstraal [um];Tijd [s]"), (Columns{1, 2, 3, 4}));
+    EXPECT_EQ(found("Prüfzeit [s];Standardkraft [N];Traversenweg absolut [mm]"), (Columns{2, 3, 0, 1}));
+    EXPECT_EQ(found("Fuerza [mN];Vitesse d'enfoncement [um];Écart-type force [mN];Geschwindigkeit Weg [um]"),
+              (Columns{1, 0, 0, 0}));
+}
+
+TEST(ColumnGuess, AGapIsADisplacementWithTheOtherSign) {
+    for (const char* gap : {"gap", "Gap", "Tip-sample separation", "Abstand", "Écart", "separación"}) {
+        const auto mapping = mapping_from(guess_of(fmt::format("Force [mN];{} [um]\n1;60\n3;4\n", gap)));
+        EXPECT_EQ(mapping.results[1].expression, "-1 * gap") << gap;
+    }
+    EXPECT_EQ(found("Force [mN];Gap [um];Displacement [um]"), (Columns{1, 3, 0, 0}));
+    const TemporaryFolder folder;
+    const auto loop = read_loop_table(folder.write("t.csv", "force [mN];gap [um]\n1;60\n3;4\n"));
+    EXPECT_DOUBLE_EQ(loop.table.at("displacement")[0], -60e-6);
+    EXPECT_EQ(loop.channels.at("displacement").expression, "-1 * gap");
+}
+
+TEST(ColumnGuess, UnitsAreStatedWhereTheHeaderHasNone) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("t.csv", "Zeit,Kraft,Weg\n0,1,60\n1,3,4\n");
+    const auto message = message_of([&] { (void)mapping_from(guess_columns(path)); });
+    EXPECT_TRUE(holds(message,
+                      "column 2 'Kraft' for force and column 3 'Weg' for displacement and column 1 'Zeit' for "
+                      "time have no unit"))
+        << message;
+    EXPECT_TRUE(holds(message, "--column force=\"kraft[mN]\"")) << message;
+    for (const char* force : {"Kraft[uN]", "kraft [uN]", "2[uN]", "1 uN * kraft", "1 * kraft[uN]"}) {
+        const auto mapping =
+            mapping_from(guess_columns(path), {{"force", force}, {"displacement", "Weg[um]"}, {"time", "Zeit[s]"}});
+        write_mapping(folder.path("m.toml"), mapping);
+        EXPECT_DOUBLE_EQ(read_mapped_table(path, read_mapping(folder.path("m.toml"))).at("force")[1], 3e-6) << force;
+        const auto loop = read_loop_table(path, LoopColumns::complete,
+                                          {{"force", force}, {"displacement", "Weg[um]"}, {"time", "Zeit[s]"}});
+        EXPECT_DOUBLE_EQ(loop.table.at("force")[1], 3e-6) << force;
+        EXPECT_DOUBLE_EQ(loop.table.at("displacement")[0], 60e-6) << force;
+        EXPECT_TRUE(loop.unused.empty()) << force;
+    }
+    EXPECT_TRUE(holds(message_of([&] {
+                          (void)read_loop_table(path, LoopColumns::complete, {{"force", "2 * kraft"}});
+                      }),
+                      "the expression is no N"));
+}
+
+TEST(ColumnGuess, AMassIsNamedAndItsWeightOffered) {
+    const TemporaryFolder folder;
+    for (const auto& [unit, weight, newton] :
+         {std::tuple("g", "gf", 9.80665e-3), std::tuple("kg", "kgf", 9.80665), std::tuple("mg", "mgf", 9.80665e-6),
+          std::tuple("lb", "lbf", 4.4482216152605)}) {
+        const auto path = folder.write("t.csv", fmt::format("Load ({});Weg (mm)\n1;60\n3;4\n", unit));
+        const auto message = message_of([&] { (void)read_loop_table(path); });
+        EXPECT_TRUE(holds(message, fmt::format("'Load' [{}] is in {}, a unit of mass", unit, unit))) << message;
+        EXPECT_TRUE(holds(message, fmt::format("--column force=\"load[{}]\"", weight))) << message;
+        const auto loop = read_loop_table(path, LoopColumns::complete, {{"force", fmt::format("load[{}]", weight)}});
+        EXPECT_NEAR(loop.table.at("force")[0] / newton, 1.0, 1e-15);
+    }
+}
+
+TEST(ColumnGuess, ChosenColumnsOfALoopInSiAreComputed) {
+    Table table{
+        .columns = {{"force", "N", Array1D::Constant(2, 3.0)}, {"displacement", "m", Array1D::Constant(2, 1.0)}}};
+    const auto channels = choose_columns(table, "t", {{"force", "-1 * force"}});
+    EXPECT_EQ(table.at("force")[0], -3.0);
+    EXPECT_EQ(channels.at("force").expression, "-1 * force");
+    EXPECT_EQ(channels.at("displacement").expression, "displacement");
+}
+
+TEST(MappingTemplate, AsksForWhatTheFileDoesNotSay) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("t.csv", "Zeit,Kraft,Weg\n0,1,60\n1,3,4\n");
+    const auto text = mapping_template(guess_columns(path), {});
+    EXPECT_TRUE(holds(text, "header = \"Kraft\"\nunit = \"?\"")) << text;
+    const auto draft = folder.write("m.toml", text);
+    EXPECT_TRUE(holds(message_of([&] { (void)read_mapping(draft); }), "a \"?\" asks for what no file says"));
+    auto answered = text;
+    for (const char* unit : {"mN", "um", "s"})
+        answered.replace(answered.find("\"?\"\n"), 3, fmt::format("\"{}\"", unit));
+    const auto table = read_mapped_table(path, read_mapping(folder.write("n.toml", answered)));
+    EXPECT_DOUBLE_EQ(table.at("force")[1], 3e-3);
+    EXPECT_DOUBLE_EQ(table.at("displacement")[1], 4e-6);
+    const auto without = folder.write("u.csv", "a,b\n0,1\n1,3\n");
+    EXPECT_TRUE(holds(mapping_template(guess_columns(without), {}), "header = \"?\""));
+}
+
 TEST(ColumnGuess, LeavesOtherQuantitiesAside) {
     EXPECT_EQ(
         found(

@@ -58,6 +58,7 @@ struct ContentsRequest {
 struct Contents {
     std::vector<ListedFile> files;
     std::vector<study::UnreadablePath> failed;  ///< files that nothing can be said of
+    std::vector<std::string> own;               ///< files of folders that setae wrote: figures, tables, reports
 };
 
 /// @throws InvalidArgument for contradicting questions, and where there is no path.

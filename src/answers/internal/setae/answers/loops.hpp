@@ -16,13 +16,17 @@ namespace setae::answers {
 /// Loops that are read: files, how their columns are named, the camera's record, constants of force curves.
 struct LoopFiles {
     std::vector<std::string> files;
+    std::vector<std::string> columns;  ///< "ROLE=COLUMN", chosen in place of what names and units say
     std::string map, camera, camera_map, clock_offset, pixel, spring_constant, sensitivity;
     std::string mapping_folder;  ///< of mappings that go by their names
     std::optional<double> frame_rate;
     std::optional<long> curve_number;
     bool fringes = false;
 
-    /// The files, those of folders in alphabetical order. @throws InvalidArgument where there is none.
+    /// What is chosen of columns. @throws InvalidArgument for one that is no ROLE=COLUMN.
+    [[nodiscard]] tables::ChosenColumns chosen() const;
+    /// The files, those of folders in alphabetical order and without what setae wrote of results. @throws
+    /// InvalidArgument where there is none.
     [[nodiscard]] std::vector<std::string> expanded() const;
     [[nodiscard]] study::LoopSource source(const std::string& file) const;
     /// The file of the mapping that was named, by its path or by the name it has in the folder; nothing where none was.

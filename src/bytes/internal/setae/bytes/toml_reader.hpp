@@ -30,6 +30,13 @@ struct NamedInputs {
     std::map<std::string, Named> inputs;
 };
 
+/// A key whose value is doubtful, though it can be taken.
+struct KeyRemark {
+    std::string place;  ///< "study.toml:12"
+    std::string key;    ///< "elastomers.soft.surface_energy"
+    std::string text;
+};
+
 /// A TOML table that knows which of its keys were asked for, so that finish() finds the misspelt ones; every error
 /// names file and line.
 class TomlReader {
@@ -56,8 +63,8 @@ public:
     }
     /// "37 mJ/m2"; a plain number only where the dimension is none.
     [[nodiscard]] std::optional<double> quantity(const char* key, const Expected& expected);
-    /// "37 ± 3.7 mJ/m2"; behind name_inputs() also "NAME" or "NAME = 37 ± 3.7 mJ/m2". Estimate::input is that name, else
-    /// of uncertain values the table and the key.
+    /// "37 ± 3.7 mJ/m2"; behind name_inputs() also "NAME" or "NAME = 37 ± 3.7 mJ/m2". Estimate::input is that name,
+    /// else of uncertain values the table and the key.
     [[nodiscard]] std::optional<Estimate> uncertain(const char* key, const Expected& expected);
     [[nodiscard]] Estimate required_uncertain(const char* key, const Expected& expected);
     [[nodiscard]] std::vector<std::string> texts(const char* key);
@@ -90,6 +97,11 @@ public:
     /// @throws FormatError at the key (or the table where it is missing).
     [[noreturn]] void fail(const char* key, const std::string& what) const;
 
+    /// Keeps a remark about a key of this table, in the order they are made.
+    void remark(const char* key, std::string text);
+    /// Those of all readers of the document.
+    [[nodiscard]] const std::vector<KeyRemark>& remarks() const { return *remarks_; }
+
 private:
     const toml::node* find(const char* key);
     template <class Value>
@@ -105,6 +117,7 @@ private:
     std::string where_;
     std::set<std::string> known_;
     std::shared_ptr<NamedInputs> named_;
+    std::shared_ptr<std::vector<KeyRemark>> remarks_;
 };
 
 }  // namespace setae::bytes

@@ -22,6 +22,8 @@ enum class ChannelFault {
 class ChannelFaultError : public UndefinedDataError {
 public:
     explicit ChannelFaultError(ChannelFault fault);
+    /// The same in other words, such as those that name the file and what to type.
+    ChannelFaultError(ChannelFault fault, const std::string& what) : UndefinedDataError(what), fault_(fault) {}
     [[nodiscard]] ChannelFault fault() const { return fault_; }
 
 private:

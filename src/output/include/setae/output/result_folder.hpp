@@ -19,6 +19,10 @@ public:
     /// Makes the folder where missing, and protects every file the study reads. @throws FileError where it cannot be
     /// made, or holds the results of a study that is still there and is not this one.
     explicit ResultFolder(const study::Study& study);
+    /// Removes a folder that it made and nothing was written into.
+    ~ResultFolder();
+    ResultFolder(const ResultFolder&) = delete;
+    ResultFolder& operator=(const ResultFolder&) = delete;
 
     [[nodiscard]] const std::string& path() const { return folder_; }
 
@@ -41,6 +45,7 @@ private:
     void remove(const std::string& name) const;
 
     std::string folder_, study_;
+    bool made_ = false;
     std::set<std::string> listed_, claimed_;
     std::mutex mutex_;
 };

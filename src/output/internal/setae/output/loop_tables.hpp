@@ -27,4 +27,8 @@ void add_fits(tables::TidyTable& table, const LoopLabels& labels, const loops::L
 [[nodiscard]] tables::TidyTable energies_table();
 void add_energies(tables::TidyTable& table, const LoopLabels& labels, const loops::LoopAnalysis& analysis);
 
+/// Loops for readers, a row per loop: E*, W of loading, unloading and pull-off, loss, the codes of its warnings.
+[[nodiscard]] tables::TidyTable loop_rows_table();
+void add_loop_row(tables::TidyTable& table, const std::string& name, const loops::LoopAnalysis& analysis);
+
 }  // namespace setae::output

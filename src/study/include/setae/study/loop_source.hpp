@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setae/tables/force_curve.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::study {
 
@@ -27,6 +28,7 @@ struct LoopSource {
     std::optional<std::string> mapping;  ///< names the columns of a foreign table
     std::optional<CameraInput> camera;
     tables::ForceCurveOptions force_curve;
+    tables::ChosenColumns columns{};  ///< chosen for force, displacement, contact radius or time
 
     /// Every file it names, those of a folder of pictures one by one.
     [[nodiscard]] std::vector<std::string> files() const;

@@ -196,7 +196,8 @@ struct Study {
     std::string path;
     std::string title;
     std::string description;
-    std::string output;  ///< folder of the results
+    std::string output;         ///< folder of the results
+    std::vector<Alert> alerts;  ///< values that can be taken but are not likely, each with its line
     SurfaceAnalysisOptions analysis;
     ComparisonOptions comparison;
     double counter_youngs_modulus = 0.0;  ///< of the rough solid [Pa]
@@ -213,9 +214,10 @@ struct Study {
     [[nodiscard]] const SurfaceInput* surface(const std::string& name) const;
 };
 
-/// Reads a study from TOML; docs/guides/study.md describes every key.
+/// Reads a study from TOML; docs/guides/study.md describes every key. A mapping that is no file beside the study goes
+/// by its name in `mapping_folder`.
 /// @throws FileError; FormatError with the line for text that is no TOML, an unknown key (with the nearest known one),
 /// a missing or wrong unit, a name that is not declared, a surface without data.
-[[nodiscard]] Study read_study(const std::string& path);
+[[nodiscard]] Study read_study(const std::string& path, const std::string& mapping_folder = {});
 
 }  // namespace setae::study

@@ -96,15 +96,15 @@ struct PairResult {
     int experiments = 0;                      ///< loops behind the measured values; 0 for published ones
 
     double area_ratio = 1.0;
-    Estimate stored_energy;                                      ///< U_el/A_app [J/m²]
+    Estimate stored_energy;  ///< U_el/A_app [J/m²]
     /// (7); its errors are those of (7) of a measured pair, and hold the scatter of measured pairs about (7) of another
     std::optional<adhesion::PredictedWork> modified;
     std::optional<adhesion::PredictedWork> persson_tosatti;      ///< (S13)
     std::optional<adhesion::PredictedWork> without_area_change;  ///< (2)
     adhesion::UnloadedContact contact;           ///< under no load, of simulated patches that store as much
     std::optional<TracedValue> partial_contact;  ///< W_app of that contact: (7) where it is full [J/m²]
-    std::optional<adhesion::PairPoint> line;      ///< (7) as a line in W_int; nothing measured is in it
-    std::optional<adhesion::DrawnValue> drawn;    ///< max(0, (7)) by draws of everything it rests on [J/m²]
+    std::optional<adhesion::PairPoint> line;     ///< (7) as a line in W_int; nothing measured is in it
+    std::optional<adhesion::DrawnValue> drawn;   ///< max(0, (7)) by draws of everything it rests on [J/m²]
     /// (10) at W_int and the contact area, measured or of `loop`, with every input it rests on [J]
     std::optional<TracedValue> predicted_loss;
     std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and (7) conforms
@@ -117,8 +117,8 @@ struct PairResult {
     std::vector<Alert> alerts;
 
     /// The measured values with all that they rest on, each thing once: the inputs, the fits, and what is left of the
-    /// own standard error as an input of its own, "noise of W_app on SURFACE × ELASTOMER" (W_po, W_ret, E_loss), or the name the
-    /// study's file gives a published value. Nothing where the value is not measured.
+    /// own standard error as an input of its own, "noise of W_app on SURFACE × ELASTOMER" (W_po, W_ret, E_loss), or the
+    /// name the study's file gives a published value. Nothing where the value is not measured.
     [[nodiscard]] std::optional<TracedValue> traced_approach() const;
     [[nodiscard]] std::optional<TracedValue> traced_pull_off() const;
     [[nodiscard]] std::optional<TracedValue> traced_retraction() const;
@@ -181,7 +181,7 @@ struct Conclusions {
     TracedValue traced_work_of_adhesion;  ///< the same with every input it rests on; of value 0 where there is none
     adhesion::BalanceDraws draws;         ///< of W_int; those of predictions stand with their pairs
     std::vector<adhesion::LeftOutPrediction> left_out;  ///< of (7), where it was fitted
-    std::vector<adhesion::InputProfile> profiles;       ///< of (7), over what is stated of elastomers, loops and instruments
+    std::vector<adhesion::InputProfile> profiles;  ///< of (7), over what is stated of elastomers, loops and instruments
     Outcome<adhesion::WorkFit> modified;
     Outcome<adhesion::WorkFit> persson_tosatti;
     Outcome<adhesion::WorkFit> without_area_change;
@@ -191,6 +191,7 @@ struct Conclusions {
     std::vector<ComparedBalance> balances;  ///< as the study takes them first, then over cuts, then over γ1
     std::vector<CutoffPoint> cutoff_scan;
     Outcome<adhesion::PredictionTest> prediction_test;  ///< of (7) with both errors
+    std::vector<Alert> failed_parts;                    ///< fits and comparisons that could not be made
 
     [[nodiscard]] SpectrumMethod method_of(const SurfaceResult& surface) const {
         return of_averages ? SpectrumMethod::average : surface.method;
@@ -213,8 +214,10 @@ struct StudyResult : Conclusions {
     std::optional<Conclusions> by_average;  ///< once more with averages, where likelihoods are used first
     Outcome<Hysteresis> hysteresis;         ///< without trials
 
-    [[nodiscard]] int failures() const;   ///< measurements, surfaces, their likelihoods and experiments that failed
-    [[nodiscard]] int successes() const;  ///< surfaces and experiments that did not
+    /// Measurements, surfaces, their likelihoods, experiments, elastomers, pairs and comparisons that failed.
+    [[nodiscard]] int failures() const;
+    [[nodiscard]] std::vector<Alert> alerts_of_failed_parts() const;  ///< of elastomers, pairs and comparisons
+    [[nodiscard]] int successes() const;                              ///< surfaces and experiments that did not
     /// @throws InternalError for a name that is not in the study (both).
     [[nodiscard]] const SurfaceResult& surface(const std::string& name) const;
     [[nodiscard]] const ElastomerResult& elastomer(const std::string& name) const;

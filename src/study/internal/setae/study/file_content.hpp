@@ -65,6 +65,7 @@ struct UnreadablePath {
 /// Files, those of folders and the folders in them one by one.
 struct FoundFiles {
     std::vector<std::string> files;
+    std::vector<std::string> own;            ///< of folders: figures, tables and reports that setae wrote
     std::vector<UnreadablePath> unreadable;  ///< folders that cannot be listed, or that hold no file
 };
 
@@ -73,8 +74,8 @@ struct FoundFiles {
 [[nodiscard]] bool is_folder(const std::string& path);
 
 /// The files that paths name, in the order of the paths, those of a folder by name: its files, then its folders. Hidden
-/// files are left out, and links to folders are not followed where a folder holds them. What is no folder is a file,
-/// there or not.
+/// files are left out, and links to folders are not followed where a folder holds them; outputs of setae stand apart.
+/// What is no folder is a file, there or not.
 [[nodiscard]] FoundFiles found_files(const std::vector<std::string>& paths);
 
 }  // namespace setae::study

@@ -18,12 +18,13 @@ namespace setae::study {
 /// A loop as read, in SI.
 struct OpenedLoop {
     Table table;
+    tables::ChannelNames channels;               ///< where its columns come from
     std::optional<loops::ClockAlignment> clock;  ///< where the camera's offset was looked for
     std::vector<Alert> alerts;                   ///< a clock that should not be trusted, frames that found no sample
 };
 
 /// Reads a loop: through a mapping where one is given; else setae's own format, a force curve, or a table whose columns
-/// are named as a loop's. Radii of a camera are put on the force's clock.
+/// are named as a loop's. What the source chooses overrules columns. Radii of a camera are put on the force's clock.
 /// @throws FileError, FormatError, InvalidArgument as reading does; FormatError for columns that make no loop, naming
 /// `setae jkr import`; InvalidArgument for a camera where a time runs backwards.
 [[nodiscard]] OpenedLoop open_loop(const LoopSource& source);
@@ -55,8 +56,15 @@ struct StatedBodies {
 /// Multiplies the channels of an open loop.
 void apply(const loops::Calibration& factors, OpenedLoop& loop);
 
+/// W [J/m²] of adhesive contacts below which forces are likely too small for the radius.
+inline constexpr double least_work_of_adhesion = 3e-4;
+
+/// Whether an alert names what makes all numbers of a loop wrong: it comes before those that follow from it.
+[[nodiscard]] bool names_cause(const Alert& alert);
+
 /// Opens a loop and analyses it; the alerts of opening come with those of the analysis.
-/// @throws what open_loop() and loops::analyse() throw; every message names the file.
+/// @throws what open_loop() and loops::analyse() throw; every message names the file, that of a ChannelFaultError the
+/// columns to choose, too.
 [[nodiscard]] loops::LoopAnalysis analyse_loop(const LoopSource& source, const loops::LensAndCounterBody& bodies,
                                                const loops::AnalysisOptions& options = {});
 

@@ -79,4 +79,7 @@ void write_mapping(const std::string& path, const Mapping& mapping);
 /// an expression has another dimension.
 [[nodiscard]] Table read_mapped_table(const std::string& path, const Mapping& mapping);
 
+/// The same of a table already read from `path`. @throws FormatError as above.
+[[nodiscard]] Table mapped_table(const RawTable& table, const std::string& path, const Mapping& mapping);
+
 }  // namespace setae::tables

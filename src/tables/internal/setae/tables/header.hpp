@@ -28,4 +28,7 @@ struct HeaderCell {
 /// The unit, or nothing for text that is none.
 [[nodiscard]] std::optional<Unit> try_parse_unit(std::string_view text);
 
+/// Whether text is a unit of that dimension.
+[[nodiscard]] bool is_unit_of(std::string_view text, const Dimension& dimension);
+
 }  // namespace setae::tables

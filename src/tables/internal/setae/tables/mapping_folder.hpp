@@ -17,4 +17,7 @@ namespace setae::tables {
 /// Names of the mappings in a folder through which a file reads as a loop.
 [[nodiscard]] std::vector<std::string> fitting_mappings(const std::string& file, const std::string& folder);
 
+/// "; a mapping that came with setae reads it: --mapping eoh" for the end of a message; empty where none does.
+[[nodiscard]] std::string fitting_mappings_remark(const std::string& file, const std::string& folder);
+
 }  // namespace setae::tables

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "keys.hpp"
+
+#include <cmath>
+
+namespace setae::study {
+
+void remark_implausible(bytes::TomlReader& reader, const char* key, double value, double lower, double upper,
+                        const std::string& unit) {
+    if (value == 0.0 || (value >= lower && value <= upper)) return;
+    const double nearest = value < lower ? lower : upper;
+    const double thousands = std::log10(nearest / value) / 3.0;
+    const double power = 3.0 * (thousands > 0.0 ? std::ceil(thousands) : std::floor(thousands));
+    const double corrected = value * std::pow(10.0, power);
+    const std::string factor = corrected >= lower && corrected <= upper
+                                   ? fmt::format(": the likely factor is 10^{:.0f}", power)
+                                   : std::string();
+    const auto shown = [&](double number) { return format_value(number, unit.empty() ? "1" : unit, 3); };
+    const auto range = std::isinf(upper) ? fmt::format("is below {}", shown(lower))
+                                         : fmt::format("lies outside {} to {}", shown(lower), shown(upper));
+    reader.remark(key, fmt::format("{} {}{}", shown(value), range, factor));
+}
+
+}  // namespace setae::study
