@@ -2,6 +2,7 @@
 #include "setae/core/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -92,6 +93,38 @@ std::string changed(std::string_view text, const Change& change) {
 }
 
 }  // namespace
+
+namespace {
+
+/// Letters U+00C0 to U+017F in lower case without accents; digits stand for two letters.
+constexpr std::string_view base_letters =
+    "aaaaaa1ceeeeiiiidnooooo*ouuuuy42aaaaaa1ceeeeiiiidnooooo*ouuuuy4y"
+    "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiii55jjkkklllllll"
+    "lllnnnnnnnnnoooooo33rrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+constexpr std::array<std::string_view, 5> letter_pairs{"ae", "ss", "oe", "th", "ij"};
+constexpr char32_t first_letter = 0xc0, last_letter = 0x17f, first_accent = 0x300, last_accent = 0x36f;
+
+}  // namespace
+
+std::string folded(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const auto length = std::max<std::size_t>(utf8_length(text), 1);
+        const auto character = text.substr(0, length);
+        text.remove_prefix(length);
+        const auto code = length > 1 ? code_point(character) : char32_t{0};
+        if (code >= first_letter && code <= last_letter) {
+            const char base = base_letters[code - first_letter];
+            if (base >= '1' && base <= '5') result += letter_pairs[static_cast<std::size_t>(base - '1')];
+            else result += base;
+        } else if (code < first_accent || code > last_accent) {
+            const char c = character.front();
+            if (length == 1 && c >= 'A' && c <= 'Z') result += static_cast<char>(c - 'A' + 'a');
+            else result += character;
+        }
+    }
+    return result;
+}
 
 std::string valid_utf8(std::string_view text) {
     return changed(text, [](std::string_view character) { return character; });

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -43,7 +44,10 @@ struct Symbol {
     bool prefixable;
 };
 
-constexpr std::array<Symbol, 28> symbols{{
+constexpr double inch = 0.0254, gram_force = 9.80665e-3, pound_force = 4.4482216152605;  // exact by definition
+constexpr double ounce_force = pound_force / 16.0, pound = 0.45359237;
+
+constexpr std::array<Symbol, 41> symbols{{
     {"m", 1.0, dimension::length, true},
     {"g", 1e-3, mass, true},
     {"s", 1.0, dimension::time, true},
@@ -57,21 +61,57 @@ constexpr std::array<Symbol, 28> symbols{{
     {"F", 1.0, capacitance, true},
     {"f", 1.0, capacitance, true},
     {"Hz", 1.0, frequency, true},
+    {"gf", gram_force, dimension::force, true},
+    {"kp", 1e3 * gram_force, dimension::force, false},
+    {"lbf", pound_force, dimension::force, false},
+    {"ozf", ounce_force, dimension::force, false},
+    {"dyn", 1e-5, dimension::force, true},
+    {"lb", pound, mass, false},
+    {"oz", pound / 16.0, mass, false},
+    {"in", inch, dimension::length, false},
+    {"uin", 1e-6 * inch, dimension::length, false},
+    {"\u00b5in", 1e-6 * inch, dimension::length, false},
+    {"\u03bcin", 1e-6 * inch, dimension::length, false},
+    {"mil", 1e-3 * inch, dimension::length, false},
+    {"thou", 1e-3 * inch, dimension::length, false},
     {"Å", 1e-10, dimension::length, false},
     {"Å", 1e-10, dimension::length, false},
-    {"angstrom", 1e-10, dimension::length, false},
-    {"Angstrom", 1e-10, dimension::length, false},
-    {"micron", 1e-6, dimension::length, false},
-    {"microns", 1e-6, dimension::length, false},
-    {"Micrometer", 1e-6, dimension::length, false},
-    {"Nanometer", 1e-9, dimension::length, false},
+    {"sec", 1.0, dimension::time, false},
+    {"msec", 1e-3, dimension::time, false},
     {"min", 60.0, dimension::time, false},
     {"h", 3600.0, dimension::time, false},
+    {"hr", 3600.0, dimension::time, false},
     {"%", 1e-2, dimension::none, false},
     {"1", 1.0, dimension::none, false},
     {"rad", 1.0, dimension::none, false},
+    {"cycles", 1.0, dimension::none, false},
+    {"cycle", 1.0, dimension::none, false},
+    {"cyc", 1.0, dimension::none, false},
     {"deg", pi / 180.0, dimension::none, false},
     {"-", 1.0, dimension::none, false},
+}};
+
+/// Units as words, without the 's' of several.
+constexpr std::array<Symbol, 19> words{{
+    {"meter", 1.0, dimension::length, true},
+    {"metre", 1.0, dimension::length, true},
+    {"newton", 1.0, dimension::force, true},
+    {"second", 1.0, dimension::time, true},
+    {"sekunde", 1.0, dimension::time, true},
+    {"sekunden", 1.0, dimension::time, true},
+    {"gram", 1e-3, mass, true},
+    {"gramm", 1e-3, mass, true},
+    {"angstrom", 1e-10, dimension::length, false},
+    {"micron", 1e-6, dimension::length, false},
+    {"inch", inch, dimension::length, true},
+    {"inche", inch, dimension::length, true},
+    {"mil", 1e-3 * inch, dimension::length, false},
+    {"pound", pound, mass, false},
+    {"lb", pound, mass, false},
+    {"ounce", pound / 16.0, mass, false},
+    {"dyne", 1e-5, dimension::force, false},
+    {"minute", 60.0, dimension::time, false},
+    {"hour", 3600.0, dimension::time, false},
 }};
 
 struct Prefix {
@@ -94,16 +134,38 @@ constexpr std::array<Prefix, 15> prefixes{{{"T", 1e12}, {"G", 1e9},
                                            {"p", 1e-12},
                                            {"f", 1e-15}}};
 
-std::optional<Unit> lookup(std::string_view name) {
-    for (const auto& symbol : symbols)
+constexpr std::array<Prefix, 9> prefix_words{{{"kilo", 1e3},
+                                              {"deci", 1e-1},
+                                              {"centi", 1e-2},
+                                              {"zenti", 1e-2},
+                                              {"milli", 1e-3},
+                                              {"micro", 1e-6},
+                                              {"mikro", 1e-6},
+                                              {"nano", 1e-9},
+                                              {"pico", 1e-12}}};
+
+/// A unit among `known`, with one of `before` in front where it may have one.
+std::optional<Unit> found(std::string_view name, std::span<const Symbol> known, std::span<const Prefix> before) {
+    for (const auto& symbol : known)
         if (symbol.name == name) return Unit{symbol.factor, symbol.dimension};
-    for (const auto& prefix : prefixes) {
+    for (const auto& prefix : before) {
         if (!name.starts_with(prefix.name)) continue;
         const auto rest = name.substr(prefix.name.size());
-        for (const auto& symbol : symbols)
+        for (const auto& symbol : known)
             if (symbol.prefixable && symbol.name == rest) return Unit{prefix.factor * symbol.factor, symbol.dimension};
     }
     return std::nullopt;
+}
+
+std::optional<Unit> lookup(std::string_view name) {
+    if (const auto unit = found(name, symbols, prefixes)) return unit;
+    constexpr std::size_t shortest_word = 3;
+    if (name.size() < shortest_word) return std::nullopt;
+    std::string word(name);
+    for (auto& c : word)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (word.ends_with('s')) word.pop_back();
+    return found(word, words, prefix_words);
 }
 
 /// Superscripts to ASCII digits, product dots to '*', so that one grammar serves every spelling.

@@ -83,6 +83,30 @@ TEST(ParseQuantity, RefusesWhatIsOutsideItsDomain) {
         EXPECT_NE(refusal(error, dimension::length).find("an uncertainty of 0 or above"), std::string::npos) << error;
 }
 
+TEST(ParseUnit, KnowsForcesByWeightAndInches) {
+    // CGPM 1901: 9.80665 m/s²; international yard and pound 1959: 25.4 mm, 0.45359237 kg
+    for (const auto& [text, newton] : {std::pair("gf", 9.80665e-3), std::pair("mgf", 9.80665e-6), std::pair("kgf", 9.80665),
+                                       std::pair("lbf", 0.45359237 * 9.80665), std::pair("ozf", 0.45359237 * 9.80665 / 16.0),
+                                       std::pair("dyn", 1e-5), std::pair("Millinewton", 1e-3)}) {
+        EXPECT_NEAR(parse_unit(text).factor / newton, 1.0, 1e-15) << text;
+        EXPECT_EQ(parse_unit(text).dimension, dimension::force) << text;
+    }
+    for (const auto& [text, metre] : {std::pair("in", 0.0254), std::pair("inch", 0.0254), std::pair("inches", 0.0254),
+                                      std::pair("mil", 25.4e-6), std::pair("mils", 25.4e-6), std::pair("thou", 25.4e-6),
+                                      std::pair("µin", 25.4e-9), std::pair("uin", 25.4e-9), std::pair("microinches", 25.4e-9),
+                                      std::pair("Micrometer", 1e-6), std::pair("mikrometer", 1e-6), std::pair("Millimetres", 1e-3),
+                                      std::pair("microns", 1e-6)}) {
+        EXPECT_NEAR(parse_unit(text).factor / metre, 1.0, 1e-15) << text;
+        EXPECT_EQ(parse_unit(text).dimension, dimension::length) << text;
+    }
+    EXPECT_EQ(parse_unit("sec").factor, 1.0);
+    EXPECT_EQ(parse_unit("min").factor, 60.0);
+    EXPECT_EQ(parse_unit("1/in").dimension, dimension::wavevector);
+    EXPECT_EQ(parse_unit("lb").dimension, parse_unit("kg").dimension);
+    for (const char* none : {"kin", "millimil", "force", "load", "x", "pinch"})
+        EXPECT_THROW((void)parse_unit(none), InvalidArgument) << none;
+}
+
 TEST(SiUnit, SpellsDerivedUnits) {
     EXPECT_EQ(si_unit(dimension::surface_energy), "J/m2");
     EXPECT_EQ(si_unit(dimension::power_spectrum_1d), "m3");

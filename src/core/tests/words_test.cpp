@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "setae/core/text.hpp"
+
 namespace setae::words_test {
 namespace {
 
@@ -18,6 +20,14 @@ TEST(Listed, NamesFiveOfMany) {
     EXPECT_EQ(listed({"A", "B", "C"}), "A, B and C");
     EXPECT_EQ(listed({"A", "B", "C", "D", "E", "F"}), "A, B, C, D, E and F");
     EXPECT_EQ(listed({"A", "B", "C", "D", "E", "F", "G"}), "A, B, C, D, E and 2 more");
+}
+
+TEST(Folded, LeavesCaseAndAccentsOut) {
+    EXPECT_EQ(folded("Déplacement"), "deplacement");
+    EXPECT_EQ(folded("De\u0301placement"), "deplacement");
+    EXPECT_EQ(folded("GRÖSSE Größe Ÿ ł"), "grosse grosse y l");
+    EXPECT_EQ(folded("µm δ 5"), "µm δ 5");
+    EXPECT_EQ(folded("\xe9"), "\xe9");
 }
 
 }  // namespace

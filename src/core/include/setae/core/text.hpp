@@ -21,6 +21,9 @@ namespace setae {
 /// The number in Unicode of a character that utf8_length() has taken for one.
 [[nodiscard]] char32_t code_point(std::string_view character);
 
+/// Latin letters in lower case without accents, for comparing words: "Déplacement" is "deplacement", "Größe" "grosse".
+[[nodiscard]] std::string folded(std::string_view text);
+
 /// Text whose bytes that are no UTF-8 have become U+FFFD.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 

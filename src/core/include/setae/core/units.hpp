@@ -73,9 +73,9 @@ struct Unit {
 /// Unit from text.
 ///
 /// Products with '*', '·', '.' or a blank, quotients with '/', exponents as "m2", "m^2", "m²", "m^-1", "m⁻¹"; SI
-/// prefixes from f to G; m, g, s, K, mol, A, N, J, Pa, V, Hz, F, Å, "angstrom", "micron(s)", min, h, "%", "1"; µ in
-/// each of its spellings ("um", "µm" U+00B5, "μm" U+03BC, "~m"). "°C" is refused where a difference and a reading would
-/// differ.
+/// prefixes from f to G; m, g, s, K, mol, A, N, J, Pa, V, Hz, F, Å, min, h, "%", "1"; µ in each of its spellings ("um",
+/// "µm" U+00B5, "μm" U+03BC, "~m"); gf, kgf, lbf, ozf, dyn, in, mil, µin, lb and oz, which are masses; words such as
+/// "Millimeter", "microns", "newtons", "inches". "°C" is refused where a difference and a reading would differ.
 /// @throws InvalidArgument for text that is no unit.
 [[nodiscard]] Unit parse_unit(std::string_view text);
 
