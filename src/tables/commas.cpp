@@ -18,7 +18,7 @@ std::optional<DoubtfulComma> undecided_commas(const std::vector<std::string_view
         split_cells(lines[i], layout.dialect.separator, cells);
         for (const auto cell : cells) {
             if (cell.find(',') == std::string_view::npos) continue;
-            if (!is_grouped(cell, ',', true)) return std::nullopt;
+            if (!is_grouped(cell, ',')) return std::nullopt;
             if (!doubtful) doubtful = DoubtfulComma{std::string(cell), i + 1};
         }
     }

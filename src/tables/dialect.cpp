@@ -14,31 +14,90 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-}  // namespace
+std::string_view without_quotes(std::string_view cell) {
+    return cell.size() >= 2 && cell.front() == '"' && cell.back() == '"' ? trimmed(cell.substr(1, cell.size() - 2))
+                                                                         : cell;
+}
 
-bool is_grouped(std::string_view cell, char group_sign, bool whole) {
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-    if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
+/// Groups of three digits that a number begins with.
+struct Groups {
+    std::size_t count = 0;
+    std::size_t length = 0;  ///< of the text, sign included
+};
+
+Groups groups_of(std::string_view number, std::string_view sign) {
+    std::size_t at = !number.empty() && (number.front() == '-' || number.front() == '+') ? 1 : 0;
     const auto digits = [&](std::size_t from) {
         std::size_t count = 0;
-        while (from + count < cell.size() && cell[from + count] >= '0' && cell[from + count] <= '9') ++count;
+        while (from + count < number.size() && number[from + count] >= '0' && number[from + count] <= '9') ++count;
         return count;
     };
-    auto at = digits(0);
-    if (at < 1 || at > 3 || cell.front() == '0') return false;
-    std::size_t groups = 0;
-    for (; at < cell.size() && cell[at] == group_sign; at += 4, ++groups)
-        if (digits(at + 1) != 3) return false;
-    return groups > 0 && (at == cell.size() || !whole);
+    const auto first = digits(at);
+    if (first < 1 || first > 3 || number[at] == '0') return {};
+    at += first;
+    Groups groups;
+    for (; number.substr(at).starts_with(sign); at += sign.size() + 3, ++groups.count)
+        if (digits(at + sign.size()) != 3) return {};
+    groups.length = at;
+    return groups;
+}
+
+/// What groups thousands and begins no decimals: a blank in its three widths, the Swiss apostrophes.
+constexpr std::array<std::string_view, 6> plain_group_signs{{" ", "\u00a0", "\u202f", "\u2009", "'", "\u2019"}};
+
+/// A number, without quotes, without the signs between its groups; nothing where it has none, or where they may as well begin decimals.
+std::optional<std::string> without_groups(std::string_view cell, const Dialect& dialect) {
+    const char other = dialect.decimal_point == '.' ? ',' : '.';
+    const auto remove = [&](std::string_view sign, const Groups& groups) {
+        std::string plain(cell);
+        for (auto at = plain.find(sign); at != std::string::npos && at < groups.length; at = plain.find(sign, at))
+            plain.erase(at, sign.size());
+        return plain;
+    };
+    for (const auto sign : plain_group_signs)
+        if (const auto groups = groups_of(cell, sign); groups.count > 0) return remove(sign, groups);
+    const auto groups = groups_of(cell, {&other, 1});
+    const bool decimals = groups.length < cell.size() && cell[groups.length] == dialect.decimal_point;
+    if (groups.count > 1 || (groups.count == 1 && (decimals || dialect.grouped))) return remove({&other, 1}, groups);
+    return std::nullopt;
+}
+
+/// Where the cell that a text begins with ends: at its separator or with the text. Separators in quotes are its own.
+std::size_t cell_end(std::string_view text, char separator) {
+    std::size_t at = 0;
+    while (at < text.size() && text[at] == ' ' && separator != ' ') ++at;
+    if (at < text.size() && text[at] == '"') {
+        for (auto quote = text.find('"', at + 1); quote != std::string_view::npos; quote = text.find('"', quote + 1)) {
+            auto behind = quote + 1;
+            if (behind < text.size() && text[behind] == '"') {  // a quote within
+                quote = behind;
+                continue;
+            }
+            while (behind < text.size() && is_blank(text[behind]) && text[behind] != separator) ++behind;
+            if (behind == text.size() || text[behind] == separator || (separator == ' ' && is_blank(text[behind])))
+                return behind;
+        }
+    }
+    at = 0;
+    while (at < text.size() && text[at] != separator && !(separator == ' ' && is_blank(text[at]))) ++at;
+    return at;
+}
+
+}  // namespace
+
+bool is_grouped(std::string_view cell, char group_sign) {
+    cell = without_quotes(cell);
+    const auto groups = groups_of(cell, {&group_sign, 1});
+    return groups.count > 0 && groups.length == cell.size();
 }
 
 bool parse_cell(std::string_view cell, const Dialect& dialect, double& value) {
-    const char sign = dialect.decimal_point == '.' ? ',' : '.';
-    cell = trimmed(cell);
-    if (!dialect.grouped || !is_grouped(cell, sign, false)) return parse_cell(cell, dialect.decimal_point, value);
-    std::string plain(cell);
-    std::erase(plain, sign);
-    return parse_cell(plain, dialect.decimal_point, value);
+    cell = without_quotes(trimmed(cell));
+    const auto plain = dialect.grouped ? without_groups(cell, dialect) : std::nullopt;
+    if (parse_cell(plain ? *plain : cell, dialect.decimal_point, value)) return true;
+    if (dialect.grouped) return false;
+    const auto ungrouped = without_groups(cell, dialect);
+    return ungrouped && parse_cell(*ungrouped, dialect.decimal_point, value);
 }
 
 void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells) {
@@ -46,16 +105,17 @@ void split_cells(std::string_view line, char separator, std::vector<std::string_
     if (separator == ' ') {
         for (std::size_t i = 0; i < line.size();) {
             while (i < line.size() && is_blank(line[i])) ++i;
-            const auto first = i;
-            while (i < line.size() && !is_blank(line[i])) ++i;
-            if (i > first) cells.push_back(line.substr(first, i - first));
+            if (i == line.size()) return;
+            const auto length = cell_end(line.substr(i), ' ');
+            cells.push_back(trimmed(line.substr(i, length)));
+            i += length;
         }
         return;
     }
     for (;;) {
-        const auto end = line.find(separator);
+        const auto end = cell_end(line, separator);
         cells.push_back(trimmed(line.substr(0, end)));
-        if (end == std::string_view::npos) return;
+        if (end == line.size()) return;
         line.remove_prefix(end + 1);
     }
 }
@@ -112,18 +172,22 @@ bool better(const Score& a, const Score& b) {
     return weight(a) > weight(b);
 }
 
-constexpr std::array<Dialect, 13> dialects{{{'\t', '.'},
+/// Decimal commas between commas stand in quotes.
+constexpr std::array<Dialect, 16> dialects{{{'\t', '.'},
                                             {';', '.'},
                                             {',', '.'},
                                             {' ', '.'},
                                             {'\t', ','},
                                             {';', ','},
                                             {' ', ','},
+                                            {',', ','},
                                             {'\t', '.', true},
                                             {';', '.', true},
+                                            {',', '.', true},
                                             {' ', '.', true},
                                             {'\t', ',', true},
                                             {';', ',', true},
+                                            {',', ',', true},
                                             {' ', ',', true}}};
 
 bool allowed(const Dialect& dialect, const TableOptions& options) {
@@ -180,6 +244,20 @@ WordScore score_with_words(const std::vector<std::string_view>& lines, const Dia
     return best;
 }
 
+/// Whether a cell of the last lines has decimals that can be no group of thousands: the other sign then groups.
+bool shows_decimals(const std::vector<std::string_view>& lines, const Dialect& dialect) {
+    constexpr std::size_t sample = 100;
+    std::vector<std::string_view> cells;
+    std::size_t seen = 0;
+    for (auto line = lines.rbegin(); line != lines.rend() && seen < sample; ++line, ++seen) {
+        if (row_cells(*line, dialect, cells) == 0) continue;
+        for (const auto cell : cells)
+            if (cell.find(dialect.decimal_point) != std::string_view::npos && !is_grouped(cell, dialect.decimal_point))
+                return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>& lines, const TableOptions& options) {
@@ -220,6 +298,7 @@ std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, co
     if (best.rows == 0) return std::nullopt;
     layout.columns = best.columns;
     layout.filled = best.filled;
+    layout.dialect.grouped |= shows_decimals(lines, layout.dialect);
     std::vector<std::string_view> cells;
     while (row_cells(lines[layout.first_row], layout.dialect, cells) != layout.columns) ++layout.first_row;
     return layout;

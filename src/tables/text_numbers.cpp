@@ -156,7 +156,7 @@ private:
         if (lines_.layout.dialect.decimal_point == '.')
             return parse_plain(line.data(), line.data() + line.size(), lines_.layout.dialect.separator, lines_.columns,
                                values);
-        if (line.find('.') != std::string_view::npos) return false;
+        if (lines_.layout.dialect.separator == ',' || line.find('.') != std::string_view::npos) return false;
         pointed_.assign(line);
         std::replace(pointed_.begin(), pointed_.end(), ',', '.');
         return parse_plain(pointed_.data(), pointed_.data() + pointed_.size(), lines_.layout.dialect.separator,

@@ -70,6 +70,30 @@ TEST(AnyTable, OneCellDecidesWhatCommasMean) {
     EXPECT_DOUBLE_EQ(table_of("a\tb\n1.234\t5.678\n2.345\t6.789\n").columns[0].values[0], 1.234);
 }
 
+TEST(AnyTable, NumbersInQuotesKeepTheirSeparators) {
+    const auto check = [](const std::string& text, double x, double z) {
+        const auto table = table_of(text);
+        ASSERT_EQ(table.columns.size(), 2u) << text;
+        EXPECT_DOUBLE_EQ(table.columns[0].values[1], x) << text;
+        EXPECT_DOUBLE_EQ(table.columns[1].values[1], z) << text;
+    };
+    check("\"x [um]\",\"z [nm]\"\n\"0,0\",\"1,5\"\n\"1,0\",\"-2,5\"\n", 1.0, -2.5);
+    check("x [um],z [nm]\n0.0,\"1,234.5\"\n1.0,\"2,234.5\"\n2.0,999.5\n", 1.0, 2234.5);
+    check("x [um],\"z, up [nm]\"\n0.0,1.5\n1.0,2.5\n", 1.0, 2.5);
+    check("x [um];z [nm]\n0,5;1.234,5\n1,5;-2.234,5\n2,5;999,5\n", 1.5, -2234.5);
+    check("x [um];z [nm]\n0,5;1 234,5\n1,5;2\u202f234,5\n2,5;999,5\n", 1.5, 2234.5);
+    check("x [um];z [nm]\n0.5;1'234.5\n1.5;2\u2019234.5\n2.5;999.5\n", 1.5, 2234.5);
+    check("x [um],z [nm]\n\"0\",\" 1.5\"\n\"1\",\" 2.5\"\n", 1.0, 2.5);
+    EXPECT_TRUE(holds(message_of([] { (void)table_of("x [um],z [nm]\n\"1,234\",\"2,345\"\n\"5,678\",\"6,789\"\n"); }),
+                      "ambiguous"));
+}
+
+TEST(AnyTable, GroupsFarFromTheEndAreReadAsThoseOfTheOtherSign) {
+    std::string text = "x [um];z [nm]\n0,5;1.234\n";
+    for (int i = 1; i < 200; ++i) text += fmt::format("{},5;{},25\n", i, i);
+    EXPECT_DOUBLE_EQ(table_of(text).columns[1].values[0], 1234.0);
+}
+
 TEST(AnyTable, CommasThatSeparateAndBeginDecimalsAreRefused) {
     const auto message = message_of([] { (void)table_of("force [mN],time [s]\n1,5,0,1\n2,5,0,2\n"); });
     EXPECT_TRUE(holds(message, "t.csv:2: 4 numbers between commas below 2 names")) << message;

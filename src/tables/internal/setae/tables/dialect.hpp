@@ -15,17 +15,19 @@ namespace setae::tables {
 struct Dialect {
     char separator = ' ';  ///< '\t', ';', ',' or ' ' for runs of blanks
     char decimal_point = '.';
-    bool grouped = false;  ///< thousands may be grouped by the other sign: "1,234.5"
+    bool grouped = false;  ///< the other sign groups thousands even where nothing else in the cell says so: "1,234"
 };
 
-/// Whether a cell is a number with thousands in groups, and nothing but its groups where `whole`: "1,234" for ','.
-[[nodiscard]] bool is_grouped(std::string_view cell, char group_sign, bool whole);
+/// Whether a cell is a number of groups of thousands alone: "1,234" for ','.
+[[nodiscard]] bool is_grouped(std::string_view cell, char group_sign);
 
 using bytes::parse_cell;
-/// The same, thousands in groups where the dialect says so.
+/// The same, in quotes or not, with thousands in groups: "1,234.5", "1,234,567", "1'234", "1 234", and "1,234" where
+/// the dialect says so.
 [[nodiscard]] bool parse_cell(std::string_view cell, const Dialect& dialect, double& value);
 
-/// Cells of a line; for separator ' ' runs of blanks and tabs separate and none lead or trail.
+/// Cells of a line, with their quotes, in which separators are the cell's own; for separator ' ' runs of blanks and
+/// tabs separate and none lead or trail.
 void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
 /// Where the numbers of a text stand and how they are written.
