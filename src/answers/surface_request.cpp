@@ -39,6 +39,7 @@ formats::ReadOptions FileRequest::read_options() const {
     require_word("layout", as, {"matrix", "columns"});
     if (!as.empty()) options.layout = as == "matrix" ? formats::TextLayout::matrix : formats::TextLayout::columns;
     if (!size.empty()) options.size = lengths_of(size);
+    options.keep_values = keep_values;
     return options;
 }
 
@@ -67,6 +68,8 @@ study::MeasurementInput MeasurementRequest::input(const std::string& path) const
     if (!trend.empty()) input.trend = topography::trend_from_name(trend);
     input.unit = read.unit;
     input.size = read.size;
+    input.layout = file.as;
+    input.keep_values = read.keep_values;
     if (!processing.file.empty()) input.pipeline = processing.file;
     input.steps = study::step_lines(processing.pipeline());
     return input;

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "format_list.hpp"
+#include "no_data_channel.hpp"
 #include "setae/bytes/archive.hpp"
 #include "setae/bytes/expand.hpp"
 #include "setae/bytes/hdf5_handle.hpp"
@@ -264,7 +265,7 @@ std::optional<topography::TiledMap> tiled(const Channel& channel) {
     const auto& info = channel.info;
     if (!channel.lines || info.shape.size() != 2 || info.size.size() != 2) return {};
     return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]},
-                                false,         info.metadata, channel.lines};
+                                false,         info.metadata, channel.lines, channel.alerts_of_lines};
 }
 
 namespace {
@@ -285,6 +286,8 @@ std::vector<Channel> open(const bytes::Source& source, const Format& format, con
     require_no_force_curve(source, format);
     auto channels = format.open(source, options);
     compare_sizes(channels, options, source);
+    if (options.keep_values || format.is_container) return channels;  // members of containers were opened one by one
+    for (auto& channel : channels) channel = without_no_data(std::move(channel));
     return channels;
 }
 
