@@ -161,10 +161,14 @@ std::string first_member(const bytes::Source& source) {
 [[noreturn]] void unknown(const bytes::Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
     if (bytes::is_tiff(head)) refuse_tiff(source);
-    if (bytes::looks_like_text(head))
+    if (bytes::looks_like_text(head)) {
+        const auto text = bytes::decoded(std::string(head.substr(0, head.rfind('\n'))), bytes::Encoding::detect);
+        if (const auto broken = tables::broken_row_of(bytes::split_lines(text)))
+            throw FormatError(source.name, {.line = broken->line}, tables::described(*broken));
         throw FormatError(source.name, {.line = 1},
                           "text without a row of numbers; expected columns x and height below a header" +
                               expected_by_name(source.name));
+    }
     const auto kind = kind_of(head, source);
     if (bytes::is_zip(head))
         throw FormatError(

@@ -14,7 +14,7 @@ std::optional<DoubtfulComma> undecided_commas(const std::vector<std::string_view
     std::optional<DoubtfulComma> doubtful;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
-        if (line.starts_with('#') || line.starts_with('%')) continue;
+        if (is_remark(line)) continue;
         split_cells(lines[i], layout.dialect.separator, cells);
         for (const auto cell : cells) {
             if (cell.find(',') == std::string_view::npos) continue;

@@ -20,7 +20,7 @@ Format matrix_text_format() {
         .extensions = ".txt .asc",
         .description =
             "numbers only, a row of the map a line, any separator, decimal point or comma: Gwyddion's export in its languages, also several maps in one file, SPIP, Wyko Vision, Nova, "
-            "'h=305 w=75', and maps without header, whose size and unit are given; one column or row is a line",
+            "'h=305 w=75', tables of confocal microscopes with 'XY calibration', and maps without header, whose size and unit are given; one column or row is a line",
         .heights =
             "values in the unit stated or given, times the header's conversion factor; Wyko: times wavelength over multiplier; nan, bad, inf, *** and SPIP's void points are undefined",
         .orientation = "first line at the top; Wyko: a line holds one x, y from the bottom",

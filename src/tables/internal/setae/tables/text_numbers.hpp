@@ -20,6 +20,7 @@ struct TextStart {
     Layout layout;
     std::uint64_t begin = 0;  ///< byte of the first row
     std::uint64_t line = 0;   ///< lines before it
+    std::optional<BrokenCell> broken = {};  ///< of rows above the first that are no header
 };
 
 /// Bytes from an offset to the end of its line, which ends at `end` at the latest.
