@@ -316,7 +316,7 @@ std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, co
 
 namespace {
 
-/// The first cell of a line that is no number, where it begins with one and half or more of its cells are.
+/// The first cell of a line that is no number, where it begins with one and two thirds of its cells are, or one of two.
 std::optional<BrokenCell> broken_cell(std::string_view line, const Dialect& dialect,
                                       std::vector<std::string_view>& cells) {
     if (is_remark(trimmed(line))) return std::nullopt;
@@ -328,7 +328,8 @@ std::optional<BrokenCell> broken_cell(std::string_view line, const Dialect& dial
         if (parse_cell(cells[k], dialect, value)) numbers += value == value ? 1 : 0;
         else if (!broken) broken = BrokenCell{std::string(cells[k]), 0, k + 1};
     }
-    return broken && broken->column > 1 && 2 * numbers >= cells.size() ? broken : std::nullopt;
+    const bool most = cells.size() == 2 ? numbers == 1 : 3 * numbers >= 2 * cells.size();
+    return broken && broken->column > 1 && most ? broken : std::nullopt;
 }
 
 }  // namespace

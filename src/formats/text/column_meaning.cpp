@@ -38,13 +38,13 @@ bool counts_rows(const Array1D& values) {
 }
 
 std::string other_quantity(const std::string& name) {
-    static constexpr std::array<std::string_view, 44> quantities{
+    static constexpr std::array<std::string_view, 45> quantities{
         "time",       "zeit",      "temps",       "timestamp",   "force",       "kraft",     "load",     "voltage",
         "current",    "temperature", "humidity",  "frequency",   "wavelength",  "wavevector", "wavenumber", "intensity",
         "counts",     "energy",    "work",        "adhesion",    "modulus",     "stress",    "strain",   "pressure",
         "phase",      "amplitude", "deflection",  "indentation", "penetration", "charge",    "speed",    "velocity",
         "stiffness",  "rms",       "radius",      "diameter",    "area",        "volume",    "psd",      "density",
-        "acf",        "error",     "deviation",   "residual"};
+        "acf",        "bandwidth", "error",     "deviation",   "residual"};
     return std::string(word_among(name, quantities));
 }
 

@@ -86,7 +86,7 @@ Alert passes_alert(const std::vector<Pass>& passes, const bytes::Source& source)
             "them"};
 }
 
-Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& units, double digit,
+Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& units,
                       const bytes::Source& source) {
     if (curve.x.values.size() < 2)
         throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", curve.x.values.size()));
@@ -103,7 +103,7 @@ Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& u
     const double position_unit = length_unit(units.x, source).factor;
     Profile profile{curve.x.values * position_unit, curve.heights.values * height_unit.factor, info.metadata};
     if (curve.standard_error) profile.standard_error = standard_errors(*curve.standard_error, source);
-    auto trace = traced(std::move(profile), digit * position_unit, source.name);
+    auto trace = traced(std::move(profile), curve.x.values, position_unit, source.name);
     auto& alerts = topography::metadata(trace.measurement).alerts;
     alerts.insert(alerts.end(), trace.alerts.begin(), trace.alerts.end());
     return loaded_channel(std::move(info), checked(std::move(trace.measurement), source));
@@ -170,14 +170,13 @@ std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve, 
                           fmt::format("x of {} points jumps to and fro, as positions of scattered points do; expected a "
                                       "profile, x in the order of measurement",
                                       curve.x.values.size()));
-    const double digit = last_digit(curve.x.values);
-    if (passes.size() == 1) return {curve_channel(std::move(info), curve, units, digit, source)};
+    if (passes.size() == 1) return {curve_channel(std::move(info), curve, units, source)};
     info.metadata.alerts.push_back(passes_alert(passes, source));
     std::vector<Channel> channels;
     for (std::size_t i = 0; i < passes.size(); ++i) {
         auto own = info;
         own.name = own.metadata.name = name_of_pass(info.name, i, passes.size(), passes[i].backward);
-        channels.push_back(curve_channel(std::move(own), part_of(curve, passes[i]), units, digit, source));
+        channels.push_back(curve_channel(std::move(own), part_of(curve, passes[i]), units, source));
     }
     return channels;
 }

@@ -131,12 +131,15 @@ private:
         const Index n = lines_.columns;
         const bool corner_is_empty = std::isnan(numbers_(0, 0));
         const auto inner = evenly_spaced(row(0, 1)), whole = evenly_spaced(row(0, 0));
-        if (!inner || (!corner_is_empty && n - 1 < fewest_told_by_numbers)) return;
+        // few numbers are labels where those of the first column are, too
+        const auto column = first_column_from(1);
+        const bool both = column && n - 1 + column->count > fewest_told_by_numbers;
+        if (!inner || (!corner_is_empty && !both && n - 1 < fewest_told_by_numbers)) return;
         const auto others = [&](Index j) -> Array1D { return row(j, 1); };
         if (evenly_spaced_share(1, numbers_.cols(), others) > share_of_others) return;
         found.rows_above = 1;
         // the first cell belongs to the row's positions where the first column has none
-        found.first_column = corner_is_empty || !whole || first_column_from(1).has_value();
+        found.first_column = corner_is_empty || !whole || column.has_value();
         found.x = found.first_column ? inner : whole;
     }
 

@@ -253,11 +253,10 @@ double last_digit(const Array1D& positions) {
     return 0.0;
 }
 
-Trace traced(Profile profile, double last_digit, const std::string& subject) {
-    const bool decreases = profile.positions[profile.positions.size() - 1] < profile.positions[0];
-    if (decreases && never_turns(-profile.positions)) turn(profile);
-    if (auto scan = topography::to_line_scan(profile)) return {std::move(*scan), {}};
-    if (!never_turns(profile.positions)) return {std::move(profile), {}};
+namespace {
+
+/// The same of positions that do not turn and have no equal steps within 2 %.
+Trace traced_unevenly(Profile profile, double last_digit, const std::string& subject) {
     const bool stays_profile = profile.response || profile.standard_error.size() > 0;
     if (!stays_profile) {
         if (auto scan = rounded_scan(profile, last_digit, subject)) return std::move(*scan);
@@ -265,11 +264,22 @@ Trace traced(Profile profile, double last_digit, const std::string& subject) {
     }
     if (repeated_positions(profile.positions) == 0) return {std::move(profile), {}};
     auto trace = averaged(profile, subject);
-    if (stays_profile) return trace;
     const auto& kept = std::get<Profile>(trace.measurement);
-    auto again = kept.positions.size() > 1 ? traced(kept, last_digit, subject) : Trace{kept, {}};
+    if (stays_profile || kept.positions.size() < 2) return trace;
+    auto again = traced_unevenly(kept, last_digit, subject);
+    if (auto scan = topography::to_line_scan(kept)) again = {std::move(*scan), {}};
     again.alerts.insert(again.alerts.begin(), trace.alerts.begin(), trace.alerts.end());
     return again;
+}
+
+}  // namespace
+
+Trace traced(Profile profile, const Array1D& stated, double unit, const std::string& subject) {
+    const bool decreases = profile.positions[profile.positions.size() - 1] < profile.positions[0];
+    if (decreases && never_turns(-profile.positions)) turn(profile);
+    if (auto scan = topography::to_line_scan(profile)) return {std::move(*scan), {}};
+    if (!never_turns(profile.positions)) return {std::move(profile), {}};
+    return traced_unevenly(std::move(profile), unit * last_digit(stated), subject);
 }
 
 }  // namespace setae::formats

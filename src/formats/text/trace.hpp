@@ -37,7 +37,7 @@ struct Trace {
 /// A line scan where positions have equal steps, within 2 % of a step or within their last digit; missing rows, steps
 /// that are whole multiples of the usual one, become undefined heights (ROWS_MISSING). A profile as traced of other
 /// positions, heights at the same one averaged (POSITIONS_REPEATED). One that runs backwards is turned.
-/// last_digit: as last_digit(), in metres. Cost: linear.
-[[nodiscard]] Trace traced(topography::Profile profile, double last_digit, const std::string& subject);
+/// stated: the positions as the file spells them, `unit` metres each. Cost: linear.
+[[nodiscard]] Trace traced(topography::Profile profile, const Array1D& stated, double unit, const std::string& subject);
 
 }  // namespace setae::formats

@@ -86,9 +86,12 @@ std::optional<Others> others_in(const HeightSample& sample, const std::vector<do
     return others;
 }
 
-/// Whether lengths along scan lines are as chance makes them, and enough of them to tell.
-bool irregular(const ValueFacts& facts) {
+/// Whether lengths along scan lines are as chance makes them, and enough of them to tell; or few single points.
+bool irregular(const ValueFacts& facts, double share) {
     constexpr Index fewest_runs = 6;
+    constexpr double single_points = 2.0, share_of_single_points = 0.05;
+    if (facts.runs.count() >= fewest_runs && facts.runs.mean() <= single_points && share <= share_of_single_points)
+        return true;
     const auto scatter = [](const Scatter& lengths) {
         return lengths.count() >= fewest_runs && lengths.standard_deviation() >= irregular_at * lengths.mean();
     };
@@ -108,7 +111,7 @@ bool is_no_height(const Evidence& e) {
     const auto count = e.facts.count;
     if (e.distance >= absurd_at * e.reach) return true;
     if (e.isolated && e.usual_mark && (count >= 2 || e.distance >= far_at * e.reach)) return true;
-    if (e.share > largest_share || !irregular(e.facts)) return false;
+    if (e.share > largest_share || !irregular(e.facts, e.share)) return false;
     if (e.isolated && count >= 5) return true;
     const bool jumps = 10 * e.facts.jumps >= 9 * e.facts.steps;
     const bool others_vary = e.facts.beside.standard_deviation() >= beside_steps * e.others.step;

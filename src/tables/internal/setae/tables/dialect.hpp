@@ -59,11 +59,11 @@ struct BrokenCell {
 };
 
 /// The first cell that is no number in rows directly above the first row: lines of as many cells that begin with a
-/// number and of which half or more are numbers are no header. Nothing where there is no such line.
+/// number and of which two thirds, or one of two, are numbers are no header. Nothing where there is no such line.
 [[nodiscard]] std::optional<BrokenCell> broken_row_above(const std::vector<std::string_view>& lines,
                                                          const Layout& layout);
 
-/// The first cell that is no number in a text that has no row of numbers, but lines of which half or more are numbers;
+/// The first cell that is no number in a text that has no row of numbers, but lines of which as many are numbers;
 /// nothing where those are few.
 [[nodiscard]] std::optional<BrokenCell> broken_row_of(const std::vector<std::string_view>& lines);
 

@@ -41,7 +41,8 @@ struct NoDataReport {
 /// v is dominant where its k is ten times that of all but four other values. v is isolated where no other height is
 /// nearer to it than d/4, for saturated peaks and clipped valleys are reached by others, and it is dominant or d >= 8 s
 /// and b <= k/20. Its runs along scan lines are irregular where six or more of their lengths, or of those between them,
-/// scatter by half their mean or more. Its share is k over all heights.
+/// scatter by half their mean or more, or where six or more are single points or pairs and its share, k over all heights,
+/// is 5 % or less.
 ///
 /// v is no height where one of these holds:
 ///   d >= 1000 r;
