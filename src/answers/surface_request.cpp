@@ -82,8 +82,7 @@ study::SurfaceAnalysisOptions AnalysisRequest::analysis() const {
     if (resamples < 0) throw InvalidArgument(fmt::format("{} resamples; expected 0 or more", resamples));
     study::SurfaceAnalysisOptions options;
     options.spectrum = study::SpectrumMethod::average;  // what these verbs show is the combined spectrum
-    if (!longest.empty())
-        options.longest_wavelength = parse_uncertain_quantity(longest, positive(dimension::length));
+    if (!longest.empty()) options.longest_wavelength = parse_uncertain_quantity(longest, positive(dimension::length));
     if (!shortest.empty())
         options.shortest_wavelength = parse_uncertain_quantity(shortest, positive(dimension::length));
     if (!window.empty()) options.window = spectra::window_from_name(window);

@@ -143,9 +143,9 @@ std::string_view without_blanks(std::string_view cell) {
 bool is_undefined_word(std::string_view cell) {
     if (cell.find_first_not_of('*') == std::string_view::npos) return true;  // a field too narrow for its number
     static constexpr std::array<std::string_view, 30> words{
-        "nan",  "bad",  "na",    "n/a",     "n.a.", "null",      "nil",     "none",     "void",    "missing",
-        "masked", "undef", "undefined", "invalid", "-",    "--",        "---",     "infinite", "qnan",    "snan",
-        "#n/a", "#na",  "#nv",   "#n/d",    "#num!", "#zahl!",   "#value!", "#wert!",   "#valeur!", "#div/0!"};
+        "nan",    "bad",   "na",        "n/a",     "n.a.",  "null",   "nil",     "none",     "void",     "missing",
+        "masked", "undef", "undefined", "invalid", "-",     "--",     "---",     "infinite", "qnan",     "snan",
+        "#n/a",   "#na",   "#nv",       "#n/d",    "#num!", "#zahl!", "#value!", "#wert!",   "#valeur!", "#div/0!"};
     constexpr auto longest = std::ranges::max(words, {}, &std::string_view::size).size();
     // "1.#QNAN", "-1.#IND", with a decimal comma "1,#INF"
     static constexpr std::array<std::string_view, 5> kinds{"#qnan", "#snan", "#ind", "#inf", "#nan"};

@@ -268,8 +268,8 @@ std::vector<std::string> missing(const ChannelInfo& info) {
 std::optional<topography::TiledMap> tiled(const Channel& channel) {
     const auto& info = channel.info;
     if (!channel.lines || info.shape.size() != 2 || info.size.size() != 2) return {};
-    return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]},
-                                false,         info.metadata, channel.lines, channel.alerts_of_lines};
+    return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]}, false,
+                                info.metadata, channel.lines, channel.alerts_of_lines};
 }
 
 namespace {

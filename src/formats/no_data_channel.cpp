@@ -58,7 +58,8 @@ Channel without_no_data(Channel channel) {
         if (report.values.empty()) return measurement;
         topography::undefine(measurement, report);
         auto& metadata = topography::metadata(measurement);
-        for (auto& alert : topography::alerts_of(report, metadata.file, unit)) metadata.alerts.push_back(std::move(alert));
+        for (auto& alert : topography::alerts_of(report, metadata.file, unit))
+            metadata.alerts.push_back(std::move(alert));
         return measurement;
     };
     return channel;

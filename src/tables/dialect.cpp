@@ -353,7 +353,8 @@ std::optional<BrokenCell> broken_row_of(const std::vector<std::string_view>& lin
     std::size_t most = fewest_lines - 1;
     std::vector<std::string_view> cells;
     for (const auto& dialect : dialects) {
-        std::map<std::size_t, std::pair<std::size_t, BrokenCell>> by_cells;  // lines of so many cells, the first of them
+        std::map<std::size_t, std::pair<std::size_t, BrokenCell>>
+            by_cells;  // lines of so many cells, the first of them
         for (std::size_t i = 0; i < lines.size(); ++i) {
             auto broken = broken_cell(lines[i], dialect, cells);
             if (!broken) continue;

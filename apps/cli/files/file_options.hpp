@@ -14,7 +14,8 @@ void add_layout_option(Options& options, std::string& as);
 /// Registers --keep-values: what marks missing heights stays a height.
 void add_keep_values_option(Options& options, bool& keep_values);
 
-/// Options for files that leave something open: --size "1 mm x 1 mm", --unit um, --as columns, --channel K, --keep-values.
+/// Options for files that leave something open: --size "1 mm x 1 mm", --unit um, --as columns, --channel K,
+/// --keep-values.
 void add_file_options(Options& options, answers::FileRequest& file);
 
 struct FileOptions : answers::FileRequest {

@@ -331,10 +331,8 @@ Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Rast
                                               first, first + count - 1, raster.ny - 1));
         return read_raster(source, lines_of(raster, first, count), metres);
     };
-    return {.info = std::move(info),
-            .read = std::move(read),
-            .lines = std::move(lines),
-            .no_data_codes = std::move(codes)};
+    return {
+        .info = std::move(info), .read = std::move(read), .lines = std::move(lines), .no_data_codes = std::move(codes)};
 }
 
 }  // namespace setae::formats

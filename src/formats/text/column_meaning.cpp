@@ -24,9 +24,9 @@ std::string_view word_among(const std::string& name, const std::array<std::strin
 }  // namespace
 
 bool is_position_name(const std::string& name) {
-    static constexpr std::array<std::string_view, 14> positions{"x",       "pos",    "position", "distance", "lateral",
-                                                                "abscissa", "weg",   "strecke",  "messweg",  "abstand",
-                                                                "arc",     "offset", "scan",     "path"};
+    static constexpr std::array<std::string_view, 14> positions{"x",        "pos",    "position", "distance", "lateral",
+                                                                "abscissa", "weg",    "strecke",  "messweg",  "abstand",
+                                                                "arc",      "offset", "scan",     "path"};
     const auto words = words_of_name(name);
     return !words.empty() && std::find(positions.begin(), positions.end(), words.front()) != positions.end();
 }
@@ -39,12 +39,12 @@ bool counts_rows(const Array1D& values) {
 
 std::string other_quantity(const std::string& name) {
     static constexpr std::array<std::string_view, 45> quantities{
-        "time",       "zeit",      "temps",       "timestamp",   "force",       "kraft",     "load",     "voltage",
-        "current",    "temperature", "humidity",  "frequency",   "wavelength",  "wavevector", "wavenumber", "intensity",
-        "counts",     "energy",    "work",        "adhesion",    "modulus",     "stress",    "strain",   "pressure",
-        "phase",      "amplitude", "deflection",  "indentation", "penetration", "charge",    "speed",    "velocity",
-        "stiffness",  "rms",       "radius",      "diameter",    "area",        "volume",    "psd",      "density",
-        "acf",        "bandwidth", "error",     "deviation",   "residual"};
+        "time",      "zeit",        "temps",      "timestamp",   "force",       "kraft",      "load",       "voltage",
+        "current",   "temperature", "humidity",   "frequency",   "wavelength",  "wavevector", "wavenumber", "intensity",
+        "counts",    "energy",      "work",       "adhesion",    "modulus",     "stress",     "strain",     "pressure",
+        "phase",     "amplitude",   "deflection", "indentation", "penetration", "charge",     "speed",      "velocity",
+        "stiffness", "rms",         "radius",     "diameter",    "area",        "volume",     "psd",        "density",
+        "acf",       "bandwidth",   "error",      "deviation",   "residual"};
     return std::string(word_among(name, quantities));
 }
 

@@ -79,15 +79,15 @@ std::string name_of_pass(const std::string& name, std::size_t number, std::size_
 }
 
 Alert passes_alert(const std::vector<Pass>& passes, const bytes::Source& source) {
-    return {"PASSES_SPLIT", source.name,
-            fmt::format("x runs forth and back in {} passes of {} points and so on: each pass is a channel", passes.size(),
-                        passes.front().last - passes.front().first + 1),
-            "choose one with --channel, in a study with channel; analyse several as measurements of one surface to average "
-            "them"};
+    return {
+        "PASSES_SPLIT", source.name,
+        fmt::format("x runs forth and back in {} passes of {} points and so on: each pass is a channel", passes.size(),
+                    passes.front().last - passes.front().first + 1),
+        "choose one with --channel, in a study with channel; analyse several as measurements of one surface to average "
+        "them"};
 }
 
-Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& units,
-                      const bytes::Source& source) {
+Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& units, const bytes::Source& source) {
     if (curve.x.values.size() < 2)
         throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", curve.x.values.size()));
     if (units.heights.empty()) {
@@ -143,10 +143,11 @@ void compare_unit(ChannelInfo& info, const ReadOptions& options, const bytes::So
 MapUnits units_of_map(ChannelInfo& info, MapUnits stated, const ReadOptions& options, const bytes::Source& source) {
     auto& [positions, heights] = stated;
     if (heights.empty() != positions.empty() && !options.unit) {
-        info.alerts.push_back({"UNIT_ASSUMED", source.name,
-                               fmt::format("the header states no unit for {}; taken as {} as the others",
-                                           heights.empty() ? "heights" : "x and y", heights.empty() ? positions : heights),
-                               "compare the heights with what is known of the surface, or give --unit"});
+        info.alerts.push_back(
+            {"UNIT_ASSUMED", source.name,
+             fmt::format("the header states no unit for {}; taken as {} as the others",
+                         heights.empty() ? "heights" : "x and y", heights.empty() ? positions : heights),
+             "compare the heights with what is known of the surface, or give --unit"});
         (heights.empty() ? heights : positions) = heights.empty() ? positions : heights;
     }
     info.unit = heights;
@@ -166,10 +167,11 @@ std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve, 
         throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", curve.x.values.size()));
     const auto passes = passes_of(curve.x.values);
     if (passes.size() == 1 && are_scattered(curve.x.values))
-        throw FormatError(source.name, {},
-                          fmt::format("x of {} points jumps to and fro, as positions of scattered points do; expected a "
-                                      "profile, x in the order of measurement",
-                                      curve.x.values.size()));
+        throw FormatError(
+            source.name, {},
+            fmt::format("x of {} points jumps to and fro, as positions of scattered points do; expected a "
+                        "profile, x in the order of measurement",
+                        curve.x.values.size()));
     if (passes.size() == 1) return {curve_channel(std::move(info), curve, units, source)};
     info.metadata.alerts.push_back(passes_alert(passes, source));
     std::vector<Channel> channels;

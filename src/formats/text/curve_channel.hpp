@@ -24,8 +24,8 @@ struct HeightCurve {
 /// nobody says one, `read` throws InvalidArgument. `info` has name, format, metadata and alerts.
 /// @throws FormatError for units that are no lengths, undefined positions, positions of scattered points and fewer than
 /// two points; UndefinedDataError where no height is defined.
-[[nodiscard]] std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve, const ReadOptions& options,
-                                                  const bytes::Source& source);
+[[nodiscard]] std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve,
+                                                  const ReadOptions& options, const bytes::Source& source);
 
 /// Whether each value is greater than the one before.
 [[nodiscard]] bool increases(const Array1D& values);

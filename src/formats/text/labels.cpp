@@ -50,7 +50,8 @@ std::optional<HeaderRow> header_row(const std::vector<std::string>& header, cons
     while (static_cast<Index>(cells.size()) > lines.columns && cells.back().empty()) cells.pop_back();
     const bool cornered = static_cast<Index>(cells.size()) == lines.columns;
     if (!cornered && static_cast<Index>(cells.size()) + 1 != lines.columns) return std::nullopt;
-    HeaderRow row{.corner = cornered ? std::string(cells.front()) : "", .numbers = Array1D(lines.columns - 1), .unit = {}};
+    HeaderRow row{
+        .corner = cornered ? std::string(cells.front()) : "", .numbers = Array1D(lines.columns - 1), .unit = {}};
     for (Index k = 0; k + 1 < lines.columns; ++k) {
         auto cell = cells[static_cast<std::size_t>(cornered ? k + 1 : k)];
         if (const auto blank = cell.find_last_of(" ["); blank != std::string_view::npos && blank > 0) {
@@ -70,7 +71,8 @@ std::optional<HeaderRow> header_row(const std::vector<std::string>& header, cons
 
 /// The unit that a corner such as "y\x [um]" or "um" states.
 std::string unit_of_corner(std::string corner) {
-    if (corner.size() >= 2 && corner.front() == '"' && corner.back() == '"') corner = corner.substr(1, corner.size() - 2);
+    if (corner.size() >= 2 && corner.front() == '"' && corner.back() == '"')
+        corner = corner.substr(1, corner.size() - 2);
     const auto is_length = [](const std::string& text) {
         const auto unit = tables::try_parse_unit(text);
         return unit && unit->dimension == dimension::length;

@@ -22,9 +22,9 @@ struct AxisLabels {
 /// What of a matrix's numbers are labels.
 struct Labels {
     std::optional<AxisLabels> x, y;
-    Index rows_above = 0;     ///< lines of numbers that are labels of x: 0 where they stand in the header, or 1
+    Index rows_above = 0;       ///< lines of numbers that are labels of x: 0 where they stand in the header, or 1
     bool first_column = false;  ///< is labels of y, or of nothing that is evenly spaced
-    std::string unit;         ///< of the positions; empty: not stated
+    std::string unit;           ///< of the positions; empty: not stated
 
     [[nodiscard]] bool any() const { return x || first_column; }
     /// "the first row holds positions 0 to 87.07 and the first column numbers of rows".
@@ -37,8 +37,7 @@ struct Labels {
 /// at its beginning, and the others are evenly spaced; or where eight or more numbers of it are evenly spaced and those
 /// of other rows are not. A first column likewise, where the first row is labels, or where it counts rows from 0 or 1.
 /// @throws FormatError that asks where the first column alone is evenly spaced: x of several profiles, or y of a map.
-[[nodiscard]] Labels find_labels(const tables::NumberLines& lines, const std::vector<std::string>& header,
-                                 bool is_map);
+[[nodiscard]] Labels find_labels(const tables::NumberLines& lines, const std::vector<std::string>& header, bool is_map);
 
 /// The heights of a matrix without its labels, x to the right and y downwards in increasing order.
 /// numbers: all of it, (columns, rows). @throws FormatError for a first column that does not go on as it began.

@@ -32,8 +32,8 @@ struct Layer {
     Labels labels = {};
 };
 
-Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header, const std::vector<std::string>& header_text,
-               const ReadOptions& options) {
+Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header,
+               const std::vector<std::string>& header_text, const ReadOptions& options) {
     const auto& name = lines.source.name;
     Layer layer;
     layer.void_map = header.void_map;
@@ -181,8 +181,9 @@ Channel channel_of(const tables::NumberLines& lines, const SectionHeader& sectio
     auto read = [lines, layer, factor, info] { return measured(lines, layer, factor, info); };
     Channel channel{std::move(info), std::move(read)};
     const bool loose = section.header.unit.empty() && !options.keep_values;
-    return loose && count_on(lines) ? doubtful_channel(std::move(channel), "whole numbers that count on from value to value")
-                                    : channel;
+    return loose && count_on(lines)
+               ? doubtful_channel(std::move(channel), "whole numbers that count on from value to value")
+               : channel;
 }
 
 /// Text from one byte to another as the lines of a header.

@@ -148,8 +148,8 @@ private:
         return true;
     }
 
-    /// "XY calibration","1.382","um/pixel" and its like, as Keyence's and other confocal microscopes' tables begin; true
-    /// for a line of two cells or three, the first of them a key of these.
+    /// "XY calibration","1.382","um/pixel" and its like, as Keyence's and other confocal microscopes' tables begin;
+    /// true for a line of two cells or three, the first of them a key of these.
     bool take_cells(std::string_view line) {
         for (const char separator : {',', ';', '\t'}) {
             std::vector<std::string_view> cells;
@@ -158,7 +158,8 @@ private:
             if (cells.size() < 2 || cells.size() > 3) continue;
             std::vector<std::string> texts;
             for (const auto cell : cells) texts.push_back(without_quotes(cell));
-            if (take_confocal(bytes::lowered(texts[0]), texts[1], texts.size() > 2 ? texts[2] : std::string())) return true;
+            if (take_confocal(bytes::lowered(texts[0]), texts[1], texts.size() > 2 ? texts[2] : std::string()))
+                return true;
         }
         return false;
     }

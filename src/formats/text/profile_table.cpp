@@ -44,8 +44,9 @@ bool may_be_positions(const tables::RawTable::RawColumn& column, bool said) {
 bool is_of_a_record(const tables::RawTable::RawColumn& column) {
     const auto unit = tables::try_parse_unit(column.unit);
     const auto quantity = other_quantity(column.name);
-    return (unit && (unit->dimension == dimension::time || unit->dimension == dimension::force)) || quantity == "time" ||
-           quantity == "zeit" || quantity == "temps" || quantity == "force" || quantity == "kraft";
+    return (unit && (unit->dimension == dimension::time || unit->dimension == dimension::force)) ||
+           quantity == "time" || quantity == "zeit" || quantity == "temps" || quantity == "force" ||
+           quantity == "kraft";
 }
 
 /// A column of 0, 1, 2 … or 1, 2, 3 … that no name or unit makes positions or a quantity.
@@ -58,7 +59,8 @@ bool are_numbers_of_rows(const tables::RawTable::RawColumn& column) {
 
 std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool said) {
     const auto& columns = table.columns;
-    const bool numbers_first = columns.size() > 2 && are_numbers_of_rows(columns[0]) && may_be_positions(columns[1], said);
+    const bool numbers_first =
+        columns.size() > 2 && are_numbers_of_rows(columns[0]) && may_be_positions(columns[1], said);
     const std::size_t x = numbers_first ? 1 : 0;
     if (columns.size() < x + 2 || !may_be_positions(columns[x], said)) return std::nullopt;
     const bool record = std::any_of(columns.begin(), columns.end(), is_of_a_record);

@@ -76,8 +76,9 @@ Alert ambiguous(TextContent content, const bytes::Source& source, const tables::
             ? std::string(
                   "points x, y, z, since x and y lie on a regular grid; --as matrix takes them as rows of a map")
         : content == TextContent::profiles
-            ? std::string("x and the heights of two profiles, since the first runs evenly; --as matrix takes them as rows "
-                          "of a map")
+            ? std::string(
+                  "x and the heights of two profiles, since the first runs evenly; --as matrix takes them as rows "
+                  "of a map")
         : content == TextContent::curve
             ? std::string(
                   "an index, x and height, since the first counts up and the second runs on; --as matrix takes them as rows of a map")
@@ -148,8 +149,10 @@ Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Ale
         return channel_without_unit(std::move(info), source);
     }
     const double step = length_unit(units.positions, source).factor;
-    topography::HeightMap map{
-        grid.heights * length_unit(units.heights, source).factor, {grid.size[0] * step, grid.size[1] * step}, false, {}};
+    topography::HeightMap map{grid.heights * length_unit(units.heights, source).factor,
+                              {grid.size[0] * step, grid.size[1] * step},
+                              false,
+                              {}};
     info.size = {map.size[0], map.size[1]};
     (void)complete(info, {}, source);
     map.metadata = info.metadata;
@@ -277,7 +280,8 @@ std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& o
     }
     const auto table = tables::read_raw_table(source);
     if (table.columns.size() > 3)
-        if (const auto x = positions_of_profiles(table, as_columns)) return profile_channels(table, *x, {}, options, source);
+        if (const auto x = positions_of_profiles(table, as_columns))
+            return profile_channels(table, *x, {}, options, source);
     if (table.columns.size() < 2 || table.columns.size() > 3) no_surface(table, source, {});
     if (table.columns.size() == 2) return curve_of(table, {}, options, source);
     auto choice = choose(table, options);

@@ -18,11 +18,11 @@ namespace {
 using topography::LineScan;
 using topography::Profile;
 
-constexpr double stray_of_step = 0.02;    ///< as line scans have it
-constexpr double stray_of_digit = 0.55;   ///< rounding and cutting off stray by half a digit about their line
+constexpr double stray_of_step = 0.02;      ///< as line scans have it
+constexpr double stray_of_digit = 0.55;     ///< rounding and cutting off stray by half a digit about their line
 constexpr double least_filled_nodes = 0.1;  ///< of a line with missing rows
 constexpr double least_usual_steps = 0.7;   ///< of all steps: a line with rows missing, no irregular one
-constexpr Index fewest_points = 20;          ///< that show rounding or gaps
+constexpr Index fewest_points = 20;         ///< that show rounding or gaps
 
 /// −1, 0 or 1.
 int direction(double step) { return (step > 0.0) - (step < 0.0); }
@@ -43,12 +43,13 @@ EvenSteps even_steps(const Array1D& positions) {
     const double mean = positions[0] + (positions - positions[0]).sum() / n;
     line.first = mean - line.step * middle;
     for (Index i = 0; i < positions.size(); ++i)
-        line.stray =
-            std::max(line.stray, std::abs(positions[i] - line.first - static_cast<double>(i) * line.step));
+        line.stray = std::max(line.stray, std::abs(positions[i] - line.first - static_cast<double>(i) * line.step));
     return line;
 }
 
-std::string count_of(Index n, const char* one, const char* several) { return fmt::format("{} {}", n, n == 1 ? one : several); }
+std::string count_of(Index n, const char* one, const char* several) {
+    return fmt::format("{} {}", n, n == 1 ? one : several);
+}
 
 Index repeated_positions(const Array1D& positions) {
     Index repeated = 0;
@@ -72,10 +73,11 @@ std::optional<Trace> rounded_scan(const Profile& profile, double last_digit, con
     if (repeated > 0)
         trace.alerts.push_back(
             {"POSITIONS_REPEATED", subject,
-             fmt::format("{} of {} points {} the position of the point before: positions rounded to {} hide equal steps "
-                         "of {}, which were used; all points count",
-                         repeated, n, repeated == 1 ? "has" : "have", format_value(last_digit, "m"),
-                         format_value(line.step, "m")),
+             fmt::format(
+                 "{} of {} points {} the position of the point before: positions rounded to {} hide equal steps "
+                 "of {}, which were used; all points count",
+                 repeated, n, repeated == 1 ? "has" : "have", format_value(last_digit, "m"),
+                 format_value(line.step, "m")),
              "export positions with more digits"});
     return trace;
 }
@@ -136,13 +138,14 @@ std::optional<Trace> scan_with_gaps(const Profile& profile, double last_digit, c
         gaps += across > 1;
         widest = std::max(widest, across);
     }
-    return Trace{scan,
-                 {{"ROWS_MISSING", subject,
-                   fmt::format("{} are missing in {}: steps along x of up to {} times the usual {}; the heights there are "
-                               "undefined, no straight line crosses them",
-                               count_of(points - n, "row", "rows"), count_of(gaps, "gap", "gaps"), widest,
-                               format_value(step, "m")),
-                   "export all rows, with an empty cell where there is no height"}}};
+    return Trace{
+        scan,
+        {{"ROWS_MISSING", subject,
+          fmt::format("{} are missing in {}: steps along x of up to {} times the usual {}; the heights there are "
+                      "undefined, no straight line crosses them",
+                      count_of(points - n, "row", "rows"), count_of(gaps, "gap", "gaps"), widest,
+                      format_value(step, "m")),
+          "export all rows, with an empty cell where there is no height"}}};
 }
 
 /// Heights at the same position averaged.
@@ -164,8 +167,9 @@ Trace averaged(const Profile& profile, const std::string& subject) {
             }
         kept.positions[to] = profile.positions[i];
         kept.heights[to] = defined > 0 ? sum / static_cast<double>(defined) : undefined;
-        if (errors) kept.standard_error[to] = defined > 0 ? std::sqrt(squares) / static_cast<double>(defined)
-                                                          : profile.standard_error[i];
+        if (errors)
+            kept.standard_error[to] =
+                defined > 0 ? std::sqrt(squares) / static_cast<double>(defined) : profile.standard_error[i];
         ++to;
         i = end;
     }
@@ -200,7 +204,8 @@ std::vector<Pass> passes_of(const Array1D& positions) {
         const int sign = direction(step);
         auto& pass = passes.back();
         const bool jumps_back = along != 0 && sign == -along && std::abs(step) >= half;
-        const bool repeats_end = sign == 0 && i + 1 < n && direction(positions[i + 1] - positions[i]) == -along && along != 0;
+        const bool repeats_end =
+            sign == 0 && i + 1 < n && direction(positions[i + 1] - positions[i]) == -along && along != 0;
         if (jumps_back || repeats_end || (along != 0 && sign == -along)) {
             passes.push_back({i, i, false});
             along = jumps_back || repeats_end ? 0 : sign;

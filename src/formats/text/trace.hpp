@@ -24,8 +24,8 @@ struct Pass {
 /// range or more from the point before.
 [[nodiscard]] bool are_scattered(const Array1D& positions);
 
-/// The least decimal place that positions have as a file spells them: 0.1 for 24.9, 0.005 is 0.001. 0 for those that use
-/// all digits of a number.
+/// The least decimal place that positions have as a file spells them: 0.1 for 24.9, 0.005 is 0.001. 0 for those that
+/// use all digits of a number.
 [[nodiscard]] double last_digit(const Array1D& positions);
 
 /// What a pass of a profile is, and what was made of its points.

@@ -36,7 +36,8 @@ Index undefine_heights(const Undefine& step, double* heights, Index n) {
 
 Processed apply(const Undefine& step, topography::Measurement measurement, parallel::Threads) {
     if (!step.value && !step.above && !step.below)
-        throw InvalidArgument("undefine without value, above or below leaves all heights; expected one, such as value=0");
+        throw InvalidArgument(
+            "undefine without value, above or below leaves all heights; expected one, such as value=0");
     StepRecord record{std::string(step_name(step)), {}, {}};
     std::visit(
         [&](auto& m) {
@@ -47,8 +48,8 @@ Processed apply(const Undefine& step, topography::Measurement measurement, paral
             if constexpr (std::same_as<std::decay_t<decltype(m)>, topography::Profile>)
                 m = topography::defined_points(std::move(m));
             record.numbers.push_back(recorded_count("undefined_points", count));
-            record.numbers.push_back(recorded("undefined_share", "",
-                                              static_cast<double>(count) / static_cast<double>(points), "1"));
+            record.numbers.push_back(
+                recorded("undefined_share", "", static_cast<double>(count) / static_cast<double>(points), "1"));
         },
         measurement);
     return {std::move(measurement), std::move(record)};

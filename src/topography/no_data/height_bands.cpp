@@ -7,7 +7,7 @@
 namespace setae::topography {
 namespace {
 
-constexpr Index lines_of_band = 512;          ///< in memory: pieces of a row that fill a page
+constexpr Index lines_of_band = 512;             ///< in memory: pieces of a row that fill a page
 constexpr std::size_t bytes_of_band = 64 << 20;  ///< of a map that is read for it
 
 HeightBands by_lines(Index nx, Index ny, Index together,

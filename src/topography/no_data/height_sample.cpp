@@ -32,7 +32,8 @@ std::vector<Place> places_of(Index nx, Index ny) {
     std::vector<Place> places;
     places.reserve(static_cast<std::size_t>(count));
     for (Index k = 0; k < count; ++k) {
-        const double share = (static_cast<double>(k) + scattered(static_cast<std::uint64_t>(k))) / static_cast<double>(count);
+        const double share =
+            (static_cast<double>(k) + scattered(static_cast<std::uint64_t>(k))) / static_cast<double>(count);
         const Index place =
             points == count ? k : std::min(points - 1, static_cast<Index>(share * static_cast<double>(points)));
         places.push_back({place / ny, place % ny});

@@ -14,8 +14,8 @@ struct SampledHeight {
 
 /// What one pass over heights shows: their range, and a sample spread over all of them.
 struct HeightSample {
-    double least, greatest;               ///< of all defined heights; +∞ and −∞ where there is none
-    std::vector<SampledHeight> heights;   ///< those that are defined, in the order of their places
+    double least, greatest;              ///< of all defined heights; +∞ and −∞ where there is none
+    std::vector<SampledHeight> heights;  ///< those that are defined, in the order of their places
 };
 
 /// Places of the sample: all points of small maps, else 2^14 at irregular distances, so that no grating is in step with

@@ -15,12 +15,12 @@
 namespace setae::topography {
 namespace {
 
-constexpr std::size_t fewest_levels = 8;    ///< different values of what are heights
-constexpr double isolated_at = 8.0;         ///< spreads from the median
+constexpr std::size_t fewest_levels = 8;                                    ///< different values of what are heights
+constexpr double isolated_at = 8.0;                                         ///< spreads from the median
 constexpr double far_at = 20.0, single_far_at = 100.0, absurd_at = 1000.0;  ///< largest distances of the others
-constexpr double gap_share = 0.25;          ///< of the distance from the median that no height of others is in
+constexpr double gap_share = 0.25;  ///< of the distance from the median that no height of others is in
 constexpr double jump_steps = 8.0, beside_steps = 5.0;
-constexpr double irregular_at = 0.5;        ///< scatter of lengths over their mean
+constexpr double irregular_at = 0.5;  ///< scatter of lengths over their mean
 constexpr double largest_share = 0.5;
 
 /// A value in a sample, and how often it is there.
@@ -174,17 +174,16 @@ NoDataReport search(const HeightBands& bands, const NoDataHints& hints) {
         const bool in_codes = std::find(hints.codes.begin(), hints.codes.end(), values[v]) != hints.codes.end();
         const bool dominates = std::find(dominant.begin(), dominant.end(), values[v]) != dominant.end();
         const bool far_out = distance >= isolated_at * others->spread && 20 * facts.beyond <= facts.count;
-        const Evidence evidence{
-            .value = values[v],
-            .distance = distance,
-            .reach = reach,
-            .share = static_cast<double>(facts.count) / static_cast<double>(all.defined),
-            .isolated = (dominates || far_out) && facts.nearest >= gap_share * distance,
-            .dominant = dominates,
-            .usual_mark = in_codes || is_usual_mark(values[v] / hints.unit),
-            .within = values[v] > all.least && values[v] < all.greatest,
-            .facts = facts,
-            .others = *others};
+        const Evidence evidence{.value = values[v],
+                                .distance = distance,
+                                .reach = reach,
+                                .share = static_cast<double>(facts.count) / static_cast<double>(all.defined),
+                                .isolated = (dominates || far_out) && facts.nearest >= gap_share * distance,
+                                .dominant = dominates,
+                                .usual_mark = in_codes || is_usual_mark(values[v] / hints.unit),
+                                .within = values[v] > all.least && values[v] < all.greatest,
+                                .facts = facts,
+                                .others = *others};
         const bool no_height = is_no_height(evidence);
         if (no_height || is_suspect(evidence)) report.values.push_back({values[v], facts.count, no_height});
     }

@@ -31,10 +31,9 @@ std::vector<Alert> alerts_of(const NoDataReport& report, const std::string& subj
     for (const auto& mark : report.values) {
         const auto value = told(mark.value, unit);
         const double percent = 100.0 * static_cast<double>(mark.count) / static_cast<double>(report.defined);
-        const auto found =
-            fmt::format("{} of {} heights ({:.2g} %) {} {}, the others {} to {}", mark.count, report.defined, percent,
-                        mark.count == 1 ? "is" : "are exactly", value, told(report.least, unit),
-                        told(report.greatest, unit));
+        const auto found = fmt::format("{} of {} heights ({:.2g} %) {} {}, the others {} to {}", mark.count,
+                                       report.defined, percent, mark.count == 1 ? "is" : "are exactly", value,
+                                       told(report.least, unit), told(report.greatest, unit));
         if (mark.no_height)
             alerts.push_back({"NO_DATA", subject,
                               found + ": this value marks missing heights, which were taken as undefined",

@@ -25,21 +25,22 @@ private:
 /// How the heights that have a value exactly lie among the others.
 struct ValueFacts {
     Index count = 0;
-    Index beyond = 0;     ///< others that lie beyond half way from the median to the value
+    Index beyond = 0;  ///< others that lie beyond half way from the median to the value
     double nearest = std::numeric_limits<double>::infinity();  ///< distance of the others' nearest height
-    Scatter runs, gaps;   ///< lengths of its runs along scan lines, and of what lies between two of them
-    Index steps = 0;      ///< from a run to a defined height beside it
-    Index jumps = 0;      ///< those that are longer than `jump`
-    Scatter beside;       ///< heights beside runs
+    Scatter runs, gaps;  ///< lengths of its runs along scan lines, and of what lies between two of them
+    Index steps = 0;     ///< from a run to a defined height beside it
+    Index jumps = 0;     ///< those that are longer than `jump`
+    Scatter beside;      ///< heights beside runs
 };
 
 struct AllFacts {
-    std::vector<ValueFacts> values;       ///< in the order of the values
-    Index defined = 0;                    ///< heights, those of the values among them
-    double least, greatest;               ///< of the others
+    std::vector<ValueFacts> values;  ///< in the order of the values
+    Index defined = 0;               ///< heights, those of the values among them
+    double least, greatest;          ///< of the others
 };
 
 /// One pass over all heights. median: of the others. jump: a step that neighbours do not make.
-[[nodiscard]] AllFacts facts_of(const HeightBands& bands, const std::vector<double>& values, double median, double jump);
+[[nodiscard]] AllFacts facts_of(const HeightBands& bands, const std::vector<double>& values, double median,
+                                double jump);
 
 }  // namespace setae::topography

@@ -33,14 +33,14 @@ std::string rows(const char* separator, const Label& label) {
 
 std::string positions(const char* separator, double first, double step) {
     std::string text;
-    for (Index i = 0; i < nx; ++i) text += fmt::format("{}{:.3f}", i > 0 ? separator : "", first + step * static_cast<double>(i));
+    for (Index i = 0; i < nx; ++i)
+        text += fmt::format("{}{:.3f}", i > 0 ? separator : "", first + step * static_cast<double>(i));
     return text + "\n";
 }
 
 std::string labelled(const std::string& corner, const char* separator = ",", double step = 1.5) {
-    return corner + positions(separator, 2.0, step) + rows(separator, [&](Index j) {
-               return fmt::format("{:.3f}{}", 0.25 * static_cast<double>(j), separator);
-           });
+    return corner + positions(separator, 2.0, step) +
+           rows(separator, [&](Index j) { return fmt::format("{:.3f}{}", 0.25 * static_cast<double>(j), separator); });
 }
 
 Channel channel_of(const std::string& text, const ReadOptions& options = {.unit = "um"}) {
@@ -150,11 +150,13 @@ TEST(Labels, AreNoHeightsThatHappenToBeEven) {
     std::string ramp;
     for (Index j = 0; j < ny; ++j)
         for (Index i = 0; i < nx; ++i)
-            ramp += fmt::format("{:.2f}{}", 0.5 * static_cast<double>(i) + 2.0 * static_cast<double>(j), i + 1 < nx ? "," : "\n");
+            ramp += fmt::format("{:.2f}{}", 0.5 * static_cast<double>(i) + 2.0 * static_cast<double>(j),
+                                i + 1 < nx ? "," : "\n");
     const ReadOptions sized{.size = {{11e-6, 9e-6}}, .unit = "um"};
     EXPECT_FALSE(tells_labels(channel_of(ramp, sized)));
     EXPECT_EQ(channel_of(ramp, sized).info.shape, (std::vector<Index>{nx, ny}));
-    EXPECT_FALSE(tells_labels(channel_of("1,2,3,4\n5,6,9,8\n3,3,2,2\n1,0,0,1\n", {.size = {{1e-6, 1e-6}}, .unit = "um"})));
+    EXPECT_FALSE(
+        tells_labels(channel_of("1,2,3,4\n5,6,9,8\n3,3,2,2\n1,0,0,1\n", {.size = {{1e-6, 1e-6}}, .unit = "um"})));
 }
 
 TEST(Labels, AreKeptWhereTheUserSaysSo) {
@@ -175,7 +177,8 @@ TEST(ConfocalTable, TakesSizeAndUnitFromItsHeader) {
                                                               {"Vertical", "9"},
                                                               {"Unit", "nm"}})
             text += cell(key) + separator + cell(value) + "\r\n";
-        text += cell("XY calibration") + separator + cell("0.5") + separator + cell("um/pixel") + "\r\n\r\n" + cell("Height") + "\r\n";
+        text += cell("XY calibration") + separator + cell("0.5") + separator + cell("um/pixel") + "\r\n\r\n" +
+                cell("Height") + "\r\n";
         for (Index j = 0; j < ny; ++j)
             for (Index i = 0; i < nx; ++i) {
                 auto number = fmt::format("{:.4f}", height(i, j));
@@ -184,8 +187,8 @@ TEST(ConfocalTable, TakesSizeAndUnitFromItsHeader) {
             }
         return text;
     };
-    for (const auto& text : {table(",", false, '.'), table(",", true, '.'), table(",", true, ','), table(";", false, ','),
-                             table("\t", true, ',')}) {
+    for (const auto& text : {table(",", false, '.'), table(",", true, '.'), table(",", true, ','),
+                             table(";", false, ','), table("\t", true, ',')}) {
         const auto channel = channel_of(text, {});
         ASSERT_EQ(channel.info.shape, (std::vector<Index>{nx, ny}));
         EXPECT_EQ(channel.info.metadata.instrument.name, "VK-X1");

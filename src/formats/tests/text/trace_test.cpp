@@ -60,7 +60,8 @@ TEST(Trace, RoundedPositionsOfEqualStepsAreThoseOfALine) {
 TEST(Trace, HeightsAtOnePositionAreAveraged) {
     std::vector<double> x, h;
     for (Index i = 0; i < 60; ++i)
-        for (int k = 0; k < 2; ++k) x.push_back(0.01 * static_cast<double>(i * i)), h.push_back(static_cast<double>(i) + k);
+        for (int k = 0; k < 2; ++k)
+            x.push_back(0.01 * static_cast<double>(i * i)), h.push_back(static_cast<double>(i) + k);
     const auto profile = std::get<Profile>(channels_of(curve(x, h)).at(0).read());
     ASSERT_EQ(profile.positions.size(), 60);
     EXPECT_NEAR(profile.heights[7], 7.5e-6, 1e-15);
@@ -84,7 +85,8 @@ TEST(Trace, MissingRowsAreGaps) {
 
 TEST(Trace, UnevenPositionsStayAsTraced) {
     std::vector<double> x, h;
-    for (Index i = 0; i < 100; ++i) x.push_back(0.01 * static_cast<double>(i) * (1.0 + 0.01 * static_cast<double>(i))), h.push_back(height(i));
+    for (Index i = 0; i < 100; ++i)
+        x.push_back(0.01 * static_cast<double>(i) * (1.0 + 0.01 * static_cast<double>(i))), h.push_back(height(i));
     const auto profile = std::get<Profile>(channels_of(curve(x, h, 6)).at(0).read());
     EXPECT_EQ(profile.positions.size(), 100);
     EXPECT_TRUE(profile.metadata.alerts.empty());
@@ -125,7 +127,8 @@ TEST(Passes, ContoursThatTurnBackAreOne) {
 
 TEST(Positions, OfScatteredPointsAreNoProfile) {
     std::vector<double> x, y;
-    for (Index i = 0; i < 40; ++i) x.push_back(static_cast<double>((i * 37) % 41)), y.push_back(static_cast<double>((i * 23) % 43));
+    for (Index i = 0; i < 40; ++i)
+        x.push_back(static_cast<double>((i * 37) % 41)), y.push_back(static_cast<double>((i * 23) % 43));
     EXPECT_NE(refusal(curve(x, y)).find("positions of scattered points"), std::string::npos);
 }
 
@@ -174,20 +177,22 @@ TEST(TwoColumnsOfNames, OfOtherQuantitiesAreNotHeights) {
     const auto channels = channels_of(table("time,voltage", 1), {.unit = "um"});
     EXPECT_FALSE(channels.at(0).info.is_height);
     EXPECT_EQ(channels[0].info.not_heights, "the first column says time, expected positions");
-    EXPECT_TRUE(channels_of(table("time,voltage", 1), {.unit = "um", .layout = TextLayout::columns}).at(0).info.is_height);
+    EXPECT_TRUE(
+        channels_of(table("time,voltage", 1), {.unit = "um", .layout = TextLayout::columns}).at(0).info.is_height);
 }
 
 TEST(NumbersOfRows, AreNotHeights) {
     std::string column, matrix;
-    for (int i = 0; i < 100; ++i) column += fmt::format("{}\n", i), matrix += fmt::format("{}{}", i, i % 10 < 9 ? "," : "\n");
+    for (int i = 0; i < 100; ++i)
+        column += fmt::format("{}\n", i), matrix += fmt::format("{}{}", i, i % 10 < 9 ? "," : "\n");
     const ReadOptions line{.size = {{1e-3}}, .unit = "um"}, map{.size = {{1e-3, 1e-3}}, .unit = "um"};
     EXPECT_FALSE(channels_of(column, line).at(0).info.is_height);
     EXPECT_FALSE(channels_of(matrix, map).at(0).info.is_height);
 }
 
 TEST(Tokens, OfMissingHeightsAreUndefinedInEveryDialect) {
-    for (const auto* word : {"", "NaN", "NA", "N/A", "n/a", "null", "#N/A", "#NV", "-", "--", "***", "BAD", "1.#IND", "-1.#QNAN",
-                             "-nan(ind)", "inf", "#DIV/0!", "None", "undefined"})
+    for (const auto* word : {"", "NaN", "NA", "N/A", "n/a", "null", "#N/A", "#NV", "-", "--", "***", "BAD", "1.#IND",
+                             "-1.#QNAN", "-nan(ind)", "inf", "#DIV/0!", "None", "undefined"})
         for (const auto& [separator, decimal] : {std::pair{',', '.'}, {';', ','}, {'\t', ','}}) {
             std::string text;
             for (int j = 0; j < 6; ++j)
@@ -206,7 +211,8 @@ TEST(Tokens, OfMissingHeightsAreUndefinedInEveryDialect) {
 TEST(Tokens, ThatAreNoneNameRowAndColumn) {
     std::string text;
     for (int j = 0; j < 5; ++j) text += fmt::format("{0}.5,{0}.25,xx,{0}.75\n", j);
-    EXPECT_NE(refusal(text, {.size = {{1e-6, 1e-6}}, .unit = "um"}).find("t.csv:1: 'xx' in column 3 is no number"), std::string::npos);
+    EXPECT_NE(refusal(text, {.size = {{1e-6, 1e-6}}, .unit = "um"}).find("t.csv:1: 'xx' in column 3 is no number"),
+              std::string::npos);
     EXPECT_NE(refusal("x [um],z [um]\n0,1\n1,oops\n2,3\n3,4\n").find("t.csv:3: 'oops' in column 2"), std::string::npos);
     EXPECT_NE(refusal("0,oops\n1,2\n2,3\n3,4\n", {.unit = "um"}).find("t.csv:1: 'oops' in column 2"), std::string::npos)
         << "the first row is no header";

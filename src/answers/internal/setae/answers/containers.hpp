@@ -17,7 +17,7 @@ struct ContainerRequest {
     std::string output, name, description, as;  ///< name: of the surface, empty: the output's
     std::vector<std::string> sizes, units, channels, trends;
     bool keep_values = false;  ///< values that mark missing heights stay heights
-    bool every_file = false;  ///< the first that cannot be read is thrown, and nothing is written
+    bool every_file = false;   ///< the first that cannot be read is thrown, and nothing is written
 };
 
 /// A container that was written; without surfaces nothing was.

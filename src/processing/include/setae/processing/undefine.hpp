@@ -29,7 +29,8 @@ void visit_parameters(Undefine& step, Visitor& visitor) {
 }
 
 /// Points of a polyline are left out instead, since polylines hold no undefined heights.
-/// @throws InvalidArgument for a step without value and limits; UndefinedDataError where no defined height would be left.
+/// @throws InvalidArgument for a step without value and limits; UndefinedDataError where no defined height would be
+/// left.
 [[nodiscard]] Processed apply(const Undefine& step, topography::Measurement measurement,
                               parallel::Threads threads = {});
 

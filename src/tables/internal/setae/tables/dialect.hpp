@@ -26,8 +26,8 @@ using bytes::parse_cell;
 /// the dialect says so.
 [[nodiscard]] bool parse_cell(std::string_view cell, const Dialect& dialect, double& value);
 
-/// Whether a line is a remark: it begins with '#' or '%', and not with a spreadsheet's error such as "#NV" or "#DIV/0!",
-/// which is a cell.
+/// Whether a line is a remark: it begins with '#' or '%', and not with a spreadsheet's error such as "#NV" or
+/// "#DIV/0!", which is a cell.
 [[nodiscard]] bool is_remark(std::string_view line);
 
 /// Cells of a line, with their quotes, in which separators are the cell's own; for separator ' ' runs of blanks and

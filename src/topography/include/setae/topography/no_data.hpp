@@ -21,15 +21,15 @@ struct NoDataValue {
 
 /// What helps to recognise the marks of a file.
 struct NoDataHints {
-    double unit = 1.0;                ///< metres per number of the file
-    std::vector<double> codes = {};   ///< [m]: what the extremes of its type of number would be
+    double unit = 1.0;               ///< metres per number of the file
+    std::vector<double> codes = {};  ///< [m]: what the extremes of its type of number would be
 };
 
 /// The values that mark missing heights, and what they were told by.
 struct NoDataReport {
-    std::vector<NoDataValue> values;           ///< in increasing order
-    Index defined = 0;                         ///< heights that are numbers, those values among them
-    double least = 0.0, greatest = 0.0;        ///< of the heights that have none of those values [m]
+    std::vector<NoDataValue> values;     ///< in increasing order
+    Index defined = 0;                   ///< heights that are numbers, those values among them
+    double least = 0.0, greatest = 0.0;  ///< of the heights that have none of those values [m]
 
     [[nodiscard]] bool any_undefined() const;
 };
@@ -41,8 +41,8 @@ struct NoDataReport {
 /// v is dominant where its k is ten times that of all but four other values. v is isolated where no other height is
 /// nearer to it than d/4, for saturated peaks and clipped valleys are reached by others, and it is dominant or d >= 8 s
 /// and b <= k/20. Its runs along scan lines are irregular where six or more of their lengths, or of those between them,
-/// scatter by half their mean or more, or where six or more are single points or pairs and its share, k over all heights,
-/// is 5 % or less.
+/// scatter by half their mean or more, or where six or more are single points or pairs and its share, k over all
+/// heights, is 5 % or less.
 ///
 /// v is no height where one of these holds:
 ///   d >= 1000 r;
@@ -68,8 +68,8 @@ struct NoDataReport {
 void undefine(Measurement& measurement, const NoDataReport& report);
 void undefine(Array2D& heights, const NoDataReport& report);
 
-/// The alerts for readers: NO_DATA for what is taken as undefined, NO_DATA_SUSPECTED for what is kept. Values are told in
-/// `unit`, the file's unit of heights.
+/// The alerts for readers: NO_DATA for what is taken as undefined, NO_DATA_SUSPECTED for what is kept. Values are told
+/// in `unit`, the file's unit of heights.
 [[nodiscard]] std::vector<Alert> alerts_of(const NoDataReport& report, const std::string& subject,
                                            const std::string& unit);
 
