@@ -31,7 +31,7 @@ std::vector<AlertKind> of_files() {
          "steps along a profile of equal steps are two or more times the usual one: the points between are undefined",
          "rows left out make whole multiples of a step"},
         {"POSITIONS_REPEATED", about, "several points of a profile have the same position"},
-        {"PASSES_SPLIT", about, "the positions of a profile run forth and back: each pass is a channel"},
+        {"PASSES_SPLIT", about, "the positions of a profile run back and forth: each pass is a channel"},
         {"UNIT_ASSUMED", about, "the file states no unit; the one its format implies was taken"},
         {"UNIT_GUESSED", about, "a table of a spectrum states no units"},
         {"UNIT_MISMATCH", about, "two places state different units; the message says which was used"},

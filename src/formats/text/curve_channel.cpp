@@ -11,6 +11,7 @@
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/header.hpp"
+#include "setae/topography/no_data.hpp"
 #include "trace.hpp"
 
 namespace setae::formats {
@@ -81,13 +82,27 @@ std::string name_of_pass(const std::string& name, std::size_t number, std::size_
 Alert passes_alert(const std::vector<Pass>& passes, const bytes::Source& source) {
     return {
         "PASSES_SPLIT", source.name,
-        fmt::format("x runs forth and back in {} passes of {} points and so on: each pass is a channel", passes.size(),
+        fmt::format("x runs along the profile in {} passes, {} points in the first: each pass is a channel", passes.size(),
                     passes.front().last - passes.front().first + 1),
         "choose one with --channel, in a study with channel; analyse several as measurements of one surface to average "
         "them"};
 }
 
-Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& units, const bytes::Source& source) {
+/// Undefines values that mark missing heights before any height is averaged with them.
+void undefine_marks(Profile& profile, const LengthUnit& unit, const std::string& file) {
+    const auto& x = profile.positions;
+    const Index n = x.size();
+    if ((x.tail(n - 1) != x.head(n - 1)).all()) return;
+    topography::Measurement measurement = std::move(profile);
+    const auto report = topography::find_no_data(measurement, {.unit = unit.factor, .codes = {}});
+    topography::undefine(measurement, report);
+    profile = std::move(std::get<Profile>(measurement));
+    if (!report.any_undefined()) return;
+    for (auto& alert : topography::alerts_of(report, file, unit.name)) profile.metadata.alerts.push_back(std::move(alert));
+}
+
+Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& units, bool keep_values,
+                      const bytes::Source& source) {
     if (curve.x.values.size() < 2)
         throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", curve.x.values.size()));
     if (units.heights.empty()) {
@@ -103,6 +118,7 @@ Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& u
     const double position_unit = length_unit(units.x, source).factor;
     Profile profile{curve.x.values * position_unit, curve.heights.values * height_unit.factor, info.metadata};
     if (curve.standard_error) profile.standard_error = standard_errors(*curve.standard_error, source);
+    if (!keep_values) undefine_marks(profile, height_unit, source.name);
     auto trace = traced(std::move(profile), curve.x.values, position_unit, source.name);
     auto& alerts = topography::metadata(trace.measurement).alerts;
     alerts.insert(alerts.end(), trace.alerts.begin(), trace.alerts.end());
@@ -172,13 +188,13 @@ std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve, 
             fmt::format("x of {} points jumps to and fro, as positions of scattered points do; expected a "
                         "profile, x in the order of measurement",
                         curve.x.values.size()));
-    if (passes.size() == 1) return {curve_channel(std::move(info), curve, units, source)};
+    if (passes.size() == 1) return {curve_channel(std::move(info), curve, units, options.keep_values, source)};
     info.metadata.alerts.push_back(passes_alert(passes, source));
     std::vector<Channel> channels;
     for (std::size_t i = 0; i < passes.size(); ++i) {
         auto own = info;
         own.name = own.metadata.name = name_of_pass(info.name, i, passes.size(), passes[i].backward);
-        channels.push_back(curve_channel(std::move(own), part_of(curve, passes[i]), units, source));
+        channels.push_back(curve_channel(std::move(own), part_of(curve, passes[i]), units, options.keep_values, source));
     }
     return channels;
 }

@@ -17,7 +17,7 @@
 namespace setae::formats {
 namespace {
 
-/// Positions that are defined and never turn, or run forth and back.
+/// Positions that are defined and never turn, or run back and forth.
 bool run_along(const Array1D& positions) {
     if (positions.size() < 2 || !positions.isFinite().all()) return false;
     bool forward = true, backward = true;

@@ -160,7 +160,7 @@ Trace averaged(const Profile& profile, const std::string& subject) {
         double sum = 0.0, squares = 0.0;
         Index defined = 0;
         for (Index k = i; k < end; ++k)
-            if (!std::isnan(profile.heights[k])) {
+            if (std::isfinite(profile.heights[k])) {
                 sum += profile.heights[k];
                 if (errors) squares += profile.standard_error[k] * profile.standard_error[k];
                 ++defined;

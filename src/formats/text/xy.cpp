@@ -20,7 +20,7 @@ Format xy_format() {
         .extensions = ".csv .txt .asc .dat",
         .description =
             "x and height, or x and the heights of several profiles, with any separator, decimal point or comma, header and units in it or given; equal steps give a line scan, missing "
-            "rows undefined heights in it, others a profile as traced; passes forth and back are channels of their own; also behind an index, "
+            "rows undefined heights in it, others a profile as traced; passes back and forth are channels of their own; also behind an index, "
             "before a third column 'valid' or 'standard_error', setae's own profiles with the response of their trace, and exports of profilers without header, such as KLA-Tencor's "
             "Alpha-Step and Apex",
         .heights =

@@ -37,7 +37,7 @@ const std::vector<Bearing>& bearings() {
          "The size of a pixel of {} is not certain: heights and wavelengths scale with it."},
         {{"LABELS_NOT_HEIGHTS"}, "The first row or column of {} is taken for positions, not for heights."},
         {{"POSITIONS_REPEATED", "PASSES_SPLIT"},
-         "Points of {} share positions or were measured forth and back: which of them count is a choice."},
+         "Points of {} share positions or were measured back and forth: which of them count is a choice."},
         {{"ROWS_MISSING"}, "Of {} rows are missing: what stands there is in no number."},
         {{"AMBIGUOUS_COLUMNS", "COLUMN_GUESSED"}, "What the columns of {} hold is a guess."},
         {{"UNTESTED_FORMAT"}, "The format of {} is read by its description alone: no real file has tested that."},

@@ -10,7 +10,9 @@
 namespace setae::topography {
 namespace {
 
-bool is_near(double number, double wanted) { return std::abs(number - wanted) <= 1e-9 * wanted; }
+constexpr double single_precision = 1e-7;
+
+bool is_near(double number, double wanted) { return std::abs(number - wanted) <= single_precision * wanted; }
 
 /// Nothing but nines to seven digits.
 bool is_nines(double number) {
@@ -32,7 +34,7 @@ bool is_usual_mark(double number) {
     if (number >= any_from || is_nines(number)) return true;
     for (const double power : {0x1p15, 0x1p16, 0x1p31, 0x1p32})
         if (is_near(number, power) || is_near(number, power - 1.0)) return true;
-    return number >= power_from * (1.0 - 1e-9) && is_near(number, std::pow(10.0, std::round(std::log10(number))));
+    return number >= power_from * (1.0 - single_precision) && is_near(number, std::pow(10.0, std::round(std::log10(number))));
 }
 
 }  // namespace setae::topography

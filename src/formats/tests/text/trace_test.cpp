@@ -7,7 +7,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 
-/// Profiles whose positions are rounded, repeated, missing, or run forth and back, and tables of several.
+/// Profiles whose positions are rounded, repeated, missing, or run back and forth, and tables of several.
 using namespace setae::tests;
 
 namespace setae::formats::tests::trace_test {
