@@ -2,6 +2,7 @@
 #include "setae/tables/header.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -35,7 +36,9 @@ std::optional<HeaderCell> with_brackets(std::string_view cell) {
     const bool square = cell.back() == ']', round = cell.back() == ')';
     const auto open = square ? cell.rfind('[') : round ? cell.rfind('(') : std::string_view::npos;
     if (open == std::string_view::npos) return std::nullopt;
-    const auto unit = trimmed(cell.substr(open + 1, cell.size() - open - 2));
+    auto unit = trimmed(cell.substr(open + 1, cell.size() - open - 2));
+    constexpr std::string_view in = "in ";  // "(in mN)"
+    if (unit.starts_with(in) && try_parse_unit(unit.substr(in.size()))) unit = trimmed(unit.substr(in.size()));
     // round brackets also hold remarks, such as "height (retrace)"
     if (round && !try_parse_unit(unit)) return std::nullopt;
     return HeaderCell{std::string(without_underscore(trimmed(cell.substr(0, open)))), std::string(unit)};
@@ -49,9 +52,10 @@ std::optional<HeaderCell> with_word(std::string_view cell, std::string_view word
     return HeaderCell{std::string(trimmed(cell.substr(0, at))), std::string(unit)};
 }
 
-/// Units that are no words, for spellings without brackets: of length, force, area and time, "min" and "h" excepted.
+/// Units that are no words of a name, for spellings without brackets: of length, force, area and time.
 bool is_plain_unit(std::string_view text) {
-    if (text == "min" || text == "h" || text == "A") return false;
+    static constexpr std::array<std::string_view, 6> words{"min", "h", "A", "in", "mil", "hr"};
+    if (std::find(words.begin(), words.end(), text) != words.end()) return false;
     const auto unit = try_parse_unit(text);
     return unit && (unit->dimension == dimension::length || unit->dimension == dimension::force ||
                     unit->dimension == dimension::area || unit->dimension == dimension::time);

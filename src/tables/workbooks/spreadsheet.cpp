@@ -42,7 +42,7 @@ void read_decimal_commas(SheetRows& rows) {
                 std::isnan(value))
                 continue;
             columns[column].cells.push_back(&cell);
-            columns[column].decided = columns[column].decided || !is_grouped(cell, ',', true);
+            columns[column].decided = columns[column].decided || !is_grouped(cell, ',');
         }
     for (auto& [column, found] : columns)
         for (auto* cell : found.cells) {
