@@ -19,6 +19,7 @@ void bind_containers(nb::module_& module) {
         .def_rw("name", &Request::name)
         .def_rw("description", &Request::description)
         .def_rw("layout", &Request::as)
+        .def_rw("keep_values", &Request::keep_values)
         .def_rw("sizes", &Request::sizes)
         .def_rw("units", &Request::units)
         .def_rw("channels", &Request::channels)

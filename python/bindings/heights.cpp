@@ -80,10 +80,10 @@ void bind_request(nb::module_& module) {
         .def(
             "set_file",
             [](Item& item, const std::string& size, const std::string& unit, const std::string& as,
-               std::optional<std::string> channel) {
-                item.request.file = {size, unit, as, std::move(channel)};
+               std::optional<std::string> channel, bool keep_values) {
+                item.request.file = {size, unit, as, std::move(channel), keep_values};
             },
-            nb::arg("size"), nb::arg("unit"), nb::arg("layout"), nb::arg("channel").none())
+            nb::arg("size"), nb::arg("unit"), nb::arg("layout"), nb::arg("channel").none(), nb::arg("keep_values"))
         .def(
             "set_processing",
             [](Item& item, const std::string& file, const std::vector<std::string>& steps) {
@@ -230,7 +230,10 @@ void bind_heights(nb::module_& module) {
         .def_prop_ro("periodic", &Heights::periodic)
         .def_prop_ro("name", [](const Heights& heights) { return heights.metadata().name; })
         .def_prop_ro("unit", [](const Heights& heights) { return heights.metadata().unit; })
-        .def_prop_ro("attributes", [](const Heights& heights) { return heights.metadata().attributes; });
+        .def_prop_ro("attributes", [](const Heights& heights) { return heights.metadata().attributes; })
+        .def_prop_ro("alerts", [](const Heights& heights) {
+            return output::as_text(output::to_json(heights.metadata().alerts));
+        });
     nb::class_<Processed>(module, "Processed").def_ro("heights", &Processed::heights).def_ro("json", &Processed::json);
     bind_request(module);
     module.def("lengths", &answers::lengths_of, nb::arg("text"), "'5 um x 5 um' in metres");

@@ -69,6 +69,6 @@ def work_of_adhesion(
         if measurement:
             raise TypeError(f"{', '.join(measurement)}: the surface is analysed already; say it to setae.surface")
         return WorkOfAdhesion(_setae.adhesion_of_surface(surface.analysed(), solids))
-    names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit")
+    names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit", "keep_values")
     shared = shared_options(*(measurement.pop(name, None) for name in names))
     return WorkOfAdhesion(_setae.adhesion_of_files(items(surface, shared), analysis_of(**measurement), solids, not skip_failed))

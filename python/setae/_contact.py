@@ -71,6 +71,7 @@ def contact(
     seed: int = 1,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
 ) -> Contact:
     """A rigid rough surface pressed on an elastic half-space without friction: p ≥ 0, g ≥ 0, p g = 0 [Johnson 1985, ch. 13].
 
@@ -106,7 +107,7 @@ def contact(
         tolerance=tolerance,
     )
     attraction = filled(_setae.InteractionRequest(), work_of_adhesion=W_int, range=range, law=law)
-    solved: Any = _setae.contact(one(measurement, size, unit), request, attraction, made_surface(pixels, cell, surface, seed))
+    solved: Any = _setae.contact(one(measurement, size, unit, keep_values), request, attraction, made_surface(pixels, cell, surface, seed))
     return Contact(solved.json, solved.pressures, solved.gaps, tuple(map(quantity_from, json.loads(solved.quantities()))))
 
 
@@ -162,6 +163,7 @@ def contact_sweep(
     seed: int = 1,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
 ) -> ContactSweep:
     """A rigid rough surface and an elastic body that attract each other, brought together and parted; the cell repeats itself.
 
@@ -193,7 +195,7 @@ def contact_sweep(
         frictionless=frictionless,
         poisson_ratio=nu,
     )
-    swept: Any = _setae.contact_sweep(one(measurement, size, unit), request, made_surface(pixels, cell, surface, seed))
+    swept: Any = _setae.contact_sweep(one(measurement, size, unit, keep_values), request, made_surface(pixels, cell, surface, seed))
     return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))), swept.maps)
 
 
@@ -237,6 +239,7 @@ def contact_front(
     seed: int = 1,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
 ) -> ContactFront:
     """A soft sphere pressed on a rough surface and pulled off, the edge of the contact as a crack front.
 
@@ -267,7 +270,7 @@ def contact_front(
         steps=steps,
         duration=duration,
     )
-    found: Any = _setae.contact_front(one(measurement, size, unit), request, made_surface(pixels, cell, surface, seed), realisations)
+    found: Any = _setae.contact_front(one(measurement, size, unit, keep_values), request, made_surface(pixels, cell, surface, seed), realisations)
     return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), found.edge, found)
 
 
@@ -294,6 +297,7 @@ def persson(
     trend: str | None = None,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
     longest: Text | None = None,
     shortest: Text | None = None,
     window: str | None = None,
@@ -315,7 +319,7 @@ def persson(
         frictionless=frictionless,
         energy_factor=energy_factor,
     )
-    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     analysis = analysis_of(longest, shortest, window, contours)
     found: Any = _setae.persson(items(measurements, shared), analysis, request, not skip_failed)
     return PerssonContact(found.columns, found.units, found.json)
@@ -355,6 +359,7 @@ def contact_compare(
     trend: str | None = None,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
     longest: Text | None = None,
     shortest: Text | None = None,
     window: str | None = None,
@@ -384,7 +389,7 @@ def contact_compare(
     request = filled(
         _setae.ComparisonRequest(), theory=theory, pixels=pixels, cell=cell, surfaces=surfaces, seed=seed, tolerance=tolerance
     )
-    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     analysis = analysis_of(longest, shortest, window, contours)
     found: Any = _setae.contact_compare(items(measurements, shared), analysis, request, not skip_failed)
     return ContactComparison(found.columns, found.units, found.json)

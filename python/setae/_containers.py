@@ -46,6 +46,7 @@ def write_container(
     channel: Stated = None,
     detrend: Stated = None,
     layout: str | None = None,
+    keep_values: bool = False,
     skip_failed: bool = False,
 ) -> Container:
     """Writes a container that contact.engineering opens: measured files become one surface, containers among them keep theirs.
@@ -65,6 +66,7 @@ def write_container(
         channels=stated(channel),
         trends=stated(detrend),
         layout=layout,
+        keep_values=keep_values,
         every_file=not skip_failed,
     )
     return Container(_setae.write_container(request))

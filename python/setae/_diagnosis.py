@@ -43,7 +43,7 @@ class Diagnosis(Answer):
         return "<ul>" + "".join(f"<li>{html.escape(str(finding))}</li>" for finding in self.findings) + "</ul>"
 
 
-def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text | None = None, unit: str | None = None,
+def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text | None = None, unit: str | None = None, keep_values: bool = False,
           skip_failed: bool = False) -> Diagnosis:
     """What is wrong with measurements, each alone and compared with each other, how large its effect is, what to do.
 
@@ -55,5 +55,5 @@ def check(measurements: Measured, *, tip_radius: Text | None = None, size: Text 
     >>> "SPIKES" in [alert.code for alert in check(setae.scan(heights, size="1 um x 1 um", unit="m")).alerts]
     True
     """
-    shared = {"stated_size": text(size), "stated_unit": text(unit)}
+    shared = {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values}
     return Diagnosis(_setae.diagnosis(items(measurements, shared), text(tip_radius), not skip_failed))

@@ -44,7 +44,7 @@ class FunctionOfScale(Columns):
 
 
 def found(verb: str, measurements: Measured, asked: dict[str, Any], options: dict[str, Any]) -> FunctionOfScale:
-    names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit")
+    names = ("instrument", "tip_radius", "resolution", "trend", "size", "unit", "keep_values")
     shared = shared_options(*(options.pop(name, None) for name in names))
     request = _setae.ScaleRequest()
     request.every_measurement = not options.pop("skip_failed", False)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import pathlib
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -91,6 +92,7 @@ class Scan:
     stated_size: str = ""
     stated_unit: str = ""
     layout: str = ""
+    keep_values: bool = False
     source: Any = field(default=None, repr=False)  #: the array, its size, and whether it is periodic; None for a file
 
     @cached_property
@@ -103,7 +105,7 @@ class Scan:
     @cached_property
     def _item(self) -> _setae.Item:
         item = _setae.Item(self.file, self._given)
-        item.set_file(self.stated_size, self.stated_unit, self.layout, named(self.channel))
+        item.set_file(self.stated_size, self.stated_unit, self.layout, named(self.channel), self.keep_values)
         item.set_processing(self.pipeline, list(self.steps))
         item.set_instrument(self.instrument, self.tip_radius, self.resolution, self.trend)
         return item
@@ -162,6 +164,11 @@ class Scan:
     def attributes(self) -> dict[str, str]:
         """Further entries of the file's header."""
         return self._heights.attributes
+
+    @property
+    def alerts(self) -> tuple[Alert, ...]:
+        """What was made of the heights when the file was read: values taken as undefined, points averaged."""
+        return alerts_from(json.loads(self._heights.alerts))
 
     @property
     def processing(self) -> Processing:
@@ -261,6 +268,7 @@ def read(
     size: Text | None = None,
     unit: str | None = None,
     layout: str | None = None,
+    keep_values: bool = False,
     instrument: str | None = None,
     tip_radius: Text | None = None,
     resolution: Text | None = None,
@@ -269,6 +277,7 @@ def read(
     """A channel of a file by its number, counted from 0, or its name; without ``channel`` the preferred one of heights.
 
     size, unit, layout: what the file leaves open, as ``--size``, ``--unit`` and ``--as`` of the program.
+    keep_values: values that mark missing heights, such as −9999, stay heights; else they are undefined, see ``Scan.alerts``.
 
     :raises FileError: for a path that cannot be read
     :raises FormatError: for content that nothing reads, or that is damaged
@@ -283,6 +292,7 @@ def read(
         stated_size=text(size),
         stated_unit=text(unit),
         layout=text(layout),
+        keep_values=keep_values,
     )
     _setae.channels(scan._item, False)
     return scan
@@ -295,10 +305,10 @@ def channels(file: Path, **stated: Any) -> tuple[Scan, ...]:
 
 
 def info(*paths: Path, heights: bool | None = None, size: Text | None = None, unit: str | None = None, layout: str | None = None,
-         channel: int | str | None = None) -> Info:
+         channel: int | str | None = None, keep_values: bool = False) -> Info:
     """What files or folders hold. heights: read them (True), not (False), or of files up to 64 MB (None)."""
     item = _setae.Item("")
-    item.set_file(text(size), text(unit), text(layout), named(channel))
+    item.set_file(text(size), text(unit), text(layout), named(channel), keep_values)
     return Info(_setae.contents([path(entry) for entry in paths], item, heights))
 
 
@@ -333,7 +343,7 @@ def held(heights: _setae.Heights, name: str) -> Scan:
 Measured = Union[Scan, Path, Any]
 
 
-def items(measurements: Measured, shared: dict[str, str]) -> list[_setae.Item]:
+def items(measurements: Measured, shared: dict[str, Any]) -> list[_setae.Item]:
     """Measurements of one surface, each with what is said of all where it says nothing itself."""
     single = isinstance(measurements, (Scan, str, pathlib.PurePath)) or not hasattr(measurements, "__iter__") or is_array(measurements)
     listed: list[Any] = [measurements] if single else list(cast(Any, measurements))

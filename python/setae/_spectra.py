@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 
 
 def shared_options(
-    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Text | None, unit: str | None
-) -> dict[str, str]:
+    instrument: str | None, tip_radius: Text | None, resolution: Text | None, trend: str | None, size: Text | None, unit: str | None,
+    keep_values: bool | None = False,
+) -> dict[str, Any]:
     return {
         "instrument": text(instrument),
         "tip_radius": text(tip_radius),
@@ -28,6 +29,7 @@ def shared_options(
         "trend": text(trend),
         "stated_size": text(size),
         "stated_unit": text(unit),
+        "keep_values": bool(keep_values),
     }
 
 
@@ -112,6 +114,7 @@ def power_spectrum(
     trend: str | None = None,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
     longest: Text | None = None,
     shortest: Text | None = None,
     window: str | None = None,
@@ -136,7 +139,7 @@ def power_spectrum(
     >>> bool(numpy.isclose(psd.C1D.max(), (3e-9) ** 2 * 2e-6 / 4))
     True
     """
-    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     spectrum = _setae.power_spectrum(
         items(measurements, shared),
         analysis_of(longest, shortest, window, contours, memory=memory),
@@ -178,6 +181,7 @@ def parameters(
     trend: str | None = None,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
     longest: Text | None = None,
     shortest: Text | None = None,
     window: str | None = None,
@@ -194,7 +198,7 @@ def parameters(
     >>> print(setae.parameters(wave, trend="mean")["rms_height"])
     2.121 nm
     """
-    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     analysis = analysis_of(longest, shortest, window, contours, conversion, memory, bootstrap_resamples)
     return Parameters(_setae.parameters(items(measurements, shared), analysis, not skip_failed))
 
@@ -262,6 +266,7 @@ def surface(
     trend: str | None = None,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
     longest: Text | None = None,
     shortest: Text | None = None,
     window: str | None = None,
@@ -275,7 +280,7 @@ def surface(
 
     spectrum: "likelihood" or "average"; without it the likelihood of several, the average of one. Everything else as of :func:`power_spectrum`.
     """
-    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     options = (text(longest), text(shortest), text(window), text(contours), text(conversion), memory, bootstrap_resamples)
     arguments = (measurements, shared, options, text(spectrum), not skip_failed)
     found = computed(*arguments)

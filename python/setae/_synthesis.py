@@ -101,19 +101,19 @@ class Tip(Answer):
 
 
 def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = None, rounds: int = 100, size: Text | None = None,
-        unit: str | None = None) -> Tip:
+        unit: str | None = None, keep_values: bool = False) -> Tip:
     """The bluntest tip that could have made a map: t(v) ≥ min_u [i(x) + t(u) − i(x + u − v)] for every x [Villarrubia 1997].
 
     points: extent of the estimate in pixels, odd.  threshold: twice the noise's largest deviation, else noise sharpens the tip. Level and despike first.
     """
     request = filled(_setae.BlindTipRequest(), points=points, threshold=threshold, rounds=rounds)
-    found = _setae.blind_tip(one(measurement, size, unit), request)
+    found = _setae.blind_tip(one(measurement, size, unit, keep_values), request)
     return Tip(found.json, held(found.tip, "tip"), held(found.surface, "surface"))
 
 
-def one(measurement: Measured, size: Text | None, unit: str | None) -> Any:
+def one(measurement: Measured, size: Text | None, unit: str | None, keep_values: bool) -> Any:
     """The one measurement that is meant."""
-    found = items(measurement, {"stated_size": text(size), "stated_unit": text(unit)})
+    found = items(measurement, {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values})
     if len(found) != 1:
         raise TypeError(f"{len(found)} measurements; expected one")
     return found[0]

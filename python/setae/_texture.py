@@ -40,6 +40,7 @@ def texture(
     trend: str | None = None,
     size: Text | None = None,
     unit: str | None = None,
+    keep_values: bool = False,
     skip_failed: bool = False,
 ) -> Texture:
     """Parameters of "iso25178" (maps) or "iso21920" (lines; of maps the mean over scan lines); docs/reference/parameters.md has their formulas.
@@ -65,5 +66,5 @@ def texture(
         material_height=material_height,
         material_ratio=material_ratio,
     )
-    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit)
+    shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
     return Texture(_setae.texture(items(measurements, shared), request, not skip_failed))

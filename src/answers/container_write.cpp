@@ -11,6 +11,7 @@
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
+#include "setae/study/measurement_options.hpp"
 #include "setae/study/provenance.hpp"
 #include "setae/study/study.hpp"
 
@@ -49,6 +50,7 @@ formats::StoredMeasurement stored(const std::string& file, const ContainerReques
     options.size = value_for(file, request.sizes);
     options.unit = value_for(file, request.units);
     options.as = request.as;
+    options.keep_values = request.keep_values;
     formats::StoredMeasurement measurement{.path = file, .options = options.read_options()};
     if (const auto channel = value_for(file, request.channels); !channel.empty()) measurement.channel = channel;
     if (const auto trend = value_for(file, request.trends); !trend.empty())
@@ -66,8 +68,7 @@ std::string factor_text(const std::optional<Estimate>& factor) {
 formats::StoredMeasurement stored(const study::MeasurementInput& input, const std::filesystem::path& folder) {
     formats::StoredMeasurement measurement{
         .path = (folder / input.file).lexically_normal().string(), .channel = input.channel, .trend = input.trend};
-    measurement.options.unit = input.unit;
-    measurement.options.size = input.size;
+    measurement.options = study::read_options(input);
     measurement.instrument.type = input.instrument;
     if (input.tip_radius) {
         measurement.instrument.tip_radius = input.tip_radius->value;

@@ -32,9 +32,11 @@ HeightSummary summary_of(const Eigen::Ref<const Array1D>& heights) {
 HeightSummary summarise(const formats::Channel& channel) {
     try {
         const auto measurement = channel.read();
-        return std::visit(
+        auto summary = std::visit(
             [](const auto& m) { return summary_of(Eigen::Map<const Array1D>(m.heights.data(), m.heights.size())); },
             measurement);
+        summary.alerts = topography::metadata(measurement).alerts;
+        return summary;
     } catch (const std::exception& error) {
         return {.error = reason_of(error)};
     }
@@ -149,8 +151,11 @@ ListedFile listed(const std::string& file, const ContentsRequest& request) {
     if (request.channel && !channels.empty()) only = formats::chosen_channels(file, channels, request.channel).front();
     for (std::size_t i = 0; i < channels.size(); ++i) {
         if (only && *only != i) continue;
-        const auto& info = channels[i].info;
-        listed.channels.push_back({i, info, wanted && can_be_read(info) ? summarise(channels[i]) : HeightSummary{}});
+        auto info = channels[i].info;
+        auto heights = wanted && can_be_read(info) ? summarise(channels[i]) : HeightSummary{};
+        const auto& made = heights.read ? heights.alerts : info.metadata.alerts;
+        info.alerts.insert(info.alerts.end(), made.begin(), made.end());
+        listed.channels.push_back({i, std::move(info), std::move(heights)});
     }
     return listed;
 }

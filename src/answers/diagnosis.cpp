@@ -16,6 +16,13 @@ void append(std::vector<diagnostics::Finding>& findings, std::vector<diagnostics
     findings.insert(findings.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
 }
 
+/// What was made of the heights when they were read.
+std::vector<diagnostics::Finding> of_reading(const topography::Measurement& measurement) {
+    std::vector<diagnostics::Finding> findings;
+    for (const auto& alert : topography::metadata(measurement).alerts) findings.push_back({alert, {}});
+    return findings;
+}
+
 }  // namespace
 
 std::vector<topography::Measurement> measurements_of(const std::string& path, const FileRequest& options) {
@@ -37,7 +44,8 @@ Diagnosis diagnosis(const std::vector<Suspect>& suspects, const std::string& tip
         try {
             for (auto& measurement : suspect.measurements()) {
                 if (radius) topography::metadata(measurement).instrument.tip_radius = radius;
-                auto found = diagnostics::diagnose(measurement, options);
+                auto found = of_reading(measurement);
+                append(found, diagnostics::diagnose(measurement, options));
                 if (found.empty()) diagnosis.faultless.push_back(topography::label(topography::metadata(measurement)));
                 append(diagnosis.findings, std::move(found));
                 all.push_back(std::move(measurement));

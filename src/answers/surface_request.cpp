@@ -39,6 +39,7 @@ formats::ReadOptions FileRequest::read_options() const {
     require_word("layout", as, {"matrix", "columns"});
     if (!as.empty()) options.layout = as == "matrix" ? formats::TextLayout::matrix : formats::TextLayout::columns;
     if (!size.empty()) options.size = lengths_of(size);
+    options.keep_values = keep_values;
     return options;
 }
 
@@ -67,6 +68,8 @@ study::MeasurementInput MeasurementRequest::input(const std::string& path) const
     if (!trend.empty()) input.trend = topography::trend_from_name(trend);
     input.unit = read.unit;
     input.size = read.size;
+    input.layout = file.as;
+    input.keep_values = read.keep_values;
     if (!processing.file.empty()) input.pipeline = processing.file;
     input.steps = study::step_lines(processing.pipeline());
     return input;
@@ -79,8 +82,7 @@ study::SurfaceAnalysisOptions AnalysisRequest::analysis() const {
     if (resamples < 0) throw InvalidArgument(fmt::format("{} resamples; expected 0 or more", resamples));
     study::SurfaceAnalysisOptions options;
     options.spectrum = study::SpectrumMethod::average;  // what these verbs show is the combined spectrum
-    if (!longest.empty())
-        options.longest_wavelength = parse_uncertain_quantity(longest, positive(dimension::length));
+    if (!longest.empty()) options.longest_wavelength = parse_uncertain_quantity(longest, positive(dimension::length));
     if (!shortest.empty())
         options.shortest_wavelength = parse_uncertain_quantity(shortest, positive(dimension::length));
     if (!window.empty()) options.window = spectra::window_from_name(window);

@@ -131,34 +131,62 @@ std::vector<std::string_view> split_lines(std::string_view text) {
     return lines;
 }
 
-bool parse_cell(std::string_view cell, char decimal_point, double& value) {
+namespace {
+
+std::string_view without_blanks(std::string_view cell) {
     while (!cell.empty() && is_blank(cell.front())) cell.remove_prefix(1);
     while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-    value = undefined;
-    if (cell.empty()) return true;
-    std::array<char, 64> copy{};
-    if (decimal_point == ',') {
-        if (cell.size() >= copy.size() || cell.find('.') != std::string_view::npos) return false;
-        std::replace_copy(cell.begin(), cell.end(), copy.begin(), ',', '.');
-        cell = {copy.data(), cell.size()};
-    }
+    return cell;
+}
+
+/// Whether a cell is a word that programs write where nothing was measured, an error of a spreadsheet among them.
+bool is_undefined_word(std::string_view cell) {
+    if (cell.find_first_not_of('*') == std::string_view::npos) return true;  // a field too narrow for its number
+    static constexpr std::array<std::string_view, 30> words{
+        "nan",    "bad",   "na",        "n/a",     "n.a.",  "null",   "nil",     "none",     "void",     "missing",
+        "masked", "undef", "undefined", "invalid", "-",     "--",     "---",     "infinite", "qnan",     "snan",
+        "#n/a",   "#na",   "#nv",       "#n/d",    "#num!", "#zahl!", "#value!", "#wert!",   "#valeur!", "#div/0!"};
+    constexpr auto longest = std::ranges::max(words, {}, &std::string_view::size).size();
+    // "1.#QNAN", "-1.#IND", with a decimal comma "1,#INF"
+    static constexpr std::array<std::string_view, 5> kinds{"#qnan", "#snan", "#ind", "#inf", "#nan"};
+    if (cell.size() > longest) return false;
+    const auto word = lowered(cell);
+    if (std::find(words.begin(), words.end(), word) != words.end()) return true;
+    auto kind = std::string_view(word);
+    if (kind.starts_with('-') || kind.starts_with('+')) kind.remove_prefix(1);
+    return (kind.starts_with("1.") || kind.starts_with("1,")) &&
+           std::find(kinds.begin(), kinds.end(), kind.substr(2)) != kinds.end();
+}
+
+/// The number that a cell spells with a decimal point.
+bool parse_number(std::string_view cell, double& value) {
     auto digits = cell;
     if (digits.front() == '+') digits.remove_prefix(1);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    const bool whole = end == digits.data() + digits.size();
-    if (error == std::errc{} && whole) return true;
-    if (error == std::errc::result_out_of_range && whole) {  // 1e-400 is 0, 1e400 infinite
-        value = std::strtod(std::string(digits).c_str(), nullptr);
-        return true;
+    if (end != digits.data() + digits.size()) return false;
+    if (error == std::errc{}) return true;
+    if (error != std::errc::result_out_of_range) return false;
+    value = std::strtod(std::string(digits).c_str(), nullptr);  // 1e-400 is 0, 1e400 infinite
+    return true;
+}
+
+}  // namespace
+
+bool parse_cell(std::string_view cell, char decimal_point, double& value) {
+    cell = without_blanks(cell);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+        cell = without_blanks(cell.substr(1, cell.size() - 2));
+    value = undefined;
+    if (cell.empty()) return true;
+    std::array<char, 64> copy{};
+    if (decimal_point == '.') {
+        if (parse_number(cell, value)) return true;
+    } else if (cell.size() < copy.size() && cell.find('.') == std::string_view::npos) {
+        std::replace_copy(cell.begin(), cell.end(), copy.begin(), ',', '.');
+        if (parse_number({copy.data(), cell.size()}, value)) return true;
     }
     value = undefined;
-    if (cell.find_first_not_of('*') == std::string_view::npos) return true;  // a field too narrow for its number
-    static constexpr std::array<std::string_view, 11> undefined_words{
-        "nan", "bad", "-", "--", "---", "infinite", "1.#qnan", "-1.#ind", "1.#ind", "1.#inf", "-1.#inf"};
-    constexpr auto longest_word = std::ranges::max(undefined_words, {}, &std::string_view::size).size();
-    return cell.size() <= longest_word &&
-           std::find(undefined_words.begin(), undefined_words.end(), lowered(cell)) != undefined_words.end();
+    return is_undefined_word(cell);
 }
 
 }  // namespace setae::bytes

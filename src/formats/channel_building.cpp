@@ -185,6 +185,13 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
     return factor;
 }
 
+Channel channel_without_unit(ChannelInfo info, const bytes::Source& source) {
+    const auto message = fmt::format(
+        "{}: the file states no unit; give it, as in --unit um, or of x and of heights, as in --unit \"mm, um\"",
+        source.name);
+    return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
+}
+
 Channel incomplete_channel(ChannelInfo info, const bytes::Source& source) {
     const auto message =
         info.unit.empty() && info.size.empty()

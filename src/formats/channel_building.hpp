@@ -73,4 +73,7 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
 /// A channel that lacks size or unit: listed, and `read` throws InvalidArgument that tells what to give.
 [[nodiscard]] Channel incomplete_channel(ChannelInfo info, const bytes::Source& source);
 
+/// A channel whose unit alone nobody says: listed, `read` throws InvalidArgument that asks for it.
+[[nodiscard]] Channel channel_without_unit(ChannelInfo info, const bytes::Source& source);
+
 }  // namespace setae::formats

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "format_list.hpp"
+#include "no_data_channel.hpp"
 #include "setae/bytes/archive.hpp"
 #include "setae/bytes/expand.hpp"
 #include "setae/bytes/hdf5_handle.hpp"
@@ -160,10 +161,14 @@ std::string first_member(const bytes::Source& source) {
 [[noreturn]] void unknown(const bytes::Source& source, std::string_view head) {
     if (head.empty()) throw FormatError(source.name, {.offset = 0}, "the file is empty");
     if (bytes::is_tiff(head)) refuse_tiff(source);
-    if (bytes::looks_like_text(head))
+    if (bytes::looks_like_text(head)) {
+        const auto text = bytes::decoded(std::string(head.substr(0, head.rfind('\n'))), bytes::Encoding::detect);
+        if (const auto broken = tables::broken_row_of(bytes::split_lines(text)))
+            throw FormatError(source.name, {.line = broken->line}, tables::described(*broken));
         throw FormatError(source.name, {.line = 1},
                           "text without a row of numbers; expected columns x and height below a header" +
                               expected_by_name(source.name));
+    }
     const auto kind = kind_of(head, source);
     if (bytes::is_zip(head))
         throw FormatError(
@@ -263,8 +268,8 @@ std::vector<std::string> missing(const ChannelInfo& info) {
 std::optional<topography::TiledMap> tiled(const Channel& channel) {
     const auto& info = channel.info;
     if (!channel.lines || info.shape.size() != 2 || info.size.size() != 2) return {};
-    return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]},
-                                false,         info.metadata, channel.lines};
+    return topography::TiledMap{info.shape[0], info.shape[1], {info.size[0], info.size[1]}, false,
+                                info.metadata, channel.lines, channel.alerts_of_lines};
 }
 
 namespace {
@@ -285,6 +290,8 @@ std::vector<Channel> open(const bytes::Source& source, const Format& format, con
     require_no_force_curve(source, format);
     auto channels = format.open(source, options);
     compare_sizes(channels, options, source);
+    if (options.keep_values || format.is_container) return channels;  // members of containers were opened one by one
+    for (auto& channel : channels) channel = without_no_data(std::move(channel));
     return channels;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/output/alert_kinds.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "setae/adhesion/partial_contact.hpp"
@@ -18,6 +20,19 @@ std::string percent(double share) { return fmt::format("{:g} %", 100.0 * share);
 std::vector<AlertKind> of_files() {
     const char* about = "files";
     return {
+        {"NO_DATA", about,
+         "heights have exactly a value that marks missing ones; they are undefined unless --keep-values is given",
+         "the evidence is overwhelming (undefined-heights.md); no false alarm on the surfaces tried there"},
+        {"NO_DATA_SUSPECTED", about,
+         "heights have exactly a value that may mark missing ones, or one is far from all others; they are kept",
+         "the evidence is weaker (undefined-heights.md)"},
+        {"LABELS_NOT_HEIGHTS", about,
+         "the first row or column of a table holds positions or numbers of rows, not heights"},
+        {"ROWS_MISSING", about,
+         "steps along a profile of equal steps are two or more times the usual one: the points between are undefined",
+         "rows left out make whole multiples of a step"},
+        {"POSITIONS_REPEATED", about, "several points of a profile have the same position"},
+        {"PASSES_SPLIT", about, "the positions of a profile run back and forth: each pass is a channel"},
         {"UNIT_ASSUMED", about, "the file states no unit; the one its format implies was taken"},
         {"UNIT_GUESSED", about, "a table of a spectrum states no units"},
         {"UNIT_MISMATCH", about, "two places state different units; the message says which was used"},
@@ -312,6 +327,11 @@ std::vector<AlertKind> of_studies() {
 }
 
 }  // namespace
+
+bool concerns_reading(const std::string& code) {
+    static const auto kinds = of_files();
+    return std::any_of(kinds.begin(), kinds.end(), [&](const AlertKind& kind) { return kind.code == code; });
+}
 
 std::vector<AlertKind> alert_kinds() {
     std::vector<AlertKind> all;

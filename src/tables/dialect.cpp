@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <tuple>
+
+#include <fmt/format.h>
 
 #include "setae/bytes/source.hpp"
 #include "setae/core/constants.hpp"
@@ -99,6 +102,13 @@ bool parse_cell(std::string_view cell, const Dialect& dialect, double& value) {
     if (dialect.grouped) return false;
     const auto ungrouped = without_groups(cell, dialect);
     return ungrouped && parse_cell(*ungrouped, dialect.decimal_point, value);
+}
+
+bool is_remark(std::string_view line) {
+    if (line.empty() || (line.front() != '#' && line.front() != '%')) return false;
+    double value = 0.0;
+    return line.front() == '%' || line.size() == 1 ||
+           !bytes::parse_cell(line.substr(0, line.find_first_of(" \t,;")), '.', value);
 }
 
 void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells) {
@@ -303,6 +313,65 @@ std::optional<Layout> find_layout(const std::vector<std::string_view>& lines, co
     std::vector<std::string_view> cells;
     while (row_cells(lines[layout.first_row], layout.dialect, cells) != layout.columns) ++layout.first_row;
     return layout;
+}
+
+namespace {
+
+/// The first cell of a line that is no number, where it begins with one and two thirds of its cells are, or one of two.
+std::optional<BrokenCell> broken_cell(std::string_view line, const Dialect& dialect,
+                                      std::vector<std::string_view>& cells) {
+    if (is_remark(trimmed(line))) return std::nullopt;
+    split_cells(line, dialect.separator, cells);
+    std::size_t numbers = 0;
+    std::optional<BrokenCell> broken;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        double value = 0.0;
+        if (parse_cell(cells[k], dialect, value)) numbers += value == value ? 1 : 0;
+        else if (!broken) broken = BrokenCell{std::string(cells[k]), 0, k + 1};
+    }
+    const bool most = cells.size() == 2 ? numbers == 1 : 3 * numbers >= 2 * cells.size();
+    return broken && broken->column > 1 && most ? broken : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BrokenCell> broken_row_above(const std::vector<std::string_view>& lines, const Layout& layout) {
+    std::optional<BrokenCell> found;
+    std::vector<std::string_view> cells;
+    for (auto i = layout.first_row; i-- > 0;) {
+        if (trimmed(lines[i]).empty()) continue;
+        auto broken = broken_cell(lines[i], layout.dialect, cells);
+        if (!broken || cells.size() != layout.columns) break;
+        broken->line = i + 1;
+        found = std::move(broken);
+    }
+    return found;
+}
+
+std::optional<BrokenCell> broken_row_of(const std::vector<std::string_view>& lines) {
+    constexpr std::size_t fewest_lines = 3;
+    std::optional<BrokenCell> found;
+    std::size_t most = fewest_lines - 1;
+    std::vector<std::string_view> cells;
+    for (const auto& dialect : dialects) {
+        std::map<std::size_t, std::pair<std::size_t, BrokenCell>>
+            by_cells;  // lines of so many cells, the first of them
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            auto broken = broken_cell(lines[i], dialect, cells);
+            if (!broken) continue;
+            broken->line = i + 1;
+            ++by_cells.try_emplace(cells.size(), 0, std::move(*broken)).first->second.first;
+        }
+        for (const auto& [columns, seen] : by_cells)
+            if (seen.first > most) std::tie(most, found) = std::pair(seen.first, std::optional(seen.second));
+    }
+    return found;
+}
+
+std::string described(const BrokenCell& broken) {
+    return fmt::format(
+        "'{:.40}' in column {} is no number; expected one, or nothing, NaN, N/A or another word for a missing value",
+        broken.cell, broken.column);
 }
 
 std::size_t numeric_columns(std::string_view head) {

@@ -32,8 +32,6 @@ std::size_t after_header_end(const std::vector<std::string_view>& lines, const T
         fmt::format("no line '{}' that ends the header; check header_end of the mapping", *options.header_end));
 }
 
-bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with('%'); }
-
 /// Numbers column by column, with what is known of the columns' cells.
 struct Numbers {
     Array2D values;                  ///< (columns, rows)
@@ -48,7 +46,7 @@ void for_each_row(const std::vector<std::string_view>& lines, const Layout& layo
     std::vector<std::string_view> cells;
     for (std::size_t i = layout.first_row; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
-        if (line.empty() || is_comment(line)) continue;
+        if (line.empty() || is_remark(line)) continue;
         split_cells(lines[i], layout.dialect.separator, cells);
         while (cells.size() > layout.columns && cells.back().empty()) cells.pop_back();
         if (cells.size() != layout.columns)
@@ -75,8 +73,7 @@ Numbers parse_rows_with_words(const std::vector<std::string_view>& lines, const 
                     numbers.words[k] = fmt::format("'{:.40}' on line {}", cells[k], i + 1);
             } else if (!parse_cell(cells[k], layout.dialect, value))
                 throw FormatError(name, {.line = i + 1},
-                                  fmt::format("'{:.40}' in column {} is no number, expected one as in the lines above",
-                                              cells[k], k + 1));
+                                  described({.cell = std::string(cells[k]), .line = i + 1, .column = k + 1}));
             values.push_back(value);
             if (!cells[k].empty()) numbers.has_text[k] = true;
         }
@@ -143,7 +140,7 @@ void require_decided_signs(const std::vector<std::string_view>& lines, const Lay
 std::map<std::string, std::string> key_values(const std::vector<std::string>& header) {
     std::map<std::string, std::string> found;
     for (const auto& line : header) {
-        if (!is_comment(line)) continue;
+        if (!is_remark(line)) continue;
         const auto text = trimmed(std::string_view(line).substr(1));
         const auto colon = text.find(':');
         if (colon == std::string_view::npos || colon == 0 || colon > 60) continue;
@@ -178,6 +175,8 @@ RawTable read_raw_table(const bytes::Source& source, const TableOptions& options
         throw FormatError(source.name, {.line = begin + 1},
                           "no row of numbers; expected columns of numbers below a header");
     layout->first_row += begin;
+    if (const auto broken = broken_row_above(lines, *layout); broken && broken->line > begin && layout->text.empty())
+        throw FormatError(source.name, {.line = broken->line}, described(*broken));
     require_decided_signs(lines, *layout, options, source.name);
     const auto numbers = layout->text.empty() ? parse_rows(text, lines, *layout, source.name)
                                               : parse_rows_with_words(lines, *layout, source.name);

@@ -29,9 +29,8 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 
 /// Whether a line of letters may be one of numbers: it begins with a word for an undefined one.
 bool begins_with_number_word(std::string_view line) {
-    const auto end = std::find_if_not(line.begin(), line.end(), is_letter);
     double value = 0.0;
-    return parse_cell(line.substr(0, static_cast<std::size_t>(end - line.begin())), '.', value);
+    return parse_cell(line.substr(0, line.find_first_of(" \t,;")), '.', value);
 }
 
 /// What the lines that begin in a chunk of the text are.
@@ -88,9 +87,10 @@ Chunk look_at(const bytes::Source& source, std::uint64_t begin, std::uint64_t ch
             plain ? std::string_view(text.data() + at, 1) : line_at(text.substr(at), buffer, source, offset, end);
         if (!line.empty()) {
             const bool word = is_letter(line.front()) && !begins_with_number_word(line);
-            if ((word || line.front() == '#') && chunk.breaks.size() < most_breaks)
+            const bool remark = is_remark(line);
+            if ((word || (remark && line.front() == '#')) && chunk.breaks.size() < most_breaks)
                 chunk.breaks.push_back({offset, chunk.lines, chunk.rows});
-            if (line.front() != '#' && line.front() != '%') {
+            if (!remark) {
                 ++chunk.rows;
                 chunk.last_row = offset;
                 chunk.last_row_line = chunk.lines;
@@ -144,7 +144,7 @@ public:
             ++number_;
             if (plain(line, values)) return true;
             const auto content = trimmed(line);
-            if (content.empty() || content.front() == '#' || content.front() == '%') continue;
+            if (content.empty() || is_remark(content)) continue;
             parse_number_line(line, lines_.layout, number_, lines_.source.name, values);
             return true;
         }
@@ -228,9 +228,8 @@ void parse_number_line(std::string_view line, const Layout& layout, std::uint64_
                                       cells.size(), layout.columns));
     for (std::size_t k = 0; k < cells.size(); ++k)
         if (!parse_cell(cells[k], layout.dialect, values[k]))
-            throw FormatError(
-                name, {.line = number},
-                fmt::format("'{:.40}' in column {} is no number, expected one as in the lines above", cells[k], k + 1));
+            throw FormatError(name, {.line = number},
+                              described({.cell = std::string(cells[k]), .line = number, .column = k + 1}));
 }
 
 NumberLines find_number_lines(const TextStart& start, std::uint64_t begin, std::uint64_t end) {
@@ -303,7 +302,7 @@ Array2D read_numbers_plainly(const NumberLines& lines) {
         for (const auto line : bytes::split_lines(text)) {
             ++number;
             const auto content = trimmed(line);
-            if (content.empty() || content.front() == '#' || content.front() == '%') continue;
+            if (content.empty() || is_remark(content)) continue;
             parse_number_line(line, lines.layout, number, lines.source.name, values.data());
             for (Index k = 0; k < lines.columns; ++k) target(k, row) = values[static_cast<std::size_t>(k)];
             ++row;

@@ -12,7 +12,16 @@
 namespace setae::topography {
 namespace {
 
-/// Defined points alone, from left to right.
+double arc_length(const Profile& contour, Index first, Index last) {
+    double length = 0.0;
+    for (Index i = first + 1; i <= last; ++i)
+        length +=
+            std::hypot(contour.positions[i] - contour.positions[i - 1], contour.heights[i] - contour.heights[i - 1]);
+    return length;
+}
+
+}  // namespace
+
 Profile defined_points(Profile contour) {
     std::vector<Index> kept;
     for (Index i = 0; i < contour.positions.size(); ++i)
@@ -26,16 +35,6 @@ Profile defined_points(Profile contour) {
     }
     return contour;
 }
-
-double arc_length(const Profile& contour, Index first, Index last) {
-    double length = 0.0;
-    for (Index i = first + 1; i <= last; ++i)
-        length +=
-            std::hypot(contour.positions[i] - contour.positions[i - 1], contour.heights[i] - contour.heights[i - 1]);
-    return length;
-}
-
-}  // namespace
 
 CleanedContour clean_contour(Profile contour, double tolerance) {
     if (contour.positions.size() != contour.heights.size())

@@ -47,11 +47,12 @@ ExitCode run(const Arguments& arguments) {
         print_json(answers::to_json(adhesion));
         return code;
     }
+    const auto others = show_of_reading(adhesion.alerts());
     print(output::adhesion_answer(adhesion.result));
     // the answer says where a work of adhesion is floored
     std::erase_if(adhesion.quantities, [](const auto& q) { return q.quantity.ends_with("_floored"); });
     print("\n" + output::quantity_table("", adhesion.quantities, output_size().width));
-    show(adhesion.alerts());
+    show(others);
     return code;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "convert/heights_output.hpp"
+#include "program/messages.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/quantity_table.hpp"
@@ -51,12 +52,16 @@ void ContactSurface::add_to(Options& options) {
 
 processing::PipelineResult ContactSurface::processed(parallel::Threads threads) const {
     if (path.empty()) throw InvalidArgument("no file; expected a map");
-    return answers::contact_surface(path, file, processing.pipeline(), made, threads);
+    auto surface = answers::contact_surface(path, file, processing.pipeline(), made, threads);
+    show(topography::metadata(surface.measurement).alerts);
+    return surface;
 }
 
 std::vector<processing::PipelineResult> ContactSurface::realisations(int count, parallel::Threads threads) const {
     if (path.empty()) throw InvalidArgument("no file; expected a map, a table of a spectrum or a study");
-    return answers::contact_surfaces(path, file, processing.pipeline(), made, count, threads);
+    auto surfaces = answers::contact_surfaces(path, file, processing.pipeline(), made, count, threads);
+    show(topography::metadata(surfaces.front().measurement).alerts);
+    return surfaces;
 }
 
 void ContactMaps::require_ending() const {

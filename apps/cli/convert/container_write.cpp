@@ -58,6 +58,7 @@ Action declare(Options& options) {
     options.add("--detrend", request.trends,
                 "what is to be removed: mean, tilt or parabola, or of one file: FILE=tilt; default: mean");
     add_layout_option(options, request.as);
+    add_keep_values_option(options, request.keep_values);
     options.example("setae container write afm.ibw stylus.csv -o surface.zip --name \"my surface\"",
                     "two measurements of one surface");
     options.example("setae container write --from study.toml -o surfaces.zip", "the surfaces of a study");

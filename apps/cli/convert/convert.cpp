@@ -70,8 +70,10 @@ void convert_file(const Arguments& arguments, const Job& job, Outcome& outcome) 
         const auto k = static_cast<std::size_t>(std::stoul(number));
         const auto output = arguments.all_channels ? numbered(job.output, k) : job.output;
         const auto& channel = channels[k];
-        write_heights(output, channel.read());
+        const auto measurement = channel.read();
+        write_heights(output, measurement);
         show(channel.info.alerts);
+        show(topography::metadata(measurement).alerts);
         outcome.files.push_back(
             {{"input", job.input}, {"output", output}, {"channel", channel.info.name}, {"unit", "m"}});
     });

@@ -59,6 +59,7 @@ output::Json level_file(const Arguments& arguments, const processing::Pipeline& 
         file_figures::write_figure(file_figures::level_figure(before, result, arguments.figure.look()), job.output);
     else if (!job.output.empty()) write_heights(job.output, result.measurement);
     show(channel.alerts);
+    show(topography::metadata(before).alerts);
     std::string lines =
         fmt::format("{} ({}){}\n", job.input, channel.name, job.output.empty() ? "" : " -> " + job.output);
     for (const auto& record : result.records) {

@@ -16,6 +16,7 @@ namespace setae::cli::check_command {
 namespace {
 
 constexpr const char* explanation =
+    "NO_DATA         a value that marks missing heights, which were taken as undefined; NO_DATA_SUSPECTED: one that may, which was kept\n"
     "UNDEF           heights without a value: their share\n"
     "REENTRANT       stretches of a curve that turn back: share of its length\n"
     "QUANTISED       steps of the digitiser: their size against rms height, share of equal neighbours\n"

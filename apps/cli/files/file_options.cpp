@@ -11,6 +11,11 @@ void add_layout_option(Options& options, std::string& as) {
         .one_of_unlisted({"matrix", "columns", "spectrum"});
 }
 
+void add_keep_values_option(Options& options, bool& keep_values) {
+    options.flag("--keep-values", keep_values,
+                 "values that mark missing heights (NO_DATA), such as -9999, stay heights; default: undefined");
+}
+
 void add_file_options(Options& options, answers::FileRequest& file) {
     options.add("--size", file.size, "extent where the file leaves it open: \"1 mm x 1 mm\" or \"2 mm\"")
         .read_by([](const std::string& text) { (void)answers::lengths_of(text); });
@@ -20,6 +25,7 @@ void add_file_options(Options& options, answers::FileRequest& file) {
     add_layout_option(options, file.as);
     options.add("--channel", file.channel,
                 "channel: its number, counted from 0 as `setae info` lists them, or its name or the beginning of it");
+    add_keep_values_option(options, file.keep_values);
 }
 
 }  // namespace setae::cli

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -38,8 +39,13 @@ bool show_remarks(const answers::Contents& contents, bool json) {
     bool any_bad_channel = false;
     for (const auto& file : contents.files) {
         if (file.content.picture && !json) show(file.content.picture->alerts);
+        std::vector<Alert> shown;  // channels of one table share what was made of it
         for (const auto& channel : file.channels)
-            if (!json || channel.info.format.empty()) show(channel.info.alerts);
+            for (const auto& alert : channel.info.alerts) {
+                const bool known = std::find(shown.begin(), shown.end(), alert) != shown.end();
+                if (!known && (!json || channel.info.format.empty())) shown.push_back(alert);
+            }
+        show(shown);
     }
     for (const auto& file : contents.files) {
         for (const auto& channel : file.channels) {

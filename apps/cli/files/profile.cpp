@@ -63,6 +63,7 @@ ExitCode run(const Arguments& arguments) {
     const auto measurement = answers::measurements_of(arguments.path, arguments.file).front();
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
     if (!map) throw InvalidArgument(fmt::format("{}: a line is its own profile; expected a map", arguments.path));
+    show(map->metadata.alerts);
     const auto unit = unit_lengths(arguments.unit, *map);
     processing::ProfileLine line{parsed_point(arguments.from, "--from", unit), parsed_point(arguments.to, "--to", unit),
                                  0.0, arguments.points};

@@ -44,6 +44,7 @@ ExitCode run(const Arguments& arguments) {
     const auto processed = processing::apply(arguments.processing.pipeline(),
                                              answers::measurements_of(arguments.path, arguments.file).front(),
                                              study::measurement_loader(arguments.file.read_options()));
+    show(topography::metadata(processed.measurement).alerts);
     const auto answer =
         answers::blind_tip(arguments.path, processed.measurement, arguments.request, arguments.common.workers());
     if (!arguments.output.empty()) write_heights(arguments.output, answer.tip);

@@ -81,9 +81,10 @@ ExitCode run_standard(const Arguments& arguments) {
     const auto answer = answers::texture_of(arguments.surface.surface(), arguments.texture, arguments.common.workers());
     for (const auto& failure : answer.failures) complain(failure);
     if (answer.list.empty()) return ExitCode::nothing_done;
+    const auto others = show_of_reading(answer.alerts);
     if (arguments.common.json || arguments.texture.format == "json") print_json(answers::to_json(answer));
     else print(parameter_text(answer.list, arguments.texture.format, output_size().width));
-    show(answer.alerts);
+    show(others);
     return answer.failures.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 
@@ -108,6 +109,7 @@ ExitCode run(const Arguments& arguments) {
     const auto& surface = parameters.surface;
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
+    const auto others = show_of_reading(answers::alerts_of(surface));
     if (!arguments.common.json)
         for (const auto& group : parameters.groups) {
             const bool named = !group.name.empty() && group.name != group.file;
@@ -118,7 +120,7 @@ ExitCode run(const Arguments& arguments) {
         write_figure(file_figures::parameter_figure(surface, arguments.figure.look()), arguments.output,
                      arguments.common.json);
     if (arguments.common.json) print_json(answers::to_json(parameters));
-    show(answers::alerts_of(surface));
+    show(others);
     return code;
 }
 

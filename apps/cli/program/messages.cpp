@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/messages.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "setae/output/alert_kinds.hpp"
 
 namespace setae::cli {
 
@@ -24,6 +26,13 @@ void show(const std::vector<Alert>& alerts) {
     for (const auto& alert : alerts)
         complain(fmt::format("{}: {}: {}{}", alert.code, alert.subject, alert.message,
                              alert.action.empty() ? "" : "; " + alert.action));
+}
+
+std::vector<Alert> show_of_reading(std::vector<Alert> alerts) {
+    const auto others = std::stable_partition(alerts.begin(), alerts.end(),
+                                              [](const Alert& alert) { return output::concerns_reading(alert.code); });
+    show({alerts.begin(), others});
+    return {others, alerts.end()};
 }
 
 ExitCode for_each_item(const std::vector<std::string>& items, const std::function<void(const std::string&)>& body) {

@@ -18,6 +18,9 @@ void complain(const std::string& message);
 /// Prints alerts on standard error, one a line.
 void show(const std::vector<Alert>& alerts);
 
+/// Prints the alerts about how files were read and returns the others: called before the numbers that depend on them.
+[[nodiscard]] std::vector<Alert> show_of_reading(std::vector<Alert> alerts);
+
 /// Runs body for every item; a setae::Error of one item is printed and the others go on.
 [[nodiscard]] ExitCode for_each_item(const std::vector<std::string>& items,
                                      const std::function<void(const std::string&)>& body);

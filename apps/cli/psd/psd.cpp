@@ -49,6 +49,8 @@ ExitCode run(const Arguments& arguments) {
     const auto& [surface, table, fit] = spectrum;
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
+    auto alerts = answers::alerts_of(surface);
+    if (!arguments.common.json) alerts = show_of_reading(std::move(alerts));
     write_table_or_figure(
         arguments.output, table,
         [&spectrum, &arguments] {
@@ -61,7 +63,7 @@ ExitCode run(const Arguments& arguments) {
     }
     if (arguments.output.empty()) print(tables::as_csv(table));
     else if (fit) print(output::quantity_table("", answers::parameters_of(*fit), output_size().width));
-    show(answers::alerts_of(surface));
+    show(alerts);
     if (fit) show(fit->alerts);
     return code;
 }

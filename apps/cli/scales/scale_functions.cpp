@@ -54,6 +54,8 @@ ExitCode run(const ScaleArguments& arguments, answers::ScaleFunction function) {
     const auto found = answers::functions_of_scale(function, request, arguments.common.workers());
     for (const auto& failure : found.failures) complain(failure);
     if (found.functions.empty()) return ExitCode::nothing_done;
+    auto alerts = found.alerts;
+    if (!arguments.common.json) alerts = show_of_reading(std::move(alerts));
     write_table_or_figure(
         arguments.output, found.table,
         [&] {
@@ -63,7 +65,7 @@ ExitCode run(const ScaleArguments& arguments, answers::ScaleFunction function) {
         arguments.common.json);
     if (arguments.common.json) print_json(answers::to_json(found));
     else if (arguments.output.empty()) print(tables::as_csv(found.table));
-    if (!arguments.common.json) show(found.alerts);
+    if (!arguments.common.json) show(alerts);
     return found.failures.empty() ? ExitCode::done : ExitCode::some_failed;
 }
 

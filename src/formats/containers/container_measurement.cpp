@@ -254,10 +254,12 @@ void require_statements(const bytes::Source& source, const bytes::Archive& archi
 }  // namespace
 
 Channel container_channel(const bytes::Source& source, const bytes::Archive& archive, const ContainerSurface& surface,
-                          const ContainerTopography& topography) {
+                          const ContainerTopography& topography, bool keep_values) {
     require_statements(source, archive, topography);
     try {
-        return member_channel(source, archive, entry_of(topography, surface.name, archive, source.name));
+        auto entry = entry_of(topography, surface.name, archive, source.name);
+        entry.options.keep_values = keep_values;
+        return member_channel(source, archive, entry);
     } catch (const Error& error) {
         return unreadable_member(source, topography.name, error.what());
     }

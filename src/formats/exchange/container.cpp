@@ -14,13 +14,13 @@ Match detect_container(std::string_view head, const bytes::Source& source) {
     return bytes::is_zip(head) && has_index(bytes::Archive(source)) ? Match::yes : Match::no;
 }
 
-std::vector<Channel> open_container(const bytes::Source& source, const ReadOptions&) {
+std::vector<Channel> open_container(const bytes::Source& source, const ReadOptions& options) {
     const bytes::Archive archive(source);
     const auto container = index_content(parsed_index(archive, source)).container;
     std::vector<Channel> channels;
     for (const auto& surface : container.surfaces)
         for (const auto& topography : surface.topographies)
-            channels.push_back(container_channel(source, archive, surface, topography));
+            channels.push_back(container_channel(source, archive, surface, topography, options.keep_values));
     if (channels.empty()) throw FormatError(source.name, {}, "container without measurements");
     return channels;
 }

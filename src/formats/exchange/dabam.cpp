@@ -232,7 +232,8 @@ std::vector<Channel> open_dabam(const bytes::Source& source, const ReadOptions& 
             info.name += ", integrated";
             info.metadata.attributes["heights from"] = "slopes, integrated by the trapezoidal rule";
         }
-        channels.push_back(curve_channel(std::move(info), curve, options, source));
+        for (auto& channel : curve_channels(std::move(info), curve, options, source))
+            channels.push_back(std::move(channel));
     }
     if (channels.empty())
         throw FormatError(source.name, {.line = 1}, "dabam: no column of heights or slopes with a factor to SI");

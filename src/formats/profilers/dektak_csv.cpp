@@ -56,7 +56,8 @@ std::vector<Channel> open_dektak(const bytes::Source& source, const ReadOptions&
         info.name = table.columns[k].name;
         info.format = "dektak-csv";
         info.metadata = metadata;
-        channels.push_back(curve_channel(std::move(info), {table.columns[0], table.columns[k]}, options, source));
+        for (auto& channel : curve_channels(std::move(info), {table.columns[0], table.columns[k]}, options, source))
+            channels.push_back(std::move(channel));
     }
     return channels;
 }

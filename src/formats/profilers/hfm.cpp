@@ -29,7 +29,7 @@ std::vector<Channel> open_hfm(const bytes::Source& source, const ReadOptions& op
     ChannelInfo info;
     info.name = curve.heights.name;
     info.format = "hfm";
-    return {curve_channel(std::move(info), std::move(curve), options, source)};
+    return curve_channels(std::move(info), curve, options, source);
 }
 
 }  // namespace

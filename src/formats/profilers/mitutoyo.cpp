@@ -126,7 +126,7 @@ std::vector<Channel> open_mitutoyo(const bytes::Source& source, const ReadOption
         info.metadata.attributes.insert_or_assign(
             metric.name, metric.unit.empty() ? metric.value : metric.value + " " + metric.unit);
     }
-    return {curve_channel(std::move(info), std::move(curve), options, source)};
+    return curve_channels(std::move(info), curve, options, source);
 }
 
 }  // namespace

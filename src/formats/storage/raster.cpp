@@ -238,6 +238,18 @@ topography::Measurement measured(const bytes::Source& source, const Raster& rast
     return measurement;
 }
 
+/// Raw values that programs write where integers have no height: the extremes of their type, of those without sign the
+/// greatest alone, for 0 is one.
+std::vector<double> extremes_of(Sample sample) {
+    switch (sample) {
+        case Sample::int16: return {-0x1p15, 0x1p15 - 1.0};
+        case Sample::int32: return {-0x1p31, 0x1p31 - 1.0};
+        case Sample::uint16: return {0x1p16 - 1.0};
+        case Sample::uint32: return {0x1p32 - 1.0};
+        default: return {};
+    }
+}
+
 }  // namespace
 
 double loaded(const char* from, Sample sample, std::endian order) {
@@ -310,14 +322,17 @@ Channel raster_channel(ChannelInfo info, const bytes::Source& source, const Rast
     auto read = [source, raster, metres, line, size = info.size, metadata = info.metadata] {
         return measured(source, raster, metres, line, size, metadata);
     };
-    if (line) return {std::move(info), std::move(read)};
+    auto codes = extremes_of(raster.sample);
+    for (double& code : codes) code = metres.factor * code + metres.offset;
+    if (line) return {.info = std::move(info), .read = std::move(read), .no_data_codes = std::move(codes)};
     auto lines = [source, raster, metres](Index first, Index count) {
         if (first < 0 || count < 1 || count > raster.ny - first)
             throw InvalidArgument(fmt::format("{}: lines {} to {} asked for, the map has lines 0 to {}", source.name,
                                               first, first + count - 1, raster.ny - 1));
         return read_raster(source, lines_of(raster, first, count), metres);
     };
-    return {std::move(info), std::move(read), std::move(lines)};
+    return {
+        .info = std::move(info), .read = std::move(read), .lines = std::move(lines), .no_data_codes = std::move(codes)};
 }
 
 }  // namespace setae::formats

@@ -30,9 +30,9 @@ rc::Gen<double> any_number() {
 /// Cells as files have them: many spellings of numbers, words, and what is none.
 rc::Gen<std::string> any_cell() {
     const auto number = rc::gen::map(any_number(), [](double value) { return fmt::format("{}", value); });
-    const auto spelled =
-        rc::gen::element<std::string>("1", "+2.5", "-.5", "3.", "1e5", "1E-400", "1e400", "-0", "007", "nan", "NaN",
-                                      "bad", "Bad", "inf", "-inf", "***", "--", "\"4.5\"", "1.#QNAN");
+    const auto spelled = rc::gen::element<std::string>("1", "+2.5", "-.5", "3.", "1e5", "1E-400", "1e400", "-0", "007",
+                                                       "nan", "NaN", "bad", "Bad", "inf", "-inf", "***", "--",
+                                                       "\"4.5\"", "1.#QNAN", "N/A", "#NV", "null", "#N/A");
     const auto wrong = rc::gen::element<std::string>("x", "1.2.3", "1e", "0x10", "1,5", "+-3", "++1", "1-2");
     return rc::gen::weightedOneOf<std::string>({{12, number}, {6, spelled}, {1, wrong}});
 }

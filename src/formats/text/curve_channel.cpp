@@ -11,7 +11,8 @@
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/tables/header.hpp"
-#include "setae/topography/line_scans.hpp"
+#include "setae/topography/no_data.hpp"
+#include "trace.hpp"
 
 namespace setae::formats {
 namespace {
@@ -61,14 +62,68 @@ void require_positions(const Array1D& x, const bytes::Source& source) {
         if (!std::isfinite(x[i])) throw FormatError(source.name, {}, fmt::format("x of point {} is undefined", i + 1));
 }
 
-Measurement to_measurement(Profile profile) {
-    if (increases(-profile.positions)) {
-        profile.positions.reverseInPlace();
-        profile.heights.reverseInPlace();
-        profile.standard_error.reverseInPlace();
+/// The points of one pass.
+HeightCurve part_of(const HeightCurve& curve, const Pass& pass) {
+    const Index n = pass.last - pass.first + 1;
+    auto part = curve;
+    part.x.values = curve.x.values.segment(pass.first, n);
+    part.heights.values = curve.heights.values.segment(pass.first, n);
+    if (part.standard_error) part.standard_error->values = curve.standard_error->values.segment(pass.first, n);
+    return part;
+}
+
+/// "height (forward)", of more than two passes "height (pass 3, forward)".
+std::string name_of_pass(const std::string& name, std::size_t number, std::size_t count, bool backward) {
+    const auto* way = backward ? "backward" : "forward";
+    const auto pass = count > 2 ? fmt::format("(pass {}, {})", number + 1, way) : fmt::format("({})", way);
+    return name.empty() ? pass : name + " " + pass;
+}
+
+Alert passes_alert(const std::vector<Pass>& passes, const bytes::Source& source) {
+    return {
+        "PASSES_SPLIT", source.name,
+        fmt::format("x runs along the profile in {} passes, {} points in the first: each pass is a channel",
+                    passes.size(), passes.front().last - passes.front().first + 1),
+        "choose one with --channel, in a study with channel; analyse several as measurements of one surface to average "
+        "them"};
+}
+
+/// Undefines values that mark missing heights before any height is averaged with them.
+void undefine_marks(Profile& profile, const LengthUnit& unit, const std::string& file) {
+    const auto& x = profile.positions;
+    const Index n = x.size();
+    if ((x.tail(n - 1) != x.head(n - 1)).all()) return;
+    topography::Measurement measurement = std::move(profile);
+    const auto report = topography::find_no_data(measurement, {.unit = unit.factor, .codes = {}});
+    topography::undefine(measurement, report);
+    profile = std::move(std::get<Profile>(measurement));
+    if (!report.any_undefined()) return;
+    for (auto& alert : topography::alerts_of(report, file, unit.name))
+        profile.metadata.alerts.push_back(std::move(alert));
+}
+
+Channel curve_channel(ChannelInfo info, const HeightCurve& curve, const Units& units, bool keep_values,
+                      const bytes::Source& source) {
+    if (curve.x.values.size() < 2)
+        throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", curve.x.values.size()));
+    if (units.heights.empty()) {
+        info.shape = {curve.x.values.size()};
+        (void)complete(info, {}, source);
+        return channel_without_unit(std::move(info), source);
     }
-    if (auto scan = topography::to_line_scan(profile)) return *scan;
-    return profile;
+    const auto height_unit = length_unit(units.heights, source);
+    info.unit = info.metadata.unit = height_unit.name;
+    info.metadata.file = source.name;
+    info.metadata.format = info.format;
+    if (info.metadata.name.empty()) info.metadata.name = info.name;
+    const double position_unit = length_unit(units.x, source).factor;
+    Profile profile{curve.x.values * position_unit, curve.heights.values * height_unit.factor, info.metadata};
+    if (curve.standard_error) profile.standard_error = standard_errors(*curve.standard_error, source);
+    if (!keep_values) undefine_marks(profile, height_unit, source.name);
+    auto trace = traced(std::move(profile), curve.x.values, position_unit, source.name);
+    auto& alerts = topography::metadata(trace.measurement).alerts;
+    alerts.insert(alerts.end(), trace.alerts.begin(), trace.alerts.end());
+    return loaded_channel(std::move(info), checked(std::move(trace.measurement), source));
 }
 
 }  // namespace
@@ -102,28 +157,48 @@ void compare_unit(ChannelInfo& info, const ReadOptions& options, const bytes::So
                            "check the unit; correct the file's header where it is wrong"});
 }
 
-Channel curve_channel(ChannelInfo info, HeightCurve curve, const ReadOptions& options, const bytes::Source& source) {
+MapUnits units_of_map(ChannelInfo& info, MapUnits stated, const ReadOptions& options, const bytes::Source& source) {
+    auto& [positions, heights] = stated;
+    if (heights.empty() != positions.empty() && !options.unit) {
+        info.alerts.push_back(
+            {"UNIT_ASSUMED", source.name,
+             fmt::format("the header states no unit for {}; taken as {} as the others",
+                         heights.empty() ? "heights" : "x and y", heights.empty() ? positions : heights),
+             "compare the heights with what is known of the surface, or give --unit"});
+        (heights.empty() ? heights : positions) = heights.empty() ? positions : heights;
+    }
+    info.unit = heights;
+    compare_unit(info, options, source);
+    const auto given = given_units(options);
+    if (positions.empty()) positions = given.positions;
+    if (heights.empty()) heights = given.heights;
+    info.unit = heights;
+    return stated;
+}
+
+std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve, const ReadOptions& options,
+                                    const bytes::Source& source) {
     const auto units = find_units(curve, info, options, source);
     require_positions(curve.x.values, source);
     if (curve.x.values.size() < 2)
         throw FormatError(source.name, {}, fmt::format("{} point, expected at least 2", curve.x.values.size()));
-    if (units.heights.empty()) {
-        info.shape = {curve.x.values.size()};
-        (void)complete(info, {}, source);
-        const auto message = fmt::format(
-            "{}: the file states no unit; give it, as in --unit um, or of x and of heights, as in --unit \"mm, um\"",
-            source.name);
-        return {std::move(info), [message]() -> Measurement { throw InvalidArgument(message); }};
+    const auto passes = passes_of(curve.x.values);
+    if (passes.size() == 1 && are_scattered(curve.x.values))
+        throw FormatError(
+            source.name, {},
+            fmt::format("x of {} points jumps to and fro, as positions of scattered points do; expected a "
+                        "profile, x in the order of measurement",
+                        curve.x.values.size()));
+    if (passes.size() == 1) return {curve_channel(std::move(info), curve, units, options.keep_values, source)};
+    info.metadata.alerts.push_back(passes_alert(passes, source));
+    std::vector<Channel> channels;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        auto own = info;
+        own.name = own.metadata.name = name_of_pass(info.name, i, passes.size(), passes[i].backward);
+        channels.push_back(
+            curve_channel(std::move(own), part_of(curve, passes[i]), units, options.keep_values, source));
     }
-    const auto height_unit = length_unit(units.heights, source);
-    info.unit = info.metadata.unit = height_unit.name;
-    info.metadata.file = source.name;
-    info.metadata.format = info.format;
-    if (info.metadata.name.empty()) info.metadata.name = info.name;
-    Profile profile{curve.x.values * length_unit(units.x, source).factor, curve.heights.values * height_unit.factor,
-                    info.metadata};
-    if (curve.standard_error) profile.standard_error = standard_errors(*curve.standard_error, source);
-    return loaded_channel(std::move(info), checked(to_measurement(std::move(profile)), source));
+    return channels;
 }
 
 }  // namespace setae::formats

@@ -19,13 +19,13 @@ struct HeightCurve {
     std::optional<tables::RawTable::RawColumn> standard_error = {};
 };
 
-/// A channel of a curve: equal steps give a line scan, others a profile as traced; one that runs backwards is turned. A
-/// unit that the file leaves open comes from the user, or from the other column, with an alert; where nobody says one,
-/// `read` throws InvalidArgument. `info` has name, format, metadata and alerts.
-/// @throws FormatError for units that are no lengths, undefined positions and fewer than two points; UndefinedDataError
-/// where no height is defined.
-[[nodiscard]] Channel curve_channel(ChannelInfo info, HeightCurve curve, const ReadOptions& options,
-                                    const bytes::Source& source);
+/// The channels of a curve, one for each pass of its positions (PASSES_SPLIT where there are several): what traced()
+/// makes of it. A unit that the file leaves open comes from the user, or from the other column, with an alert; where
+/// nobody says one, `read` throws InvalidArgument. `info` has name, format, metadata and alerts.
+/// @throws FormatError for units that are no lengths, undefined positions, positions of scattered points and fewer than
+/// two points; UndefinedDataError where no height is defined.
+[[nodiscard]] std::vector<Channel> curve_channels(ChannelInfo info, const HeightCurve& curve,
+                                                  const ReadOptions& options, const bytes::Source& source);
 
 /// Whether each value is greater than the one before.
 [[nodiscard]] bool increases(const Array1D& values);
@@ -35,6 +35,16 @@ struct HeightCurve {
 
 /// An alert UNIT_MISMATCH where the user gave another unit than the file says.
 void compare_unit(ChannelInfo& info, const ReadOptions& options, const bytes::Source& source);
+
+/// Units of positions and of heights of a map.
+struct MapUnits {
+    std::string positions, heights;  ///< empty where nobody says them
+};
+
+/// Those that the file states, else those given. Where the file states one of them and nobody gives the other, it holds
+/// for both, with an alert UNIT_ASSUMED. Sets the channel's unit.
+[[nodiscard]] MapUnits units_of_map(ChannelInfo& info, MapUnits stated, const ReadOptions& options,
+                                    const bytes::Source& source);
 
 /// A length such as "2.5 µm", or nothing.
 [[nodiscard]] std::optional<double> try_length(std::string_view text);

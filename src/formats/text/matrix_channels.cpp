@@ -8,6 +8,7 @@
 
 #include "channel_building.hpp"
 #include "curve_channel.hpp"
+#include "labels.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -28,9 +29,11 @@ struct Layer {
     tables::NumberPlaces places;
     bool void_map = false;  ///< as many lines below, 1 where a point is void
     bool is_line = false;
+    Labels labels = {};
 };
 
-Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header, const ReadOptions& options) {
+Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header,
+               const std::vector<std::string>& header_text, const ReadOptions& options) {
     const auto& name = lines.source.name;
     Layer layer;
     layer.void_map = header.void_map;
@@ -56,6 +59,14 @@ Layer layer_of(const tables::NumberLines& lines, const MatrixHeader& header, con
         throw FormatError(
             name, {.line = lines.lines},
             fmt::format("the text ends after one line of {} numbers, expected more points", lines.columns));
+    const bool may_have_labels = !options.keep_values && !header.is_map && layer.nx > 1 && layer.ny > 1;
+    if (may_have_labels)
+        layer.labels = find_labels(lines, header_text, options.layout == TextLayout::matrix || size_of_map);
+    if (layer.labels.any()) {
+        layer.nx -= layer.labels.first_column ? 1 : 0;
+        layer.ny -= layer.labels.rows_above;
+        layer.places.first = layer.labels.rows_above;
+    }
     layer.is_line = (layer.nx == 1 || layer.ny == 1) && !header.is_map && !size_of_map;
     return layer;
 }
@@ -75,6 +86,7 @@ std::vector<double> size_of(const MatrixHeader& header, const Layer& layer) {
 Array2D heights_of(const tables::NumberLines& lines, const Layer& layer, double factor) {
     auto places = layer.places;
     places.factor = factor;
+    if (layer.labels.any()) return factor * without_labels(tables::read_numbers(lines), layer.labels, lines);
     if (!layer.void_map) return tables::read_numbers(lines, places);
     places.count = lines.rows / 2;
     auto heights = tables::read_numbers(lines, places);
@@ -94,15 +106,60 @@ Measurement measured(const tables::NumberLines& lines, const Layer& layer, doubl
     return checked(HeightMap{std::move(heights), {info.size[0], info.size[1]}, false, info.metadata}, lines.source);
 }
 
-Channel channel_of(const tables::NumberLines& lines, const MatrixHeader& header, const ReadOptions& options,
+/// Units and, where labels are positions along both axes, the size that they tell. Nothing is left open by such a map
+/// but the unit.
+void apply_labels(const Labels& labels, MatrixHeader& header, ChannelInfo& info, const ReadOptions& options,
+                  const bytes::Source& source) {
+    info.metadata.alerts.push_back({"LABELS_NOT_HEIGHTS", source.name,
+                                    fmt::format("{}, which are no heights", labels.described()),
+                                    "if they are heights, give --keep-values, in a study keep_values = true"});
+    info.orientation = "smallest x at the left, smallest y at the top";
+    if (!labels.x || labels.x->counts || !labels.y || labels.y->counts) return;
+    const auto units = units_of_map(info, {labels.unit, header.unit}, options, source);
+    header.unit = units.heights;
+    if (units.positions.empty()) return;
+    const double unit = length_unit(units.positions, source).factor;
+    info.size = {static_cast<double>(labels.x->count) * std::abs(labels.x->step) * unit,
+                 static_cast<double>(labels.y->count) * std::abs(labels.y->step) * unit};
+}
+
+/// What the numbers of a text are said to be, and the lines that say it.
+struct SectionHeader {
+    MatrixHeader header;
+    std::vector<std::string> text;
+};
+
+/// What the table of a confocal microscope says of it.
+void take_microscope(topography::Metadata& metadata) {
+    const auto model = metadata.attributes.find("model"), date = metadata.attributes.find("date and time");
+    if (date != metadata.attributes.end()) metadata.acquisition_time = date->second;
+    if (model == metadata.attributes.end()) return;
+    metadata.instrument.name = model->second;
+    metadata.instrument.type = "optical";
+}
+
+/// Whether the first numbers grow by one from each to the next, as those of an index do.
+bool count_on(const tables::NumberLines& lines) {
+    constexpr Index enough = 64, fewest = 32;
+    if (lines.rows * lines.columns < fewest) return false;
+    const auto numbers = tables::read_numbers(lines, {.count = std::min(lines.rows, enough / lines.columns + 1)});
+    for (Index j = 0; j < numbers.cols(); ++j)
+        for (Index i = 0; i < numbers.rows(); ++i)
+            if (numbers(i, j) != numbers(0, 0) + static_cast<double>(j * numbers.rows() + i)) return false;
+    return true;
+}
+
+Channel channel_of(const tables::NumberLines& lines, const SectionHeader& section, const ReadOptions& options,
                    const std::vector<Alert>& alerts) {
+    auto header = section.header;
     tables::require_whole_last_line(lines);
-    const auto layer = layer_of(lines, header, options);
+    const auto layer = layer_of(lines, header, section.text, options);
     ChannelInfo info;
     info.name = info.metadata.name = header.name;
     info.format = "matrix";
     info.metadata.file = lines.source.name;
     info.metadata.attributes = header.attributes;
+    take_microscope(info.metadata);
     info.alerts = alerts;
     info.shape =
         layer.is_line ? std::vector<Index>{std::max(layer.nx, layer.ny)} : std::vector<Index>{layer.nx, layer.ny};
@@ -110,6 +167,7 @@ Channel channel_of(const tables::NumberLines& lines, const MatrixHeader& header,
         info.orientation = header.lines_are_columns ? "columns from the left, each from the bottom, turned"
                                                     : "rows from the top, as stored";
     if (!layer.is_line) info.size = size_of(header, layer);
+    if (layer.labels.any()) apply_labels(layer.labels, header, info, options, lines.source);
     info.unit = header.unit;
     const auto unit = tables::try_parse_unit(header.unit);
     const bool other_quantity = !header.unit.empty() && (!unit || unit->dimension != dimension::length);
@@ -117,9 +175,15 @@ Channel channel_of(const tables::NumberLines& lines, const MatrixHeader& header,
     const double stated = header.factor * (unit ? unit->factor : 1.0);
     compare_unit(info, options, lines.source);
     const double factor = stated * complete(info, options, lines.source);
+    const bool unit_is_all = layer.labels.x && layer.labels.y && !layer.labels.x->counts && !layer.labels.y->counts;
+    if (unit_is_all && info.unit.empty()) return channel_without_unit(std::move(info), lines.source);
     if (info.size.empty() || info.unit.empty()) return incomplete_channel(std::move(info), lines.source);
     auto read = [lines, layer, factor, info] { return measured(lines, layer, factor, info); };
-    return {std::move(info), std::move(read)};
+    Channel channel{std::move(info), std::move(read)};
+    const bool loose = section.header.unit.empty() && !options.keep_values;
+    return loose && count_on(lines)
+               ? doubtful_channel(std::move(channel), "whole numbers that count on from value to value")
+               : channel;
 }
 
 /// Text from one byte to another as the lines of a header.
@@ -164,9 +228,9 @@ std::vector<Channel> matrix_channels(const tables::TextStart& start, const Matri
     const auto end = start.source.size;
     auto lines = tables::find_number_lines(start, start.begin, end);
     const auto sections = sections_of(lines, header);
-    if (sections.empty()) return {channel_of(lines, header, options, alerts)};
+    if (sections.empty()) return {channel_of(lines, {header, start.header}, options, alerts)};
     std::vector<Channel> channels;
-    auto current = header;
+    SectionHeader current{header, start.header};
     auto part = start;
     for (std::size_t i = 0; i <= sections.size(); ++i) {
         const auto part_end = i < sections.size() ? sections[i].begin : end;
@@ -178,7 +242,7 @@ std::vector<Channel> matrix_channels(const tables::TextStart& start, const Matri
         if (!next)
             throw FormatError(start.source.name, {.line = sections[i].line + 1},
                               "a header without numbers below it; the file may be truncated here");
-        current = parse_matrix_header(next->header, start.source, current);
+        current = {parse_matrix_header(next->header, start.source, current.header), next->header};
         part.layout = next->layout;
         part.begin = sections[i].begin + next->begin;
         part.line = sections[i].line + next->line;

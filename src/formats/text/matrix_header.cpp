@@ -71,7 +71,7 @@ public:
         if (gathered_.flavour == Flavour::wyko) return take_wyko(line);
         while (!line.empty() && (line.front() == '#' || line.front() == ';' || line.front() == '%'))
             line = trimmed(line.substr(1));
-        if (take_counts(line)) return;
+        if (take_counts(line) || take_cells(line)) return;
         auto at = line.find_first_of("=:");
         std::size_t width = 1;
         if (const auto wide = line.find("："); wide < at) at = wide, width = 3;  // full-width colon
@@ -145,6 +145,52 @@ private:
         if (words.size() != 2 || !words[0].starts_with("h=") || !words[1].starts_with("w=")) return false;
         gathered_.header.ny = count(words[0].substr(2));
         gathered_.header.nx = count(words[1].substr(2));
+        return true;
+    }
+
+    /// "XY calibration","1.382","um/pixel" and its like, as Keyence's and other confocal microscopes' tables begin;
+    /// true for a line of two cells or three, the first of them a key of these.
+    bool take_cells(std::string_view line) {
+        for (const char separator : {',', ';', '\t'}) {
+            std::vector<std::string_view> cells;
+            tables::split_cells(line, separator, cells);
+            while (cells.size() > 2 && cells.back().empty()) cells.pop_back();
+            if (cells.size() < 2 || cells.size() > 3) continue;
+            std::vector<std::string> texts;
+            for (const auto cell : cells) texts.push_back(without_quotes(cell));
+            if (take_confocal(bytes::lowered(texts[0]), texts[1], texts.size() > 2 ? texts[2] : std::string()))
+                return true;
+        }
+        return false;
+    }
+
+    static std::string without_quotes(std::string_view cell) {
+        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+        return std::string(trimmed(cell));
+    }
+
+    bool take_confocal(const std::string& key, const std::string& value, std::string unit) {
+        auto& header = gathered_.header;
+        if (key == "xy calibration" || key == "x calibration" || key == "y calibration") {
+            unit = unit.substr(0, unit.find('/'));  // "um/pixel"
+            const auto text = unit.empty() ? value : value + " " + unit;
+            if (key.front() == 'x') gathered_.pixel[0] = text;
+            if (key != "x calibration") gathered_.pixel[1] = text;
+        } else if (key == "horizontal") {
+            header.nx = count(value);
+        } else if (key == "vertical") {
+            header.ny = count(value);
+        } else if (key == "unit") {
+            header.unit = value;
+        } else if (key == "output image data") {
+            header.name = value;
+            header.heights = bytes::lowered(value).find("height") != std::string::npos;
+        } else if (key == "model" || key == "date and time" || key == "data name" || key == "comment" ||
+                   key == "minimum value" || key == "maximum value" || key == "file name") {
+            if (!value.empty()) header.attributes.insert_or_assign(key, value);
+        } else {
+            return false;
+        }
         return true;
     }
 

@@ -20,10 +20,11 @@ Format matrix_text_format() {
         .extensions = ".txt .asc",
         .description =
             "numbers only, a row of the map a line, any separator, decimal point or comma: Gwyddion's export in its languages, also several maps in one file, SPIP, Wyko Vision, Nova, "
-            "'h=305 w=75', and maps without header, whose size and unit are given; one column or row is a line",
+            "'h=305 w=75', tables of confocal microscopes with 'XY calibration', and maps without header, whose size and unit are given; a first row and column of positions or of numbers of rows are no heights, positions give the size; one column or row is a line",
         .heights =
-            "values in the unit stated or given, times the header's conversion factor; Wyko: times wavelength over multiplier; nan, bad, inf, *** and SPIP's void points are undefined",
-        .orientation = "first line at the top; Wyko: a line holds one x, y from the bottom",
+            "values in the unit stated or given, times the header's conversion factor; Wyko: times wavelength over multiplier; words such as nan, N/A, bad, inf, *** and SPIP's void points are undefined",
+        .orientation =
+            "first line at the top; with positions the smallest y; Wyko: a line holds one x, y from the bottom",
         .not_read = "channels that are no lengths, Wyko's intensities and other blocks are listed only",
         .reference =
             "Gwyddion user guide, export as ASCII data matrix; Gwyddion modules asciiexport, spip-asc and opdfile; SurfaceTopography 1.27.1, IO/Text.py",

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "channel_building.hpp"
+#include "column_meaning.hpp"
 #include "curve_channel.hpp"
 #include "matrix_channels.hpp"
 #include "point_grid.hpp"
+#include "profile_table.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/formats/format.hpp"
@@ -17,18 +19,13 @@
 #include "setae/tables/commas.hpp"
 #include "setae/tables/dialect.hpp"
 #include "setae/tables/table_file.hpp"
+#include "setae/topography/line_scans.hpp"
 #include "text_start.hpp"
 
 namespace setae::formats {
 namespace {
 
 constexpr std::uint64_t beyond_first_line = 64;
-
-bool counts_up(const Array1D& values) {
-    for (Index i = 0; i < values.size(); ++i)
-        if (values[i] != values[0] + static_cast<double>(i)) return false;
-    return values[0] == 0.0 || values[0] == 1.0;
-}
 
 bool is_named(const tables::RawTable& table) {
     for (const auto& column : table.columns)
@@ -40,8 +37,16 @@ bool is_named(const tables::RawTable& table) {
 struct Choice {
     TextContent content = TextContent::none;
     bool ambiguous = false;
-    PointGrid grid;  ///< of points
+    PointGrid grid;                             ///< of points
+    std::optional<std::size_t> positions = {};  ///< the column of x of several profiles
 };
+
+/// Whether a column runs evenly, as only positions do.
+bool runs_evenly(const Array1D& values) {
+    constexpr Index fewest = 8;
+    return values.size() >= fewest && values.isFinite().all() &&
+           topography::to_line_scan({values, values, {}}).has_value();
+}
 
 Choice choose(const tables::RawTable& table, const ReadOptions& options) {
     const auto& columns = table.columns;
@@ -51,11 +56,16 @@ Choice choose(const tables::RawTable& table, const ReadOptions& options) {
     const bool named_index = bytes::lowered(columns[0].name) == "index";
     const bool along_x = increases(columns[1].values) || increases(-columns[1].values);
     if (named_index && along_x) return {TextContent::curve, false, {}};
-    if (!named && counts_up(columns[0].values) && along_x) return {TextContent::curve, !options.layout, {}};
+    if (!named && counts_rows(columns[0].values) && along_x) return {TextContent::curve, !options.layout, {}};
     auto grid = grid_of(columns[0].values, columns[1].values, columns[2].values);
     const bool said = named || table.metadata.contains("Lateral units");
     if (grid.found()) return {TextContent::points, !said && !options.layout, std::move(grid)};
+    if (const auto x = positions_of_profiles(table, options.layout == TextLayout::columns))
+        return {TextContent::profiles, false, std::move(grid), x};
     if (said || options.layout) return {TextContent::none, false, std::move(grid)};
+    if (runs_evenly(columns[0].values)) return {TextContent::profiles, true, std::move(grid), 0};
+    constexpr Index most_rows_of_strip = 16;  // a list of points is longer than a map of three columns
+    if (columns[0].values.size() > most_rows_of_strip) return {TextContent::none, false, std::move(grid)};
     return {TextContent::matrix, true, std::move(grid)};
 }
 
@@ -65,6 +75,10 @@ Alert ambiguous(TextContent content, const bytes::Source& source, const tables::
         content == TextContent::points
             ? std::string(
                   "points x, y, z, since x and y lie on a regular grid; --as matrix takes them as rows of a map")
+        : content == TextContent::profiles
+            ? std::string(
+                  "x and the heights of two profiles, since the first runs evenly; --as matrix takes them as rows "
+                  "of a map")
         : content == TextContent::curve
             ? std::string(
                   "an index, x and height, since the first counts up and the second runs on; --as matrix takes them as rows of a map")
@@ -88,14 +102,25 @@ HeightCurve curve_of(const tables::RawTable& table) {
     return curve;
 }
 
-Channel curve_of(const tables::RawTable& table, std::vector<Alert> alerts, const ReadOptions& options,
-                 const bytes::Source& source) {
+/// Why two columns are no profile; empty where they may be one.
+std::string why_no_profile(const HeightCurve& curve) {
+    if (const auto quantity = other_quantity(curve.x.name); !quantity.empty())
+        return fmt::format("the first column says {}, expected positions", quantity);
+    return why_no_heights(curve.heights);
+}
+
+std::vector<Channel> curve_of(const tables::RawTable& table, std::vector<Alert> alerts, const ReadOptions& options,
+                              const bytes::Source& source) {
     auto curve = curve_of(table);
     ChannelInfo info;
     info.name = curve.heights.name;
     info.format = "xy";
     info.alerts = std::move(alerts);
-    return curve_channel(std::move(info), std::move(curve), options, source);
+    const auto reason = why_no_profile(curve);
+    auto channels = curve_channels(std::move(info), curve, options, source);
+    if (!reason.empty() && options.layout != TextLayout::columns)
+        for (auto& channel : channels) channel = doubtful_channel(std::move(channel), reason);
+    return channels;
 }
 
 std::string entry(const tables::RawTable& table, const char* key) {
@@ -119,26 +144,15 @@ Channel points_of(const tables::RawTable& table, PointGrid grid, std::vector<Ale
         info.unit = unit;
         return non_height_channel(std::move(info));
     }
-    if (unit.empty() != lateral.empty() && !options.unit) {
-        info.alerts.push_back({"UNIT_ASSUMED", source.name,
-                               fmt::format("the header states no unit for {}; taken as {} as the others",
-                                           unit.empty() ? "z" : "x and y", unit.empty() ? lateral : unit),
-                               "compare the heights with what is known of the surface, or give --unit"});
-        (unit.empty() ? unit : lateral) = unit.empty() ? lateral : unit;
+    const auto units = units_of_map(info, {lateral, unit}, options, source);
+    if (units.heights.empty()) {
+        return channel_without_unit(std::move(info), source);
     }
-    info.unit = unit;
-    compare_unit(info, options, source);
-    const auto given = given_units(options);
-    if (lateral.empty()) lateral = given.positions;
-    if (unit.empty()) unit = given.heights;
-    if (unit.empty()) {
-        const auto message = fmt::format("{}: the file states no unit; give it, as in --unit um", source.name);
-        return {std::move(info), [message]() -> topography::Measurement { throw InvalidArgument(message); }};
-    }
-    info.unit = unit;
-    const double step = length_unit(lateral, source).factor;
-    topography::HeightMap map{
-        grid.heights * length_unit(unit, source).factor, {grid.size[0] * step, grid.size[1] * step}, false, {}};
+    const double step = length_unit(units.positions, source).factor;
+    topography::HeightMap map{grid.heights * length_unit(units.heights, source).factor,
+                              {grid.size[0] * step, grid.size[1] * step},
+                              false,
+                              {}};
     info.size = {map.size[0], map.size[1]};
     (void)complete(info, {}, source);
     map.metadata = info.metadata;
@@ -164,10 +178,28 @@ std::vector<Channel> own_profile(const bytes::Source& source) {
     throw FormatError(
         source.name, {.line = 1},
         fmt::format(
-            "{} columns of numbers{}, expected x and height, after an index or before a column 'valid' or 'standard_error', or points x, y, z on a "
-            "regular grid{}; force curves are read by `setae jkr fit`",
+            "not heights: {} columns of numbers{}, expected x and the heights of profiles, x named so or in a unit of length, "
+            "or points x, y, z on a regular grid{}; --as matrix with --size takes them as rows of a map, --as columns the "
+            "first as x; force curves are read by `setae jkr fit`",
             table.columns.size(), is_named(table) ? fmt::format(" named '{}', …", table.columns.front().name) : "",
             problem.empty() ? "" : " (" + problem + ")"));
+}
+
+/// The numbers of the first bytes; nothing where they make no table.
+std::optional<tables::RawTable> head_table(std::string_view head, const bytes::Source& source) {
+    const bool whole = head.size() >= source.size;
+    try {
+        return tables::read_raw_table(
+            bytes::memory_source("head", std::string(whole ? head : head.substr(0, head.rfind('\n') + 1))));
+    } catch (const FormatError&) {
+        return std::nullopt;
+    }
+}
+
+/// Whether a table of named columns is one of x and profiles, by its first rows.
+bool is_profile_table(const bytes::Source& source) {
+    const auto table = head_table(source.head(bytes::detection_bytes), source);
+    return table && table->columns.size() > 2 && positions_of_profiles(*table, false).has_value();
 }
 
 /// Names above all columns of a table: they are no rows of a map.
@@ -206,17 +238,6 @@ void require_clear_commas(const tables::TextStart& start, const MatrixHeader& he
     }
 }
 
-/// The numbers of the first bytes; nothing where they make no table.
-std::optional<tables::RawTable> head_table(std::string_view head, const bytes::Source& source) {
-    const bool whole = head.size() >= source.size;
-    try {
-        return tables::read_raw_table(
-            bytes::memory_source("head", std::string(whole ? head : head.substr(0, head.rfind('\n') + 1))));
-    } catch (const FormatError&) {
-        return std::nullopt;
-    }
-}
-
 }  // namespace
 
 TextGuess guess_text(std::string_view head, const bytes::Source& source) {
@@ -230,12 +251,14 @@ TextGuess guess_text(std::string_view head, const bytes::Source& source) {
         return {TextContent::matrix, true};  // open says what is wrong with it
     }
     const auto columns = start->layout.columns;
+    if (columns > 3 && is_table(*start) && is_profile_table(source)) return {TextContent::curve, false};
     if (columns == 1 || columns > 3) return {TextContent::matrix, false};
     if (columns == 2) return {TextContent::curve, false};
     const auto table = head_table(head, source);
     if (!table || table->columns.size() != 3) return {TextContent::curve, false};
     const auto content = choose(*table, {}).content;
-    return {content == TextContent::none ? TextContent::curve : content, false};
+    const bool curves = content == TextContent::none || content == TextContent::profiles;
+    return {curves ? TextContent::curve : content, false};
 }
 
 std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& options) {
@@ -245,24 +268,30 @@ std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& o
         throw FormatError(source.name, {.line = 1},
                           source.size == 0 ? "the file is empty; expected rows of numbers"
                                            : "no row of numbers; expected columns x and height below a header");
+    if (start->broken) throw FormatError(source.name, {.line = start->broken->line}, tables::described(*start->broken));
     const auto header = parse_matrix_header(start->header, source);
     const auto columns = start->layout.columns;
     const bool as_matrix = options.layout == TextLayout::matrix, as_columns = options.layout == TextLayout::columns;
-    const bool unnamed_map = columns > 3 && !as_columns && (!is_table(*start) || options.size);
+    const bool named_profiles = columns > 3 && is_table(*start) && is_profile_table(source);
+    const bool unnamed_map = columns > 3 && !as_columns && !named_profiles && (!is_table(*start) || options.size);
     if (as_matrix || (header.is_map && !as_columns) || columns == 1 || unnamed_map) {
         require_clear_commas(*start, header);
         return matrix_channels(*start, header, options, {});
     }
     const auto table = tables::read_raw_table(source);
+    if (table.columns.size() > 3)
+        if (const auto x = positions_of_profiles(table, as_columns))
+            return profile_channels(table, *x, {}, options, source);
     if (table.columns.size() < 2 || table.columns.size() > 3) no_surface(table, source, {});
-    if (table.columns.size() == 2) return {curve_of(table, {}, options, source)};
+    if (table.columns.size() == 2) return curve_of(table, {}, options, source);
     auto choice = choose(table, options);
     std::vector<Alert> alerts;
     if (choice.ambiguous) alerts.push_back(ambiguous(choice.content, source, table));
     switch (choice.content) {
         case TextContent::matrix: return matrix_channels(*start, header, options, alerts);
         case TextContent::points: return {points_of(table, std::move(choice.grid), std::move(alerts), options, source)};
-        case TextContent::curve: return {curve_of(table, std::move(alerts), options, source)};
+        case TextContent::curve: return curve_of(table, std::move(alerts), options, source);
+        case TextContent::profiles: return profile_channels(table, *choice.positions, alerts, options, source);
         case TextContent::none: break;
     }
     no_surface(table, source, choice.grid.problem);

@@ -9,9 +9,9 @@
 
 namespace setae::formats {
 
-/// What columns of numbers are taken for: rows of a map or one line of heights, points x, y, z on a grid, or a curve x,
-/// h.
-enum class TextContent { none, matrix, points, curve };
+/// What columns of numbers are taken for: rows of a map or one line of heights, points x, y, z on a grid, a curve x, h,
+/// or x and several profiles.
+enum class TextContent { none, matrix, points, curve, profiles };
 
 /// What a text seems to hold.
 struct TextGuess {
@@ -24,10 +24,11 @@ struct TextGuess {
 
 /// The channels of columns of numbers.
 ///
-/// A header of a map, or more than three columns, or one: a matrix. Two columns: a curve. Three: points where x and y
-/// lie on a regular grid; x and height behind an index where the first counts up and the second runs on; else a matrix.
-/// Where nothing but the numbers says so, an alert AMBIGUOUS_COLUMNS tells what was chosen and how to have it
-/// otherwise; ReadOptions::layout decides before all.
+/// A header of a map, or more than three columns, or one: a matrix, in which labels are no heights (find_labels()).
+/// Named columns of which the first is x: the profiles that the others are. Two columns: a curve. Three: points where x
+/// and y lie on a regular grid; x and height behind an index where the first counts up and the second runs on; two
+/// profiles where the first runs evenly; of a few rows a matrix. Where nothing but the numbers says so, an alert
+/// AMBIGUOUS_COLUMNS tells what was chosen and how to have it otherwise; ReadOptions::layout decides before all.
 /// @throws FormatError for text that is none of these: named columns of a table, numbers that break off.
 [[nodiscard]] std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& options);
 

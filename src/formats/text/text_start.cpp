@@ -16,7 +16,7 @@ void keep_first_part(std::vector<std::string_view>& lines) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const auto line = trimmed(lines[i]);
         if (numbers && begins_numbers(line, {})) return lines.resize(i);
-        numbers = numbers || !(line.empty() || line.front() == '#');
+        numbers = numbers || !(line.empty() || tables::is_remark(line));
     }
 }
 
@@ -52,6 +52,7 @@ std::optional<tables::TextStart> looked_for(const bytes::Source& source) {
         if (!layout) return std::nullopt;
         start.layout = *layout;
         start.line = layout->first_row;
+        start.broken = tables::broken_row_above(lines, *layout);
         for (std::size_t i = 0; i < layout->first_row; ++i) {
             start.begin = head.find('\n', start.begin) + 1;
             if (const auto line = trimmed(lines[i]); !line.empty()) start.header.emplace_back(line);

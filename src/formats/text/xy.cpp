@@ -19,13 +19,15 @@ Format xy_format() {
         .name = "two-column text",
         .extensions = ".csv .txt .asc .dat",
         .description =
-            "x and height with any separator, decimal point or comma, header and units in it or given; equal steps give a line scan, others a profile as traced; also behind an index, "
+            "x and height, or x and the heights of several profiles, with any separator, decimal point or comma, header and units in it or given; equal steps give a line scan, missing "
+            "rows undefined heights in it, others a profile as traced; passes back and forth are channels of their own; also behind an index, "
             "before a third column 'valid' or 'standard_error', setae's own profiles with the response of their trace, and exports of profilers without header, such as KLA-Tencor's "
             "Alpha-Step and Apex",
-        .heights = "values in the unit stated or given; empty cells and nan are undefined",
+        .heights =
+            "values in the unit stated or given; empty cells and words such as nan and N/A are undefined; heights at the same position are averaged",
         .orientation = "",
         .not_read =
-            "units of exports without a header, such as those of KLA-Tencor's P and Alpha-Step profilers, x in mm and heights in um, are given: --unit \"mm, um\"",
+            "columns of other quantities are listed only; units of exports without a header, such as those of KLA-Tencor's P and Alpha-Step profilers, x in mm and heights in um, are given: --unit \"mm, um\"",
         .reference = "no standard; the dialects stand in setae/tables/table_file.hpp",
         .tested_on_real_files = true,
         .carries_scale = false,

@@ -20,7 +20,8 @@ Format xyz_format() {
         .extensions = ".xyz .txt .csv",
         .description =
             "three columns x, y, z on a complete or incomplete regular grid, in any order, with any separator, decimal point or comma; units in the header or given",
-        .heights = "values in the unit stated or given; nodes without a point, empty cells and nan are undefined",
+        .heights =
+            "values in the unit stated or given; nodes without a point, empty cells and words such as nan and N/A are undefined",
         .orientation = "smallest x at the left, smallest y at the top",
         .not_read = "scattered points are refused",
         .reference = "no standard; Gwyddion module xyzexport for the header 'Lateral units', 'Value units'",

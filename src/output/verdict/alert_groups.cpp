@@ -18,8 +18,18 @@ constexpr std::array<std::string_view, 23> telling{
     "BAND_LIMITED",         "ONE_PLACE",         "HEIGHT_UNKNOWN",          "WILL_NOT_CONFORM",
     "MEASUREMENTS_SCATTER", "MEASURED_SLOPES",   "SINGLE_INSTRUMENT_DECADE"};
 
+/// Kinds before these: which numbers of a file are heights at all.
+constexpr std::array<std::string_view, 6> of_heights{"NO_DATA_SUSPECTED",  "NO_DATA",      "LABELS_NOT_HEIGHTS",
+                                                     "POSITIONS_REPEATED", "ROWS_MISSING", "PASSES_SPLIT"};
+
+template <std::size_t n>
+std::size_t place_in(const std::array<std::string_view, n>& kinds, const std::string& code) {
+    return static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), code) - kinds.begin());
+}
+
 std::size_t rank_of(const AlertGroup& group) {
-    return static_cast<std::size_t>(std::find(telling.begin(), telling.end(), group.code) - telling.begin());
+    const auto first = place_in(of_heights, group.code);
+    return first < of_heights.size() ? first : first + place_in(telling, group.code);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ constexpr std::array sentences{
     "Points that stand out of their surroundings are taken out.",
     "Strokes along x, a few scan lines wide, are taken out.",
     "The points of a region become undefined.",
+    "Heights of a value that marks missing ones, or beyond limits, become undefined.",
     "Undefined heights are filled from those around by the harmonic surface.",
     "Gaussian filter of ISO 16610-21 and -61: waves longer or shorter than the cutoff stay.",
     "Robust Gaussian regression filter of ISO 16610-31 and -71: peaks and grooves do not pull it.",

@@ -13,6 +13,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/formats/channel.hpp"
+#include "setae/study/measurement_options.hpp"
 #include "setae/study/open_loop.hpp"
 
 namespace setae::study {
@@ -160,7 +161,7 @@ private:
 
     void look_at(const MeasurementInput& input, std::size_t line) {
         try_to_open(line, input.file, [&] {
-            for (const auto& channel : formats::open_chosen(input.file, input.channel, {input.size, input.unit}))
+            for (const auto& channel : formats::open_chosen(input.file, input.channel, read_options(input)))
                 look_at(input, channel.info, line);
         });
         auto files = input.references;

@@ -114,6 +114,11 @@ const Keys<MeasurementInput>& measurement_keys() {
                                      fmt::format("{} lengths, expected one for a line, two for a map", lengths.size()));
                      if (!lengths.empty()) input.size = std::move(lengths);
                  })
+            .choice<std::string>(
+                "layout", &Input::layout, {{"matrix", "matrix"}, {"columns", "columns"}},
+                "what a text's columns are where that is ambiguous: the rows of a map, or positions and heights")
+            .add("keep_values", &Input::keep_values,
+                 "values that [mark missing heights](undefined-heights.md) stay heights")
             .add({"pipeline", "file", "", "", "[processing steps](../guides/processing.md) done before"},
                  read_pipeline_of);
     return keys;

@@ -91,7 +91,7 @@ SETAE_KEEP(StepRecord, step, numbers, alerts)
 namespace setae::topography {
 
 SETAE_KEEP(Instrument, name, type, tip_radius, tip_radius_standard_error, resolution)
-SETAE_KEEP(Metadata, name, file, format, unit, acquisition_time, instrument, attributes)
+SETAE_KEEP(Metadata, name, file, format, unit, acquisition_time, instrument, attributes, alerts)
 
 }  // namespace setae::topography
 
@@ -242,7 +242,7 @@ SETAE_KEEP(LoopSource, file, mapping, camera, force_curve, columns)
 SETAE_KEEP(LoopNumbers, contact_modulus, youngs_modulus, approach, pull_off, retraction, loss, contact_area)
 SETAE_KEEP(MeasurementInput, file, channel, instrument, tip_radius, tip_shape, tip_half_angle, tip_file, foil_thickness,
            height_calibration, lateral_calibration, numerical_aperture, light_wavelength, resolution, trend, direction,
-           references, unit, size, pipeline, steps, in_memory)
+           references, unit, size, layout, keep_values, pipeline, steps, in_memory)
 SETAE_KEEP(PublishedMoments, rms_height, rms_slope, rms_curvature, short_wavevector)
 SETAE_KEEP(SurfaceInput, name, description, measurements, power_spectrum, spectrum_units, moments)
 SETAE_KEEP(SurfaceAnalysisOptions, spectrum, longest_wavelength, shortest_wavelength, conversion, contours, window,

@@ -167,6 +167,8 @@ MeasurementResult analyse_tiled_map(const TiledMeasurement& large, const Surface
     const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(options.largest_map));
     MeasurementResult result;
     describe(result, metadata, large.trend, large.alerts);
+    if (large.map.alerts)
+        for (auto& alert : large.map.alerts()) result.alerts.push_back(std::move(alert));
     result.channel = large.channel;
     result.inputs = large.inputs;
     result.alerts.push_back(tiled_map_alert(metadata, large.map, options.largest_map));

@@ -10,6 +10,7 @@
 #include "setae/core/units.hpp"
 #include "setae/formats/channel.hpp"
 #include "setae/formats/format.hpp"
+#include "setae/study/measurement_options.hpp"
 #include "setae/study/pipeline_file.hpp"
 #include "setae/study/surface_analysis.hpp"
 #include "setae/topography/artefact.hpp"
@@ -263,6 +264,7 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     prepared.direction = input.direction;
     prepared.optics = optics_of(input);
     prepared.measurement = channel.read();
+    for (const auto& alert : topography::metadata(prepared.measurement).alerts) prepared.alerts.push_back(alert);
     prepared.inputs = inputs_of(input, topography::metadata(prepared.measurement));
     apply_instrument(topography::metadata(prepared.measurement).instrument, input);
     if (!input.references.empty()) {
@@ -306,8 +308,15 @@ Alert choice_alert(const std::string& file, const std::vector<formats::Channel>&
 
 }  // namespace
 
+formats::ReadOptions read_options(const MeasurementInput& input) {
+    formats::ReadOptions options{.size = input.size, .unit = input.unit, .keep_values = input.keep_values};
+    if (input.layout == "matrix") options.layout = formats::TextLayout::matrix;
+    if (input.layout == "columns") options.layout = formats::TextLayout::columns;
+    return options;
+}
+
 std::vector<MeasurementSource> measurement_sources(const MeasurementInput& input) {
-    const formats::ReadOptions options{input.size, input.unit};
+    const auto options = read_options(input);
     if (input.in_memory.read) {
         const formats::Channel channel{.info = {}, .read = input.in_memory.read};
         return {{[channel, input, options] { return prepare(channel, input, options, {}); }, {}}};

@@ -16,7 +16,8 @@ struct ContainerRequest {
     std::vector<std::string> from;              ///< containers and studies whose surfaces are taken over
     std::string output, name, description, as;  ///< name: of the surface, empty: the output's
     std::vector<std::string> sizes, units, channels, trends;
-    bool every_file = false;  ///< the first that cannot be read is thrown, and nothing is written
+    bool keep_values = false;  ///< values that mark missing heights stay heights
+    bool every_file = false;   ///< the first that cannot be read is thrown, and nothing is written
 };
 
 /// A container that was written; without surfaces nothing was.

@@ -21,6 +21,7 @@ struct HeightSummary {
     Index undefined_count = 0, points = 0;
     double mean = undefined, standard_deviation = undefined, least = undefined, greatest = undefined;
     std::string error;
+    std::vector<Alert> alerts = {};  ///< what was made of them
 
     [[nodiscard]] double undefined_share() const {
         return read ? static_cast<double>(undefined_count) / static_cast<double>(points) : undefined;

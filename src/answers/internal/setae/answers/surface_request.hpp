@@ -23,6 +23,7 @@ struct FileRequest {
     std::string unit;  ///< "um"; "mm, um": of x, then of heights; of a table of a spectrum "1/um, nm3"
     std::string as;    ///< "matrix", "columns" or "spectrum"
     formats::ChannelChoice channel;
+    bool keep_values = false;  ///< values that mark missing heights stay heights
 
     /// @throws InvalidArgument for a malformed size, and for a table of a spectrum, which holds no heights.
     [[nodiscard]] formats::ReadOptions read_options() const;

@@ -27,8 +27,8 @@ enum class Encoding { detect, utf8, utf16, latin1 };
 
 [[nodiscard]] std::vector<std::string_view> split_lines(std::string_view text);
 
-/// A cell's number: true with NaN for an empty cell and "nan", "bad", "-", "***", "infinite", "1.#QNAN"; false for
-/// anything that is no number.
+/// A cell's number: true with NaN for an empty cell and for words that stand where there is none ("nan", "N/A", "null",
+/// "bad", "-", "***", "1.#QNAN", spreadsheets' "#NV", "#N/A" …); false for anything else that is no number.
 [[nodiscard]] bool parse_cell(std::string_view cell, char decimal_point, double& value);
 
 }  // namespace setae::bytes

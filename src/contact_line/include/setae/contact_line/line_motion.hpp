@@ -13,7 +13,7 @@ enum class Direction { advancing, receding };
 /// When the edge passed a place for the first time.
 ///
 /// Between frames it moves at constant speed. Radii are cut into rings of one width; a cell is a ring at an angle. Its
-/// speed is the width over the time the edge took to cross it, so noise that goes forth and back counts once.
+/// speed is the width over the time the edge took to cross it, so noise that goes back and forth counts once.
 struct Passage {
     Direction direction = Direction::receding;
     Array1D ring;             ///< middles of R rings in the order they are passed [m]

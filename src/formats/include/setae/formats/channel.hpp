@@ -41,6 +41,9 @@ struct Channel {
     ChannelInfo info;
     std::function<topography::Measurement()> read;
     std::function<Array2D(Index first, Index count)> lines = {};
+    /// what was made of heights that `lines` gives, as the metadata's alerts tell it of what `read` gives; may be empty
+    std::function<std::vector<Alert>()> alerts_of_lines = {};
+    std::vector<double> no_data_codes = {};  ///< [m]: what the extremes of the file's type of number would be
 };
 
 /// The map of a channel by bands of scan lines, read when asked; nothing where it is no map, a size or unit is missing,
@@ -62,14 +65,15 @@ struct ReadOptions {
     std::optional<std::string> unit;  ///< of x and heights in text, of heights in npy arrays and text matrices; "mm,
                                       ///< um": of x, then of heights
     std::optional<TextLayout> layout =
-        {};  ///< of text; nothing: from the numbers, with an alert AMBIGUOUS_COLUMNS where both fit
+        {};                    ///< of text; nothing: from the numbers, with an alert AMBIGUOUS_COLUMNS where both fit
+    bool keep_values = false;  ///< values that mark missing heights (topography/no_data.hpp) stay heights
 };
 
 /// The channels of a file. The format is detected by content, never by name; truncated files and files whose header
 /// announces more than they hold are refused here. A container gives one channel a measurement, and one bad member
 /// becomes a channel with the alert UNREADABLE_MEMBER whose `read` throws what was wrong. Heights are read by `read`,
-/// not here: of binary files only headers are. A missing size or unit is told by missing(), and by `read` as
-/// InvalidArgument.
+/// not here: of binary files only headers are. Values that mark missing heights become undefined when they are read. A
+/// missing size or unit is told by missing(), and by `read` as InvalidArgument.
 /// @throws FileError for a path that cannot be read; FormatError for unknown or broken content; InvalidArgument for
 /// sizes that do not fit the data.
 [[nodiscard]] std::vector<Channel> open(const std::string& path, const ReadOptions& options = {});

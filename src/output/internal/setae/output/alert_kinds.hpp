@@ -17,4 +17,7 @@ struct AlertKind {
 /// Every kind of alert that setae knows.
 [[nodiscard]] std::vector<AlertKind> alert_kinds();
 
+/// Whether alerts of this code are about how a file was read, so that every number depends on them.
+[[nodiscard]] bool concerns_reading(const std::string& code);
+
 }  // namespace setae::output

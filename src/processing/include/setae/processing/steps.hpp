@@ -20,14 +20,16 @@
 #include "setae/processing/rotate.hpp"
 #include "setae/processing/scars.hpp"
 #include "setae/processing/turn.hpp"
+#include "setae/processing/undefine.hpp"
 
 namespace setae::processing {
 
 /// Every step there is, in the order of documents. A new one is named here and gets its sentence in steps.cpp, which
 /// does not compile before.
-using Step = std::variant<LevelMean, LevelPlane, LevelPolynomial, LevelFacet, LevelLines, AlignRows, Despike,
-                          RemoveScars, MaskOut, FillUndefined, GaussianFilter, RobustGaussianFilter, SplineFilter,
-                          FourierCut, Crop, Resample, Rotate, Transpose, Flip, QuarterTurns, AddMap, SubtractMap>;
+using Step =
+    std::variant<LevelMean, LevelPlane, LevelPolynomial, LevelFacet, LevelLines, AlignRows, Despike, RemoveScars,
+                 MaskOut, Undefine, FillUndefined, GaussianFilter, RobustGaussianFilter, SplineFilter, FourierCut, Crop,
+                 Resample, Rotate, Transpose, Flip, QuarterTurns, AddMap, SubtractMap>;
 
 /// How steps that name another file get its heights; channel: its name, empty for the first one of heights.
 using LoadMeasurement = std::function<topography::Measurement(const std::string& file, const std::string& channel)>;

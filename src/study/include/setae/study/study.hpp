@@ -55,9 +55,11 @@ struct MeasurementInput {
     std::vector<std::string> references;      ///< scans of a smooth standard: the instrument's artefact
     std::optional<std::string> unit;          ///< where the file leaves it open
     std::optional<std::vector<double>> size;  ///< [m], where the file leaves it open
-    std::optional<std::string> pipeline;      ///< file that `steps` come from
-    std::vector<std::string> steps;           ///< processing before analysis, each as step_from_text() reads it
-    HeightsInMemory in_memory = {};           ///< in place of the file's
+    std::string layout;  ///< of text whose columns have two meanings: "matrix", "columns"; empty: from the numbers
+    bool keep_values = false;             ///< values that mark missing heights stay heights
+    std::optional<std::string> pipeline;  ///< file that `steps` come from
+    std::vector<std::string> steps;       ///< processing before analysis, each as step_from_text() reads it
+    HeightsInMemory in_memory = {};       ///< in place of the file's
 };
 
 /// Published moments in place of measurements.

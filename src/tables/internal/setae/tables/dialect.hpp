@@ -26,6 +26,10 @@ using bytes::parse_cell;
 /// the dialect says so.
 [[nodiscard]] bool parse_cell(std::string_view cell, const Dialect& dialect, double& value);
 
+/// Whether a line is a remark: it begins with '#' or '%', and not with a spreadsheet's error such as "#NV" or
+/// "#DIV/0!", which is a cell.
+[[nodiscard]] bool is_remark(std::string_view line);
+
 /// Cells of a line, with their quotes, in which separators are the cell's own; for separator ' ' runs of blanks and
 /// tabs separate and none lead or trail.
 void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
@@ -47,6 +51,24 @@ struct Layout {
 /// cells, the same columns numbers in each; nothing where there is none of at least two columns.
 [[nodiscard]] std::optional<Layout> find_layout_with_words(const std::vector<std::string_view>& lines,
                                                            const TableOptions& options);
+
+/// A cell among numbers that is none.
+struct BrokenCell {
+    std::string cell;
+    std::size_t line = 0, column = 0;  ///< from 1
+};
+
+/// The first cell that is no number in rows directly above the first row: lines of as many cells that begin with a
+/// number and of which two thirds, or one of two, are numbers are no header. Nothing where there is no such line.
+[[nodiscard]] std::optional<BrokenCell> broken_row_above(const std::vector<std::string_view>& lines,
+                                                         const Layout& layout);
+
+/// The first cell that is no number in a text that has no row of numbers, but lines of which as many are numbers;
+/// nothing where those are few.
+[[nodiscard]] std::optional<BrokenCell> broken_row_of(const std::vector<std::string_view>& lines);
+
+/// "'xx' in column 3 is no number, …" for messages that name the line.
+[[nodiscard]] std::string described(const BrokenCell& broken);
 
 /// Numeric columns in the first bytes of a text, 0 where there are none or it is no text.
 [[nodiscard]] std::size_t numeric_columns(std::string_view head);

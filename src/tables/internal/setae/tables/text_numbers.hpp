@@ -18,8 +18,9 @@ struct TextStart {
     bytes::Source source;  ///< in UTF-8 or latin-1 with '\n' at the end of lines: the file itself, or its decoded copy
     std::vector<std::string> header;  ///< lines before the first row, in UTF-8
     Layout layout;
-    std::uint64_t begin = 0;  ///< byte of the first row
-    std::uint64_t line = 0;   ///< lines before it
+    std::uint64_t begin = 0;                ///< byte of the first row
+    std::uint64_t line = 0;                 ///< lines before it
+    std::optional<BrokenCell> broken = {};  ///< of rows above the first that are no header
 };
 
 /// Bytes from an offset to the end of its line, which ends at `end` at the latest.

@@ -17,6 +17,9 @@ struct CleanedContour {
     std::vector<Alert> alerts;     ///< REENTRANT with the share, where anything was cut
 };
 
+/// The points of a curve whose position and height are defined, from left to right.
+[[nodiscard]] Profile defined_points(Profile contour);
+
 /// Makes a traced contour a function h(x).
 ///
 /// Points with undefined x or h are dropped. A point whose x is not larger than the largest x before it lies on a

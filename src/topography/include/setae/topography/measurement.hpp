@@ -6,8 +6,10 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "setae/core/arrays.hpp"
+#include "setae/core/quantity.hpp"
 
 namespace setae::topography {
 
@@ -29,6 +31,7 @@ struct Metadata {
     std::string acquisition_time;  ///< as the file says it
     Instrument instrument;
     std::map<std::string, std::string> attributes;  ///< further header entries worth keeping
+    std::vector<Alert> alerts;  ///< what was made of the heights when they were read: values undefined, points averaged
 };
 
 /// Heights on a regular grid: h(x_i, y_j) with x_i = i · size[0]/nx, shape (nx, ny); first index x, the fast axis.

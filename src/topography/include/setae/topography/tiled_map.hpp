@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "setae/core/arrays.hpp"
 #include "setae/topography/measurement.hpp"
@@ -18,6 +19,8 @@ struct TiledMap {
     /// Heights h(x, first … first + count − 1) [m], shape (nx, count), NaN = undefined. May be called from one thread
     /// at a time.
     std::function<Array2D(Index first, Index count)> lines;
+    /// What was made of the heights that `lines` gives; may be empty.
+    std::function<std::vector<Alert>()> alerts = {};
 
     [[nodiscard]] std::array<double, 2> pixel_size() const {
         return {size[0] / static_cast<double>(nx), size[1] / static_cast<double>(ny)};

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "setae/tables/table_file.hpp"
+
+namespace setae::formats {
+
+/// Whether a name is one of positions along a profile: x, position, distance, lateral, scan length …
+[[nodiscard]] bool is_position_name(const std::string& name);
+
+/// Whether a column counts its rows: 0, 1, 2 … or 1, 2, 3 …
+[[nodiscard]] bool counts_rows(const Array1D& values);
+
+/// Why a column of a table holds no heights: the quantity that its name says, another unit than one of lengths, numbers
+/// of rows. Empty where it may hold some.
+[[nodiscard]] std::string why_no_heights(const tables::RawTable::RawColumn& column);
+
+/// The quantity other than a position that the name of a column says, such as "time"; empty where it says none.
+[[nodiscard]] std::string other_quantity(const std::string& name);
+
+}  // namespace setae::formats

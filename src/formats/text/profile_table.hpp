@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "setae/bytes/source.hpp"
+#include "setae/formats/channel.hpp"
+#include "setae/tables/table_file.hpp"
+
+namespace setae::formats {
+
+/// The column of x in a table of x and the heights of one profile or more; nothing where there is none.
+///
+/// It is the first, or the second behind numbers of rows. Its positions are defined and never turn, or run forth and
+/// back (passes_of()). Where nobody says that the columns are those of profiles, its name or its unit is one of
+/// positions; a second column named y makes the table one of points x, y, z, and a column of time or forces one of a
+/// record, unless x is named so. said: the user says so.
+[[nodiscard]] std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool said);
+
+/// The profiles of such a table as channels; columns that hold no heights are listed with the reason.
+[[nodiscard]] std::vector<Channel> profile_channels(const tables::RawTable& table, std::size_t positions,
+                                                    const std::vector<Alert>& alerts, const ReadOptions& options,
+                                                    const bytes::Source& source);
+
+}  // namespace setae::formats

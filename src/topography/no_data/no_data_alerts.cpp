@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include <fmt/format.h>
+
+#include "setae/core/units.hpp"
+#include "setae/topography/no_data.hpp"
+
+namespace setae::topography {
+namespace {
+
+/// A height as its file has it: "-9999 µm".
+std::string told(double height, const std::string& unit) {
+    return fmt::format("{:.7g} {}", height / unit_factor(unit, dimension::length), unit);
+}
+
+/// The same with as many digits as it takes to be this number again.
+std::string exactly_told(double height, const std::string& unit) {
+    const double factor = unit_factor(unit, dimension::length), number = height / factor;
+    for (int digits = 7; digits < 17; ++digits) {
+        const auto text = fmt::format("{:.{}g}", number, digits);
+        if (std::stod(text) * factor == height) return fmt::format("{} {}", text, unit);
+    }
+    return fmt::format("{} m", height);
+}
+
+}  // namespace
+
+std::vector<Alert> alerts_of(const NoDataReport& report, const std::string& subject, const std::string& unit) {
+    std::vector<Alert> alerts;
+    for (const auto& mark : report.values) {
+        const auto value = told(mark.value, unit);
+        const double percent = 100.0 * static_cast<double>(mark.count) / static_cast<double>(report.defined);
+        const auto found = fmt::format("{} of {} heights ({:.2g} %) {} {}, the others {} to {}", mark.count,
+                                       report.defined, percent, mark.count == 1 ? "is" : "are exactly", value,
+                                       told(report.least, unit), told(report.greatest, unit));
+        if (mark.no_height)
+            alerts.push_back({"NO_DATA", subject,
+                              found + ": this value marks missing heights, which were taken as undefined",
+                              "if they are heights, give --keep-values, in a study keep_values = true"});
+        else
+            alerts.push_back({"NO_DATA_SUSPECTED", subject,
+                              found + ": this value may mark missing heights; it was kept as a height",
+                              fmt::format("if it is none, give the step --step 'undefine value=\"{}\"'",
+                                          exactly_told(mark.value, unit))});
+    }
+    return alerts;
+}
+
+}  // namespace setae::topography

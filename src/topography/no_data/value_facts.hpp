@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "height_bands.hpp"
+
+namespace setae::topography {
+
+/// Count, mean and scatter of numbers.
+class Scatter {
+public:
+    void add(double number);
+    void add(const Scatter& other);
+    [[nodiscard]] Index count() const { return count_; }
+    [[nodiscard]] double mean() const { return mean_; }
+    [[nodiscard]] double standard_deviation() const;
+
+private:
+    Index count_ = 0;
+    double mean_ = 0.0, squares_ = 0.0;
+};
+
+/// How the heights that have a value exactly lie among the others.
+struct ValueFacts {
+    Index count = 0;
+    Index beyond = 0;  ///< others that lie beyond half way from the median to the value
+    double nearest = std::numeric_limits<double>::infinity();  ///< distance of the others' nearest height
+    Scatter runs, gaps;  ///< lengths of its runs along scan lines, and of what lies between two of them
+    Index steps = 0;     ///< from a run to a defined height beside it
+    Index jumps = 0;     ///< those that are longer than `jump`
+    Scatter beside;      ///< heights beside runs
+};
+
+struct AllFacts {
+    std::vector<ValueFacts> values;  ///< in the order of the values
+    Index defined = 0;               ///< heights, those of the values among them
+    double least, greatest;          ///< of the others
+};
+
+/// One pass over all heights. median: of the others. jump: a step that neighbours do not make.
+[[nodiscard]] AllFacts facts_of(const HeightBands& bands, const std::vector<double>& values, double median,
+                                double jump);
+
+}  // namespace setae::topography
