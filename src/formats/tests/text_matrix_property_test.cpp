@@ -99,7 +99,7 @@ RC_GTEST_PROP(TextMatrix, IsTheSameAfterWritingAndReading, ()) {
     const TemporaryFolder folder;
     const auto path = folder.path("map.txt");
     format_to_write(path).write(path, map);
-    const auto back = std::get<topography::HeightMap>(read(path));
+    const auto back = std::get<topography::HeightMap>(read(path, std::nullopt, ReadOptions{.keep_values = true}));
     RC_ASSERT(back.shape() == map.shape());
     RC_ASSERT(back.size == map.size);
     RC_ASSERT(back.metadata.name == map.metadata.name);
@@ -113,7 +113,7 @@ RC_GTEST_PROP(TextCurve, IsTheSameAfterWritingAndReading, ()) {
     const TemporaryFolder folder;
     const auto path = folder.path("curve.csv");
     format_to_write(path).write(path, profile);
-    const auto back = std::get<topography::Profile>(read(path));
+    const auto back = std::get<topography::Profile>(read(path, std::nullopt, ReadOptions{.keep_values = true}));
     RC_ASSERT(back.positions.size() == count);
     for (Index i = 0; i < count; ++i)
         RC_ASSERT(same(back.positions[i], profile.positions[i]) && same(back.heights[i], profile.heights[i]));
@@ -125,7 +125,7 @@ RC_GTEST_PROP(TextLine, KeepsHeightsToTheBitAndItsSize, ()) {
     const TemporaryFolder folder;
     const auto path = folder.path("line.csv");
     format_to_write(path).write(path, scan);
-    const auto back = std::get<topography::LineScan>(read(path));
+    const auto back = std::get<topography::LineScan>(read(path, std::nullopt, ReadOptions{.keep_values = true}));
     RC_ASSERT(back.heights.size() == count);
     RC_ASSERT(std::abs(back.size / scan.size - 1.0) < 1e-14);
     for (Index i = 0; i < count; ++i) RC_ASSERT(same(back.heights[i], scan.heights[i]));

@@ -244,12 +244,13 @@ bool are_scattered(const Array1D& positions) {
 }
 
 double last_digit(const Array1D& positions) {
-    constexpr int fewest = -6, most = 12;  // places behind the point
-    constexpr double rounding = 1e-6, most_digits = 1e9;
+    constexpr int most_digits = 9;
+    constexpr double rounding = 1e-6;
     const double largest = positions.abs().maxCoeff();
-    for (int places = fewest; places <= most; ++places) {
+    if (!(largest > 0.0) || !std::isfinite(largest)) return 0.0;
+    const int first = -static_cast<int>(std::floor(std::log10(largest)));  // places behind the point of its first digit
+    for (int places = first; places < first + most_digits; ++places) {
         const double digit = std::pow(10.0, static_cast<double>(-places));
-        if (largest / digit > most_digits) break;
         const bool all = std::all_of(positions.begin(), positions.end(), [digit](double x) {
             return std::abs(x / digit - std::round(x / digit)) <= rounding;
         });

@@ -41,6 +41,15 @@ struct Vertex {
     double standard_error;
 };
 
+/// What values scatter about a smooth curve: about a polynomial of fourth degree, which follows the shape of a minimum.
+Eigen::VectorXd scatter_of(const Eigen::VectorXd& values, const Array1D& u) {
+    constexpr Index coefficients = 5;
+    if (values.size() <= 2 * coefficients) return Eigen::VectorXd::Zero(values.size());
+    Eigen::MatrixXd design(values.size(), coefficients);
+    design << Array1D::Ones(values.size()), u, u.square(), u.cube(), u.square().square();
+    return values - design * numerics::least_squares(design, values);
+}
+
 /// The smallest value of a parabola through values; noise and scatter, the larger, decide its error.
 Vertex smallest_of_parabola(const Eigen::VectorXd& values, const SampleNoise& noise) {
     const Array1D u = Array1D::LinSpaced(values.size(), -1.0, 1.0);
@@ -52,7 +61,7 @@ Vertex smallest_of_parabola(const Eigen::VectorXd& values, const SampleNoise& no
     at = std::clamp(at, -1.0, 1.0);
     const Eigen::Vector3d row(1.0, at, at * at);
     const double independent = row.dot(numerics::inverse(design.transpose() * design) * row);
-    const double scatter = row.dot(correlated_covariance(design, values - design * found).covariance * row);
+    const double scatter = row.dot(correlated_covariance(design, scatter_of(values, u)).covariance * row);
     const double variance = noise.sigma * noise.sigma * noise.correlated_samples * independent;
     return {at, row.dot(found), std::sqrt(scatter > variance ? scatter : variance)};
 }

@@ -6,6 +6,7 @@
 #include "sample_files.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
+#include "text/trace.hpp"
 
 /// Profiles whose positions are rounded, repeated, missing, or run back and forth, and tables of several.
 using namespace setae::tests;
@@ -42,6 +43,15 @@ std::string refusal(const std::string& text, const ReadOptions& options = {}) {
         return error.what();
     }
     return "no error";
+}
+
+TEST(LastDigit, IsThatOfTheFileWhateverTheUnit) {
+    const Array1D rounded = Array1D::LinSpaced(30, 0.0, 2.9);
+    EXPECT_DOUBLE_EQ(last_digit(rounded), 0.1);
+    EXPECT_NEAR(last_digit(1e-6 * rounded), 1e-7, 1e-20);
+    EXPECT_DOUBLE_EQ(last_digit(1000.0 * rounded), 100.0);
+    EXPECT_EQ(last_digit(1e-9 * rounded / 7.0), 0.0);
+    EXPECT_EQ(last_digit(Array1D::Zero(3)), 0.0);
 }
 
 TEST(Trace, RoundedPositionsOfEqualStepsAreThoseOfALine) {
