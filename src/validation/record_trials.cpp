@@ -169,6 +169,8 @@ RecordTrial trial_of(const Combination& kinds, std::uint64_t seed, RandomKey key
         for (const auto& alert : found.alerts) trial.warnings.push_back(alert.code);
     } catch (const UndefinedDataError& error) {
         trial.refused = error.what();
+    } catch (const InvalidArgument& error) {  // too few samples are left
+        trial.refused = error.what();
     }
     trial.cause_named = names_cause(trial, kinds);
     return trial;
