@@ -65,6 +65,9 @@ PreparedRecord prepared(const Loop& recorded, const RecordFaults& faults, const 
     record.segments =
         known ? measured_anew(*known, record.deflected) : found_segments(record.deflected, faults, options.segments);
     record.zero = force_zero(record.deflected, record.segments, options.segments.drift);
+    // the machine deflects under the force, not under the drift of its zero
+    if (options.machine_stiffness && record.deflected.displacement.size() > 0)
+        record.deflected.displacement += record.zero.value / *options.machine_stiffness;
     record.level = record.deflected;
     record.level.force -= record.zero.value;
     return record;

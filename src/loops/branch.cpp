@@ -36,8 +36,7 @@ Outcome<JkrFit> fitted(const BranchData& data, const LensAndCounterBody& bodies,
     Outcome<JkrFit> result = attempt([&] { return fit(data); });
     if (!result) return result;
     for (Index mode = 0; mode < data.force_zero_modes.cols(); ++mode) {
-        BranchData higher = data;
-        higher.force += data.force_zero_modes.col(mode);
+        const BranchData higher = data.with_higher_force(data.force_zero_modes.col(mode));
         if (const Outcome<JkrFit> shifted = attempt([&] { return fit(higher); }))
             add_force_zero_error(*result.value, *shifted, bodies);
     }
@@ -104,6 +103,13 @@ Selection loading_selection(const Loop& loop, const Segments& segments, const Co
     return selection;
 }
 
+BranchData BranchData::with_higher_force(const Eigen::Ref<const Array1D>& shift) const {
+    BranchData higher = *this;
+    higher.force += shift;
+    if (higher.displacement.size() > 0) higher.displacement -= compliance * shift;
+    return higher;
+}
+
 BranchData branch_data(const LevelledLoop& record, const Selection& selection, const AnalysisOptions& options) {
     const Loop& loop = record.loop;
     const std::vector<Index> samples = in_contact(loop, selection.samples);
@@ -113,7 +119,8 @@ BranchData branch_data(const LevelledLoop& record, const Selection& selection, c
                     .force_noise = record.noise.force_noise,
                     .displacement_noise = record.noise.displacement_noise,
                     .force_displacement_covariance = record.noise.force_displacement_covariance,
-                    .force_zero_modes = record.zero_modes(samples, Eigen::all)};
+                    .force_zero_modes = record.zero_modes(samples, Eigen::all),
+                    .compliance = options.machine_stiffness ? 1.0 / *options.machine_stiffness : 0.0};
     data.contact_radius_noise =
         options.contact_radius_noise ? *options.contact_radius_noise : white_noise(data.contact_radius);
     return data;
@@ -130,9 +137,8 @@ const JkrFit& BranchAnalysis::primary() const {
     return radius_force ? *radius_force : *force_displacement;
 }
 
-BranchAnalysis analyse_branch(const LevelledLoop& record, const Selection& selection,
-                              const LensAndCounterBody& bodies, const AnalysisOptions& options,
-                              const std::optional<Estimate>& elastic_modulus) {
+BranchAnalysis analyse_branch(const LevelledLoop& record, const Selection& selection, const LensAndCounterBody& bodies,
+                              const AnalysisOptions& options, const std::optional<Estimate>& elastic_modulus) {
     const BranchData data = as_half_space(branch_data(record, selection, options), bodies, options);
     BranchAnalysis branch{.effective_variance_first = options.effective_variance};
     const auto radius_fit = [&](RadiusErrors errors) {

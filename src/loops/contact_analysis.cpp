@@ -158,11 +158,22 @@ void require_resolved_radii(const BranchData& points, const ContactAnalysis& ana
             100.0 * largest));
 }
 
+/// (S2) takes E* from loading. @throws UndefinedDataError where loading does not tell it.
+void require_known_modulus(const JkrFit& loading) {
+    constexpr double most = 0.3;
+    const Estimate& modulus = loading.contact_modulus;
+    if (!loading.converged) throw UndefinedDataError("the fit of loading, which gives E*, did not converge");
+    if (modulus.standard_error > most * modulus.value)
+        throw UndefinedDataError(
+            fmt::format("E* of loading is known to {:.0f} % only", 100.0 * modulus.standard_error / modulus.value));
+}
+
 Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const ContactSegments& contact,
                                           const ContactAnalysis& analysis, const LensAndCounterBody& bodies,
                                           const AnalysisOptions& options) {
     if (!contact.pull_off) return Outcome<RetractionFit>::missing(analysis.pull_off.reason);
     return attempt([&] {
+        if (!options.retraction_modulus_free) require_known_modulus(analysis.loading.primary());
         const Selection selection =
             last_points(record.level, record.segments, *contact.unloading, options.retraction_points);
         BranchData points = branch_data(record.levelled(), selection, options);
@@ -183,8 +194,7 @@ Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const Co
         RetractionFit fit = fitted(points);
         const double work = fit.work_of_adhesion.value;
         const auto add_error_of = [&](const Array1D& shift) {
-            BranchData moved = points;
-            moved.force += shift;
+            const BranchData moved = points.with_higher_force(shift);
             fit.work_of_adhesion.standard_error =
                 std::hypot(fit.work_of_adhesion.standard_error, fitted(moved).work_of_adhesion.value - work);
         };
@@ -304,7 +314,7 @@ void add_compliance_error(ContactAnalysis& analysis, const PreparedRecord& recor
     analysis.compliance = ComplianceEffect{.stiffness = stiffness};
     PreparedRecord stiffer = record;
     stiffer.level.displacement +=
-        record.deflected.force * (1.0 / stiffness.value - 1.0 / (stiffness.value + stiffness.standard_error));
+        record.level.force * (1.0 / stiffness.value - 1.0 / (stiffness.value + stiffness.standard_error));
     const auto add = [&](BranchAnalysis& branch, const Outcome<BranchAnalysis>& shifted) {
         if (!branch.force_displacement || !shifted || !shifted->force_displacement) return;
         add_force_zero_error(*branch.force_displacement.value, *shifted->force_displacement, bodies);

@@ -31,6 +31,13 @@ const RecordKind& kind_named(const std::string& name) {
     throw InvalidArgument(fmt::format("unknown kind of record '{}'; there are {}", name, names));
 }
 
+/// Whether a record can be of both kinds. Free flight is cut at contact, which there must be.
+bool go_together(const RecordKind& a, const RecordKind& b) {
+    const auto cuts = [](const RecordKind& kind) { return kind.group == std::string("free flight"); };
+    const auto contactless = [](const RecordKind& kind) { return kind.name == std::string("no_contact"); };
+    return a.group != b.group && !(cuts(a) && contactless(b)) && !(cuts(b) && contactless(a));
+}
+
 std::vector<Combination> combinations(const RecordTrialOptions& options) {
     Combination chosen;
     if (options.kinds.empty())
@@ -40,7 +47,7 @@ std::vector<Combination> combinations(const RecordTrialOptions& options) {
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         if (!options.pairs) result.push_back({chosen[i]});
         for (std::size_t j = i + 1; options.pairs && j < chosen.size(); ++j)
-            if (chosen[i]->group != chosen[j]->group) result.push_back({chosen[i], chosen[j]});
+            if (go_together(*chosen[i], *chosen[j])) result.push_back({chosen[i], chosen[j]});
     }
     return result;
 }
@@ -71,9 +78,9 @@ RecordInMaking drawn_record(RandomKey key) {
 void set_pace(RecordInMaking& record) {
     auto& protocol = record.protocol;
     const double samples = std::floor(between(record.key, 4, 200.0, 600.0));
-    const double way = record.penetration + (std::isinf(protocol.machine_stiffness)
-                                                 ? 0.0
-                                                 : protocol.maximum_force / protocol.machine_stiffness);
+    const double way =
+        record.penetration +
+        (std::isinf(protocol.machine_stiffness) ? 0.0 : protocol.maximum_force / protocol.machine_stiffness);
     const double step = way / samples;
     protocol.approach_speed = protocol.retraction_speed = step * protocol.force_rate;
     protocol.start_gap = 0.35 * way + step * numerics::uniform_number(record.key, 5);
@@ -89,8 +96,7 @@ Array1D noise_of(RandomKey key, Index samples, double correlation) {
 }
 
 void simulate(RecordInMaking& record) {
-    const auto made =
-        simulation::simulated_loop(record.specimen, record.protocol, {.compliance = record.compliance});
+    const auto made = simulation::simulated_loop(record.specimen, record.protocol, {.compliance = record.compliance});
     record.loop = made.loop;
     record.energy_loss = made.truth.energy_loss();
     if (!record.camera) record.loop.contact_radius = Array1D();
@@ -111,7 +117,8 @@ void add_noise(RecordInMaking& record) {
     const Array1D of_radius = noise(3, 0.0);
     for (Index i = 0; i < n; ++i)
         if (loop.contact_radius[i] > 0.0)
-            loop.contact_radius[i] = std::max(loop.contact_radius[i] + radius_noise * largest * of_radius[i], 1e-3 * largest);
+            loop.contact_radius[i] =
+                std::max(loop.contact_radius[i] + radius_noise * largest * of_radius[i], 1e-3 * largest);
 }
 
 RecordInMaking made_record(const Combination& kinds, RandomKey key) {

@@ -103,7 +103,8 @@ RC_GTEST_PROP(Npy, KeepsEveryFiniteHeight, ()) {
     map(0, 0) = 1.0;
     const TemporaryFolder folder;
     write_npy(folder.path("m.npy"), map);
-    const auto back = std::get<topography::HeightMap>(read(folder.path("m.npy"), 0, {{{1.0, 1.0}}, "m"}));
+    const auto back = std::get<topography::HeightMap>(
+        read(folder.path("m.npy"), 0, {.size = {{1.0, 1.0}}, .unit = "m", .keep_values = true}));
     RC_ASSERT((back.heights == map || (back.heights.isNaN() && !map.isFinite())).all());
 }
 

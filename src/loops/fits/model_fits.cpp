@@ -30,8 +30,7 @@ constexpr std::array<std::pair<ContactModel, const char*>, 7> names{{{ContactMod
 /// The error of the zero of force: the change of all estimates to the same data with forces higher by one of its modes.
 void add_force_zero(ModelFit& fit, const BranchData& data, Index mode, const LensAndCounterBody& bodies,
                     const ModelFitOptions& options, const FitSolution& solution) {
-    BranchData higher = data;
-    higher.force += data.force_zero_modes.col(mode);
+    const BranchData higher = data.with_higher_force(data.force_zero_modes.col(mode));
     PreparedFit prepared = prepare(higher, bodies, options);
     const FitSolution moved = solve(prepared, solution.at);
     if (!moved.least_squares.converged) return;

@@ -206,8 +206,9 @@ void require_adhesion(const Record& record, const Segments& segments) {
     constexpr double range_of_noise = 12.0;  // in standard deviations, beyond any that noise reaches
     const double range = loop.force.maxCoeff() - loop.force.minCoeff(), noise = record_noise(loop.force);
     if (range <= range_of_noise * noise)
-        throw UndefinedDataError(fmt::format("the force never leaves its noise: range {}, noise {}; no contact to analyse",
-                                             format_value(range, "N", 3), format_value(noise, "N", 3)));
+        throw UndefinedDataError(
+            fmt::format("the force never leaves its noise: range {}, noise {}; no contact to analyse",
+                        format_value(range, "N", 3), format_value(noise, "N", 3)));
     throw UndefinedDataError(
         "no contact: nowhere does the force rise with the displacement as in contact, between free flight before and after it; "
         "check the signs of force and displacement, and which columns they are");
@@ -218,11 +219,9 @@ void require_adhesion(const Record& record, const Segments& segments) {
 ContactEdges edges_of(const Loop& loop, bool said) {
     ContactEdges edges;
     if (loop.displacement.size() > 0) edges = find_contact_edges(loop);
-    if (loop.contact_radius.size() == 0) {
-        if (!edges.found && !said)
-            if (const auto fault = channel_fault(loop)) throw ChannelFaultError(*fault);
-        return edges;
-    }
+    if (loop.displacement.size() > 0 && !edges.found && !said)
+        if (const auto fault = channel_fault(loop)) throw ChannelFaultError(*fault);
+    if (loop.contact_radius.size() == 0) return edges;
     const ContactEdges seen = contact_edges_of_frames(loop);
     if (!edges.found || !seen.found) return seen;
     // the frames know which samples are in contact, the force between which frames it began
@@ -256,9 +255,10 @@ IndexRange share_of(const Loop& loop, double share, const ContactEdges& edges) {
     const IndexRange range{0, std::max(count, fewest) - 1};
     const Index free = edges.before ? edges.before->count() : 0;
     if (edges.found && range.count() > free)
-        throw UndefinedDataError(fmt::format("the first {} samples are no free flight: contact begins after sample {}; shorten the "
-                                             "baseline share or leave it out",
-                                             range.count(), free));
+        throw UndefinedDataError(
+            fmt::format("the first {} samples are no free flight: contact begins after sample {}; shorten the "
+                        "baseline share or leave it out",
+                        range.count(), free));
     return range;
 }
 

@@ -54,6 +54,21 @@ TEST(RecordTrials, CombineKindsOfDifferentGroups) {
     EXPECT_EQ(summary(trials, "all").count, 10);
 }
 
+TEST(RecordTrials, OfTwoKindsAreAnalysedHonestly) {
+    // the machine deflects under the force, not under the drift of its zero; a camera does not hide exchanged columns
+    for (const auto& kinds : {std::vector<std::string>{"drift_-100", "stage_stiffness_given"},
+                              {"drift_100", "camera"},
+                              {"camera", "swapped"}})
+        for (const RecordSummary& row : summary(record_trials({.kinds = kinds, .pairs = true, .runs = 8}))) {
+            EXPECT_EQ(row.silent, 0) << row.kinds;
+            EXPECT_EQ(row.refused, is_refused(kinds.back()) ? 8 : 0) << row.kinds;
+        }
+}
+
+TEST(RecordTrials, CutNoFreeFlightWhereThereIsNoContact) {
+    EXPECT_EQ(number_of_trials({.kinds = {"no_baseline", "no_contact", "hold"}, .pairs = true, .runs = 1}), 2);
+}
+
 TEST(RecordTrials, NameTheKindsThereAre) {
     try {
         (void)record_trials({.kinds = {"drift_11"}});

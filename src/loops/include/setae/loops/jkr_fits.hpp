@@ -23,6 +23,10 @@ struct BranchData {
     /// Independent errors of the zero that forces are counted from [N]: samples × modes, each of one standard
     /// deviation.
     Array2D force_zero_modes{};
+    double compliance = 0.0;  ///< of the machine, whose deflection was taken off the displacement [m/N]
+
+    /// The same with another zero: forces higher by so much, displacements less by what the machine deflects under it.
+    [[nodiscard]] BranchData with_higher_force(const Eigen::Ref<const Array1D>& shift) const;
 };
 
 /// Least-squares estimate of E* and W by one of several routes.
