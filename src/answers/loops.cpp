@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "setae/bytes/archive_folder.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
@@ -19,6 +21,7 @@
 #include "setae/study/own_outputs.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping_folder.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::answers {
 namespace {
@@ -43,6 +46,26 @@ std::optional<Estimate> length(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(parse_uncertain_quantity(text, positive(dimension::length)));
 }
 
+bool is_table(const std::string& path) {
+    try {
+        return !tables::read_raw_table(bytes::file_source(path)).columns.empty();
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// Whether a file of a folder is meant where loops are asked for: a loop, or a table of which the user names columns.
+/// Tables that nothing reads stay, for their fault to be told.
+bool may_be_loop(const std::string& path, bool columns_are_named) {
+    try {
+        const auto kind = study::file_content(path).kind;
+        if (kind == study::FileKind::loop || kind == study::FileKind::force_curve) return true;
+        return columns_are_named && kind == study::FileKind::topography && is_table(path);
+    } catch (const Error&) {
+        return is_table(path);
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> LoopFiles::expanded() const {
@@ -62,6 +85,8 @@ std::vector<std::string> LoopFiles::expanded() const {
             if (entry.is_regular_file() && !entry.path().filename().string().starts_with(".") &&
                 !study::is_own_output(entry.path().string()))
                 within.push_back(entry.path().string());
+        std::erase_if(within, [&](const auto& file) { return !may_be_loop(file, !map.empty() || !columns.empty()); });
+        if (within.empty()) throw InvalidArgument(fmt::format("{}: no loop among the files of this folder", path));
         std::sort(within.begin(), within.end());
         all.insert(all.end(), within.begin(), within.end());
     }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "height_names.hpp"
+#include "text/column_meaning.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::formats {
@@ -73,13 +74,31 @@ bool are_coordinates(const StoredArray& array) {
     return each_constant && ((first[0] < middle[0]) == (middle[0] < last[0]));
 }
 
+/// Whole numbers that go on by one from value to value, also from the end of a line to the next.
+bool count_on(const StoredArray& array) {
+    if (array.hold && array.shape[0] * array.shape[1] > largest_packed) return false;
+    const auto kept = array.hold ? array.hold() : nullptr;
+    const auto first = stored_line(array, 0), second = stored_line(array, 1);
+    const Index n = first.size();
+    for (Index i = 0; i < n; ++i)
+        if (first[i] != first[0] + static_cast<double>(i) || second[i] != first[0] + static_cast<double>(n + i))
+            return false;
+    return n > 2;
+}
+
+/// Why an array of few columns is none of heights; empty for wider ones.
+std::string why_narrow(const StoredArray& array) {
+    const Index narrow = std::min(array.shape[0], array.shape[1]), wide = std::max(array.shape[0], array.shape[1]);
+    if (narrow >= narrowest_map || wide < tallest_table) return {};
+    return fmt::format("{} × {} numbers: a table of {} columns", array.shape[0], array.shape[1], narrow);
+}
+
 std::string why_no_map(const LooseArray& loose) {
     const auto& array = loose.array;
-    const Index narrow = std::min(array.shape[0], array.shape[1]), wide = std::max(array.shape[0], array.shape[1]);
-    if (narrow < narrowest_map && wide >= tallest_table)
-        return fmt::format("{} × {} numbers: a table of {} columns", array.shape[0], array.shape[1], narrow);
+    if (auto why = why_narrow(array); !why.empty()) return why;
     if (bytes_of(array.sample) == 1) return "values of 8 bits: a picture or a mask";
     if (loose.integers) return "whole numbers without a unit";
+    if (count_on(array)) return "whole numbers that count on from value to value: an index";
     return are_coordinates(array) ? "the same in every line, or one value a line: coordinates of the points"
                                   : std::string();
 }
@@ -97,10 +116,23 @@ std::string why_no_line(const LooseArray& loose) {
 
 std::string why_no_heights(const LooseArray& loose) {
     if (!loose.array.refusal.empty() || is_height_name(loose.name) || loose.has_length) return {};
+    if (const auto quantity = other_quantity(loose.name); !quantity.empty())
+        return fmt::format("its name says {}", quantity);
     const auto& shape = loose.array.shape;
     const bool line = shape.size() < 2 || shape[0] == 1 || shape[1] == 1;
     try {
         return line ? why_no_line(loose) : why_no_map(loose);
+    } catch (const FormatError&) {  // damaged values: reading says how
+        return {};
+    }
+}
+
+std::string why_lone_array_is_no_map(const StoredArray& array) {
+    const auto& shape = array.shape;
+    if (!array.refusal.empty() || shape.size() < 2 || shape[0] == 1 || shape[1] == 1) return {};
+    try {
+        if (bytes_of(array.sample) > 1) return why_no_map({.array = array, .name = {}});
+        return why_narrow(array);
     } catch (const FormatError&) {  // damaged values: reading says how
         return {};
     }

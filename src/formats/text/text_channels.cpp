@@ -9,6 +9,7 @@
 #include "channel_building.hpp"
 #include "column_meaning.hpp"
 #include "curve_channel.hpp"
+#include "height_names.hpp"
 #include "matrix_channels.hpp"
 #include "point_grid.hpp"
 #include "profile_table.hpp"
@@ -56,7 +57,9 @@ Choice choose(const tables::RawTable& table, const ReadOptions& options) {
     const bool named_index = bytes::lowered(columns[0].name) == "index";
     const bool along_x = increases(columns[1].values) || increases(-columns[1].values);
     if (named_index && along_x) return {TextContent::curve, false, {}};
-    if (!named && counts_rows(columns[0].values) && along_x) return {TextContent::curve, !options.layout, {}};
+    const bool others_named = !columns[1].name.empty() && !columns[2].name.empty();
+    if (!named && counts_rows(columns[0].values) && along_x)
+        return {TextContent::curve, !options.layout && !others_named, {}};
     auto grid = grid_of(columns[0].values, columns[1].values, columns[2].values);
     const bool said = named || table.metadata.contains("Lateral units");
     if (grid.found()) return {TextContent::points, !said && !options.layout, std::move(grid)};
@@ -91,8 +94,17 @@ Alert ambiguous(TextContent content, const bytes::Source& source, const tables::
                                            : "check the shape; give --as matrix where it is wrong"};
 }
 
+/// Two columns of which the second holds the positions: named so, and the first not.
+bool positions_come_last(const std::vector<tables::RawTable::RawColumn>& columns) {
+    const auto &first = columns[0], &second = columns[1];
+    return is_position_name(second.name) && !is_position_name(first.name) && !first.name.empty() &&
+           other_quantity(first.name).empty() && run_along(second.values) &&
+           (is_height_name(first.name) || !run_along(first.values));
+}
+
 HeightCurve curve_of(const tables::RawTable& table) {
     const auto& columns = table.columns;
+    if (columns.size() == 2 && positions_come_last(columns)) return {columns[1], columns[0]};
     if (columns.size() == 2) return {columns[0], columns[1]};
     const auto last = bytes::lowered(columns[2].name);
     if (last == "standard_error") return {columns[0], columns[1], columns[2]};
@@ -210,7 +222,7 @@ bool is_table(const tables::TextStart& start) {
     if (names.empty()) return false;
     double value = 0.0;
     for (const auto& name : names)
-        if (parse_cell(name, start.layout.dialect, value)) return false;
+        if ((!name.empty() || names.size() == 1) && parse_cell(name, start.layout.dialect, value)) return false;
     return true;
 }
 
