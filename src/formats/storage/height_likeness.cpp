@@ -116,12 +116,12 @@ std::string why_no_line(const LooseArray& loose) {
 
 std::string why_no_heights(const LooseArray& loose) {
     if (!loose.array.refusal.empty() || is_height_name(loose.name) || loose.has_length) return {};
-    if (const auto quantity = other_quantity(loose.name); !quantity.empty())
-        return fmt::format("its name says {}", quantity);
     const auto& shape = loose.array.shape;
     const bool line = shape.size() < 2 || shape[0] == 1 || shape[1] == 1;
     try {
-        return line ? why_no_line(loose) : why_no_map(loose);
+        const auto why = line ? why_no_line(loose) : why_no_map(loose);
+        const auto quantity = other_quantity(loose.name);
+        return why.empty() && !quantity.empty() ? fmt::format("its name says {}", quantity) : why;
     } catch (const FormatError&) {  // damaged values: reading says how
         return {};
     }

@@ -76,8 +76,24 @@ std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, 
     if (columns.size() < x + 2 || !may_be_positions(columns[x], said)) return std::nullopt;
     const bool record = std::any_of(columns.begin(), columns.end(), is_of_a_record);
     if (record && !said && !is_position_name(columns[x].name)) return std::nullopt;
-    const bool points = !said && columns.size() == x + 3 && is_named_y(columns[x + 1].name);
+    const bool points = !said && columns.size() >= x + 3 && is_named_y(columns[x + 1].name);
     return points ? std::nullopt : std::optional(x);
+}
+
+std::optional<tables::RawTable> named_points(const tables::RawTable& table) {
+    std::vector<tables::RawTable::RawColumn> x, y, heights;
+    for (const auto& column : table.columns) {
+        const auto words = words_of_name(column.name);
+        const bool length = column.text.empty() && (column.unit.empty() || is_length_unit(column.unit));
+        if (words.empty() || !length) continue;
+        if (words.front() == "x") x.push_back(column);
+        else if (words.front() == "y") y.push_back(column);
+        else if (is_height_name(column.name)) heights.push_back(column);
+    }
+    if (x.size() != 1 || y.size() != 1 || heights.size() != 1) return std::nullopt;
+    auto points = table;
+    points.columns = {x.front(), y.front(), heights.front()};
+    return points;
 }
 
 std::vector<Channel> profile_channels(const tables::RawTable& table, std::size_t positions,

@@ -290,7 +290,9 @@ std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& o
         require_clear_commas(*start, header);
         return matrix_channels(*start, header, options, {});
     }
-    const auto table = tables::read_raw_table(source);
+    auto table = tables::read_raw_table(source);
+    if (!as_columns)
+        if (auto points = named_points(table)) table = std::move(*points);
     if (table.columns.size() > 3)
         if (const auto x = positions_of_profiles(table, as_columns))
             return profile_channels(table, *x, {}, options, source);

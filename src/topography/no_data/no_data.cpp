@@ -116,7 +116,7 @@ bool is_no_height(const Evidence& e) {
     if (e.isolated && count >= 5) return true;
     const bool jumps = 10 * e.facts.jumps >= 9 * e.facts.steps;
     const bool others_vary = e.facts.beside.standard_deviation() >= beside_steps * e.others.step;
-    return e.dominant && e.within && count >= 10 && jumps && others_vary;
+    return e.dominant && (e.within || e.usual_mark) && count >= 10 && jumps && others_vary;
 }
 
 bool is_suspect(const Evidence& e) {
