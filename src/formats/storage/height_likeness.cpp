@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "height_names.hpp"
-#include "text/column_meaning.hpp"
 #include "setae/core/errors.hpp"
+#include "text/column_meaning.hpp"
 
 namespace setae::formats {
 namespace {

@@ -13,11 +13,11 @@ namespace setae::formats {
 
 /// The column of x in a table of x and the heights of one profile or more; nothing where there is none.
 ///
-/// It is the first, the second behind numbers of rows, or one named so behind other quantities such as the time, where a
-/// later column is named heights. Its positions are defined and never turn, or run forth and
-/// back (passes_of()). Where nobody says that the columns are those of profiles, its name or its unit is one of
-/// positions; a column named y behind it makes the table one of points x, y, z, and a column of time or forces one of a
-/// record, unless x is named so. said: the user says so.
+/// It is the first, the second behind numbers of rows, or one named so behind other quantities such as the time, where
+/// a later column is named heights. Its positions are defined and never turn, or run forth and back (passes_of()).
+/// Where nobody says that the columns are those of profiles, its name or its unit is one of positions; a column named y
+/// behind it makes the table one of points x, y, z, and a column of time or forces one of a record, unless x is named
+/// so. said: the user says so.
 [[nodiscard]] std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool said);
 
 /// The columns x, y and heights of a table that names one of each, in this order; nothing for other tables.

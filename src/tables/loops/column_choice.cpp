@@ -263,7 +263,8 @@ std::string likely_position(const ColumnGuess& guess, const std::string& role) {
         guess.path, {},
         fmt::format("no column found for {}, the file has {}{}", force ? "displacement or contact_radius" : "force",
                     fmt::join(all_labels(guess), ", "),
-                    wrong.empty() ? fmt::format("; name it by its header or position: {}", column_option({{role, likely_position(guess, role)}}))
+                    wrong.empty() ? fmt::format("; name it by its header or position: {}",
+                                                column_option({{role, likely_position(guess, role)}}))
                                   : wrong));
 }
 
