@@ -94,17 +94,27 @@ Alert ambiguous(TextContent content, const bytes::Source& source, const tables::
                                            : "check the shape; give --as matrix where it is wrong"};
 }
 
-/// Two columns of which the second holds the positions: named so, and the first not.
-bool positions_come_last(const std::vector<tables::RawTable::RawColumn>& columns) {
+/// What tells that of two columns the second holds the positions.
+enum class Exchange { no, by_name, by_steps };
+
+Exchange exchange_of(const std::vector<tables::RawTable::RawColumn>& columns) {
     const auto &first = columns[0], &second = columns[1];
-    return is_position_name(second.name) && !is_position_name(first.name) && !first.name.empty() &&
-           other_quantity(first.name).empty() && run_along(second.values) &&
-           (is_height_name(first.name) || !run_along(first.values));
+    if (is_position_name(first.name) || !other_quantity(first.name).empty() || !other_quantity(second.name).empty())
+        return Exchange::no;
+    const bool first_runs = run_along(first.values);
+    const bool named = !first.name.empty() && is_position_name(second.name) && run_along(second.values);
+    if (named && (is_height_name(first.name) || !first_runs)) return Exchange::by_name;
+    return !first_runs && runs_evenly(second.values) ? Exchange::by_steps : Exchange::no;
+}
+
+Alert exchanged(const bytes::Source& source) {
+    return {"AMBIGUOUS_COLUMNS", source.name,
+            "the second column runs evenly and the first does not: the second was taken as x, the first as heights",
+            "check the heights; give --as columns where the first is x"};
 }
 
 HeightCurve curve_of(const tables::RawTable& table) {
     const auto& columns = table.columns;
-    if (columns.size() == 2 && positions_come_last(columns)) return {columns[1], columns[0]};
     if (columns.size() == 2) return {columns[0], columns[1]};
     const auto last = bytes::lowered(columns[2].name);
     if (last == "standard_error") return {columns[0], columns[1], columns[2]};
@@ -124,6 +134,10 @@ std::string why_no_profile(const HeightCurve& curve) {
 std::vector<Channel> curve_of(const tables::RawTable& table, std::vector<Alert> alerts, const ReadOptions& options,
                               const bytes::Source& source) {
     auto curve = curve_of(table);
+    const bool open = table.columns.size() == 2 && options.layout != TextLayout::columns;
+    const auto exchange = open ? exchange_of(table.columns) : Exchange::no;
+    if (exchange != Exchange::no) std::swap(curve.x, curve.heights);
+    if (exchange == Exchange::by_steps) alerts.push_back(exchanged(source));
     ChannelInfo info;
     info.name = curve.heights.name;
     info.format = "xy";
@@ -292,7 +306,11 @@ std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& o
     }
     auto table = tables::read_raw_table(source);
     if (!as_columns)
-        if (auto points = named_points(table)) table = std::move(*points);
+        if (auto points = named_points(table)) {
+            table = std::move(*points);
+            if (const auto& y = table.columns[1].values; (y == y[0]).all())  // one line of points
+                table.columns.erase(table.columns.begin() + 1);
+        }
     if (table.columns.size() > 3)
         if (const auto x = positions_of_profiles(table, as_columns))
             return profile_channels(table, *x, {}, options, source);

@@ -76,6 +76,26 @@ TEST(CurveText, PositionsAreFoundByTheirName) {
     }
 }
 
+TEST(CurveText, EvenStepsMakeTheSecondColumnPositions) {
+    std::string text, named;
+    for (int i = 0; i < 12; ++i) {
+        text += fmt::format("{} {}\n", (7 * i * i) % 11, 0.5 * i);
+        named += fmt::format("{},{}\n", (7 * i * i) % 11, 0.5 * i);
+    }
+    const auto channel = channel_of(text);
+    const auto line = std::get<LineScan>(channel.read());
+    EXPECT_DOUBLE_EQ(line.size, 6e-6);
+    EXPECT_DOUBLE_EQ(line.heights[1], 7e-6);
+    EXPECT_EQ(channel.info.alerts.at(0).code, "AMBIGUOUS_COLUMNS");
+    EXPECT_TRUE(std::holds_alternative<Profile>(channel_of("x,y\n" + named).read())) << "named x: a curve that turns";
+}
+
+TEST(XyzText, OneLineOfNamedPointsIsAProfile) {
+    const auto line = std::get<LineScan>(channel_of("x [um],y [um],z [um]\n0,2,5\n1,2,6\n2,2,7\n3,2,4\n", {}).read());
+    EXPECT_DOUBLE_EQ(line.size, 4e-6);
+    EXPECT_DOUBLE_EQ(line.heights[1], 6e-6);
+}
+
 TEST(MatrixText, TallTablesWithoutNamesAreNoMaps) {
     std::string text;
     for (int i = 0; i < 250; ++i) text += fmt::format("{} {} {} {}\n", (7 * i) % 31, i % 5, (3 * i) % 17, (i * i) % 23);
