@@ -16,6 +16,7 @@ namespace {
 constexpr Index longest_line_read = 1'000'000;
 constexpr Index largest_packed = Index{1} << 22;  ///< values of an array that is unpacked to look at a few of its lines
 constexpr Index narrowest_map = 4, tallest_table = 16;
+constexpr const char* counting = "whole numbers that count on from value to value: an index";
 
 bool grows(const Array1D& values) {
     for (Index i = 1; i < values.size(); ++i)
@@ -83,7 +84,7 @@ bool count_on(const StoredArray& array) {
     for (Index i = 0; i < n; ++i)
         if (first[i] != first[0] + static_cast<double>(i) || second[i] != first[0] + static_cast<double>(n + i))
             return false;
-    return n > 2;
+    return n > 2 && second[0] != first[0];  // a step of 1 is lost beside 1e30
 }
 
 /// Why an array of few columns is none of heights; empty for wider ones.
@@ -98,7 +99,7 @@ std::string why_no_map(const LooseArray& loose) {
     if (auto why = why_narrow(array); !why.empty()) return why;
     if (bytes_of(array.sample) == 1) return "values of 8 bits: a picture or a mask";
     if (loose.integers) return "whole numbers without a unit";
-    if (count_on(array)) return "whole numbers that count on from value to value: an index";
+    if (count_on(array)) return counting;
     return are_coordinates(array) ? "the same in every line, or one value a line: coordinates of the points"
                                   : std::string();
 }
@@ -130,9 +131,9 @@ std::string why_no_heights(const LooseArray& loose) {
 std::string why_lone_array_is_no_map(const StoredArray& array) {
     const auto& shape = array.shape;
     if (!array.refusal.empty() || shape.size() < 2 || shape[0] == 1 || shape[1] == 1) return {};
+    if (auto why = why_narrow(array); !why.empty()) return why;
     try {
-        if (bytes_of(array.sample) > 1) return why_no_map({.array = array, .name = {}});
-        return why_narrow(array);
+        return count_on(array) ? counting : std::string();
     } catch (const FormatError&) {  // damaged values: reading says how
         return {};
     }

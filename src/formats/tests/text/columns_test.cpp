@@ -104,6 +104,13 @@ TEST(MatrixText, TallTablesWithoutNamesAreNoMaps) {
     EXPECT_TRUE(channel_of(text, taken_as(TextLayout::matrix)).info.not_heights.empty());
 }
 
+TEST(MatrixText, ARowOfAMarkIsNoIndex) {  // 1e30 + 1 is 1e30
+    std::string text;
+    for (int j = 0; j < 12; ++j)
+        for (int i = 0; i < 8; ++i) text += fmt::format("{}{}", j < 9 ? 1e30 : (7.3 * i * j), i < 7 ? " " : "\n");
+    EXPECT_TRUE(channel_of(text, {}).info.not_heights.empty());
+}
+
 TEST(XyzText, StepsAreComparedWithTheStepNotWithALength) {  // the other reader compares with 1e-6 of the file's unit:
                                                             // metres always pass
     EXPECT_EQ(
