@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "setae/bytes/archive_folder.hpp"
+#include "setae/bytes/source.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
@@ -17,8 +19,10 @@
 #include "setae/study/file_content.hpp"
 #include "setae/study/force_map.hpp"
 #include "setae/study/own_outputs.hpp"
+#include "setae/tables/column_guess.hpp"
 #include "setae/tables/loop_file.hpp"
 #include "setae/tables/mapping_folder.hpp"
+#include "setae/tables/table_file.hpp"
 
 namespace setae::answers {
 namespace {
@@ -43,9 +47,38 @@ std::optional<Estimate> length(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(parse_uncertain_quantity(text, positive(dimension::length)));
 }
 
+/// Whether a table has any column that is named as one of a loop, but the time; of named columns whether it is a table.
+bool is_like_loop(const std::string& path, bool columns_are_named) {
+    try {
+        const auto table = tables::read_raw_table(bytes::file_source(path));
+        if (columns_are_named) return true;
+        const auto guess = tables::guess_columns(table, path);
+        return std::any_of(guess.roles.begin(), guess.roles.end(), [](const tables::RoleGuess& role) {
+            return role.role != "time" && !role.candidates.empty();
+        });
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// Whether a file of a folder is meant where loops are asked for: a loop, or a table with a column of one, whose fault
+/// is then told; every table where the user names the columns.
+bool may_be_loop(const std::string& path, bool columns_are_named) {
+    try {
+        const auto kind = study::file_content(path).kind;
+        if (kind == study::FileKind::loop || kind == study::FileKind::force_curve) return true;
+        return columns_are_named && kind == study::FileKind::topography && is_like_loop(path, true);
+    } catch (const Error&) {
+        return is_like_loop(path, columns_are_named);
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> LoopFiles::expanded() const {
+    const auto is_no_loop = [columns_are_named = !map.empty() || !columns.empty()](const std::string& file) {
+        return !may_be_loop(file, columns_are_named);
+    };
     std::vector<std::string> all;
     for (const auto& path : files) {
         if (!study::is_folder(path)) {
@@ -53,7 +86,8 @@ std::vector<std::string> LoopFiles::expanded() const {
             continue;
         }
         if (!std::filesystem::is_directory(path)) {
-            const auto members = bytes::files_of_archive(path);
+            auto members = bytes::files_of_archive(path);
+            std::erase_if(members, is_no_loop);
             all.insert(all.end(), members.begin(), members.end());
             continue;
         }
@@ -62,6 +96,10 @@ std::vector<std::string> LoopFiles::expanded() const {
             if (entry.is_regular_file() && !entry.path().filename().string().starts_with(".") &&
                 !study::is_own_output(entry.path().string()))
                 within.push_back(entry.path().string());
+        std::erase_if(within, is_no_loop);
+        if (within.empty())
+            throw InvalidArgument(
+                fmt::format("{}: no loop among the files of this folder; folders in it are not searched", path));
         std::sort(within.begin(), within.end());
         all.insert(all.end(), within.begin(), within.end());
     }

@@ -47,7 +47,7 @@ struct Symbol {
 constexpr double inch = 0.0254, gram_force = 9.80665e-3, pound_force = 4.4482216152605;  // exact by definition
 constexpr double ounce_force = pound_force / 16.0, pound = 0.45359237;
 
-constexpr std::array<Symbol, 41> symbols{{
+constexpr std::array<Symbol, 42> symbols{{
     {"m", 1.0, dimension::length, true},
     {"g", 1e-3, mass, true},
     {"s", 1.0, dimension::time, true},
@@ -87,6 +87,7 @@ constexpr std::array<Symbol, 41> symbols{{
     {"cycles", 1.0, dimension::none, false},
     {"cycle", 1.0, dimension::none, false},
     {"cyc", 1.0, dimension::none, false},
+    {"lp", 1.0, dimension::none, false},  // pairs of lines, as optics counts periods
     {"deg", pi / 180.0, dimension::none, false},
     {"-", 1.0, dimension::none, false},
 }};

@@ -22,8 +22,9 @@ std::vector<std::string> words_of_name(std::string_view name) {
 }
 
 bool is_height_name(std::string_view name) {
-    static constexpr std::array<std::string_view, 9> heights{
-        "height", "heights", "topography", "topo", "elevation", "elevations", "surface", "heightmap", "zsensor"};
+    static constexpr std::array<std::string_view, 14> heights{
+        "height",    "heights", "topography", "topo",  "elevation", "elevations", "surface",
+        "heightmap", "zsensor", "höhe",       "hoehe", "hauteur",   "altura",     "altezza"};
     const auto words = words_of_name(name);
     const auto own = words_of_name(name.substr(name.rfind('/') == std::string_view::npos ? 0 : name.rfind('/') + 1));
     if (!own.empty() && (own.front() == "z" || own.front() == "h")) {

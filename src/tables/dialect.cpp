@@ -398,7 +398,10 @@ std::vector<std::string> header_cells(std::string_view line, char separator, std
             else named.emplace_back(cell);
         }
         while (named.size() > least && named.back().empty()) named.pop_back();
-        if (named.size() >= least && named.size() <= most && !named.front().empty()) return named;
+        // a table written with an index has no name above it
+        const bool index = candidate == separator && candidate != ' ' && named.size() > 2 && named.size() == least &&
+                           std::none_of(named.begin() + 1, named.end(), [](const auto& cell) { return cell.empty(); });
+        if (named.size() >= least && named.size() <= most && (index || !named.front().empty())) return named;
     }
     return {};
 }

@@ -76,6 +76,26 @@ std::optional<HeaderCell> with_underscore(std::string_view cell) {
     return HeaderCell{std::string(without_underscore(cell.substr(0, at))), std::string(cell.substr(at + 1))};
 }
 
+/// "Kraft/mN" as DIN 1313 has it; "N/mm" and "1/um" are units themselves.
+std::optional<HeaderCell> with_slash(std::string_view cell) {
+    static constexpr std::array<std::string_view, 4> quantities{"F", "s", "t", "h"};
+    const auto at = cell.rfind('/');
+    if (at == std::string_view::npos || at == 0 || !is_plain_unit(cell.substr(at + 1))) return std::nullopt;
+    const auto name = trimmed(cell.substr(0, at));
+    const bool quantity = std::find(quantities.begin(), quantities.end(), name) != quantities.end();
+    if (!quantity && try_parse_unit(name)) return std::nullopt;
+    return HeaderCell{std::string(name), std::string(cell.substr(at + 1))};
+}
+
+/// "cycles per um": a number of them for every length.
+HeaderCell with_unit_of_rate(HeaderCell cell) {
+    constexpr std::string_view per = " per";
+    if (!cell.name.ends_with(per) || cell.unit.empty()) return cell;
+    cell.name.resize(cell.name.size() - per.size());
+    cell.unit = "1/" + cell.unit;
+    return cell;
+}
+
 /// Units of a row that holds nothing else: each cell in brackets, or each a unit below a row of names, or each a
 /// length.
 std::vector<std::string> unit_row(const std::vector<std::string>& cells, bool below_names) {
@@ -123,7 +143,8 @@ HeaderCell parse_header_cell(std::string_view cell) {
     if (auto found = with_word(cell, " / ")) return *found;
     if (auto found = with_word(cell, " in ")) return *found;
     if (auto found = with_word(cell, ", ")) return *found;
-    if (auto found = with_trailing_unit(cell)) return *found;
+    if (auto found = with_trailing_unit(cell)) return with_unit_of_rate(*found);
+    if (auto found = with_slash(cell)) return *found;
     if (auto found = with_underscore(cell)) return *found;
     return {std::string(cell), {}};
 }

@@ -66,6 +66,18 @@ double rms_height_of(const SpectrumConvention& convention, const std::vector<Raw
     return rms_height(spectrum.wavevector(order), density(order), spectrum.areal);
 }
 
+/// @throws FormatError for logarithms, which have no unit to convert.
+void refuse_logarithms(const std::vector<RawTable::RawColumn>& columns, const std::string& path) {
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto name = folded(columns[k].name);
+        if (name.starts_with("log") || name.starts_with("ln ") || name.starts_with("ln(") || name.starts_with("lg"))
+            throw FormatError(path, {},
+                              fmt::format("column '{}' holds logarithms, expected the numbers themselves; write the "
+                                          "powers of them into the table",
+                                          columns[k].name));
+    }
+}
+
 /// The convention that names, header and options tell. @throws FormatError that lists the readings where they do not.
 SpectrumConvention convention_of(const RawTable& raw, const SpectrumUnits& units, const std::string& path) {
     const auto& columns = raw.columns;
@@ -226,6 +238,7 @@ Table read_power_spectrum_table(const std::string& path, const SpectrumUnits& un
     for (auto& column : columns) column.unit = without_markup(column.unit);
     if (columns.size() < 2)
         throw FormatError(path, {}, fmt::format("{} column, expected wavevector and C1D", columns.size()));
+    refuse_logarithms(columns, path);
     give_unit(columns[0], units.wavevector, path);
     give_unit(columns[1], units.density, path);
     if (columns.size() > 2 && is_standard_error(columns[2].name) && columns[2].unit.empty())

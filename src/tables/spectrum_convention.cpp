@@ -69,7 +69,7 @@ std::string quantity_of(const RawTable::RawColumn& column) {
     if (is_unit_of(column.unit, dimension::length)) return wavelength;
     const auto unit = folded(column.unit), name = bare(column.name);
     if (holds_any(unit, {"rad"}) || holds_any(name, {"angular", "kreisfreq", "rad"})) return wavevector;
-    if (holds_any(unit, {"cyc"}) || holds_any(name, {"freq", "frec", "cycles"}) ||
+    if (holds_any(unit, {"cyc", "lp/"}) || holds_any(name, {"freq", "frec", "cycles"}) ||
         is_any(name, {"f", "fx", "fy", "nu", "1lambda", "1wavelength"}) || folded(column.name) == "ν" ||
         folded(column.name) == "1/λ")
         return frequency;

@@ -3,14 +3,17 @@
 
 #include <bit>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "channel_building.hpp"
 #include "format_list.hpp"
 #include "npy_array.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
+#include "storage/height_likeness.hpp"
 #include "writing.hpp"
 
 namespace setae::formats {
@@ -39,7 +42,9 @@ std::vector<Channel> open_npy(const bytes::Source& source, const ReadOptions& op
         throw FormatError(
             source.name, {.offset = npy_magic.size()},
             fmt::format("NPY: array of {} dimensions, expected 1 or 2 with more than one value", array.shape.size()));
-    return {array_channel({.name = "heights", .format = "npy"}, array, FirstIndex::x_to_the_right, {}, options)};
+    auto channel = array_channel({.name = "heights", .format = "npy"}, array, FirstIndex::x_to_the_right, {}, options);
+    const auto why = why_lone_array_is_no_map(array);
+    return {why.empty() ? std::move(channel) : doubtful_channel(std::move(channel), why)};
 }
 
 }  // namespace

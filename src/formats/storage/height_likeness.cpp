@@ -8,6 +8,7 @@
 
 #include "height_names.hpp"
 #include "setae/core/errors.hpp"
+#include "text/column_meaning.hpp"
 
 namespace setae::formats {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr Index longest_line_read = 1'000'000;
 constexpr Index largest_packed = Index{1} << 22;  ///< values of an array that is unpacked to look at a few of its lines
 constexpr Index narrowest_map = 4, tallest_table = 16;
+constexpr const char* counting = "whole numbers that count on from value to value: an index";
 
 bool grows(const Array1D& values) {
     for (Index i = 1; i < values.size(); ++i)
@@ -73,13 +75,31 @@ bool are_coordinates(const StoredArray& array) {
     return each_constant && ((first[0] < middle[0]) == (middle[0] < last[0]));
 }
 
+/// Whole numbers that go on by one from value to value, also from the end of a line to the next.
+bool count_on(const StoredArray& array) {
+    if (array.hold && array.shape[0] * array.shape[1] > largest_packed) return false;
+    const auto kept = array.hold ? array.hold() : nullptr;
+    const auto first = stored_line(array, 0), second = stored_line(array, 1);
+    const Index n = first.size();
+    for (Index i = 0; i < n; ++i)
+        if (first[i] != first[0] + static_cast<double>(i) || second[i] != first[0] + static_cast<double>(n + i))
+            return false;
+    return n > 2 && second[0] != first[0];  // a step of 1 is lost beside 1e30
+}
+
+/// Why an array of few columns is none of heights; empty for wider ones.
+std::string why_narrow(const StoredArray& array) {
+    const Index narrow = std::min(array.shape[0], array.shape[1]), wide = std::max(array.shape[0], array.shape[1]);
+    if (narrow >= narrowest_map || wide < tallest_table) return {};
+    return fmt::format("{} × {} numbers: a table of {} columns", array.shape[0], array.shape[1], narrow);
+}
+
 std::string why_no_map(const LooseArray& loose) {
     const auto& array = loose.array;
-    const Index narrow = std::min(array.shape[0], array.shape[1]), wide = std::max(array.shape[0], array.shape[1]);
-    if (narrow < narrowest_map && wide >= tallest_table)
-        return fmt::format("{} × {} numbers: a table of {} columns", array.shape[0], array.shape[1], narrow);
+    if (auto why = why_narrow(array); !why.empty()) return why;
     if (bytes_of(array.sample) == 1) return "values of 8 bits: a picture or a mask";
     if (loose.integers) return "whole numbers without a unit";
+    if (count_on(array)) return counting;
     return are_coordinates(array) ? "the same in every line, or one value a line: coordinates of the points"
                                   : std::string();
 }
@@ -100,7 +120,20 @@ std::string why_no_heights(const LooseArray& loose) {
     const auto& shape = loose.array.shape;
     const bool line = shape.size() < 2 || shape[0] == 1 || shape[1] == 1;
     try {
-        return line ? why_no_line(loose) : why_no_map(loose);
+        const auto why = line ? why_no_line(loose) : why_no_map(loose);
+        const auto quantity = other_quantity(loose.name);
+        return why.empty() && !quantity.empty() ? fmt::format("its name says {}", quantity) : why;
+    } catch (const FormatError&) {  // damaged values: reading says how
+        return {};
+    }
+}
+
+std::string why_lone_array_is_no_map(const StoredArray& array) {
+    const auto& shape = array.shape;
+    if (!array.refusal.empty() || shape.size() < 2 || shape[0] == 1 || shape[1] == 1) return {};
+    if (auto why = why_narrow(array); !why.empty()) return why;
+    try {
+        return count_on(array) ? counting : std::string();
     } catch (const FormatError&) {  // damaged values: reading says how
         return {};
     }

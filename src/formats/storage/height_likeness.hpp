@@ -24,4 +24,8 @@ struct LooseArray {
 /// Cost: of maps a few lines are read, of lines up to a million values.
 [[nodiscard]] std::string why_no_heights(const LooseArray& loose);
 
+/// The same of the array of a file that holds nothing else and no names: a table of few columns or an index. Whole
+/// numbers, planes and lines that grow may be heights there.
+[[nodiscard]] std::string why_lone_array_is_no_map(const StoredArray& array);
+
 }  // namespace setae::formats

@@ -38,13 +38,21 @@ bool counts_rows(const Array1D& values) {
 }
 
 std::string other_quantity(const std::string& name) {
-    static constexpr std::array<std::string_view, 45> quantities{
-        "time",      "zeit",        "temps",      "timestamp",   "force",       "kraft",      "load",       "voltage",
-        "current",   "temperature", "humidity",   "frequency",   "wavelength",  "wavevector", "wavenumber", "intensity",
-        "counts",    "energy",      "work",       "adhesion",    "modulus",     "stress",     "strain",     "pressure",
-        "phase",     "amplitude",   "deflection", "indentation", "penetration", "charge",     "speed",      "velocity",
-        "stiffness", "rms",         "radius",     "diameter",    "area",        "volume",     "psd",        "density",
-        "acf",       "bandwidth",   "error",      "deviation",   "residual"};
+    static constexpr std::array quantities = std::to_array<std::string_view>(
+        {"time",        "zeit",       "temps",       "timestamp",   "force",        "kraft",
+         "load",        "voltage",    "current",     "temperature", "humidity",     "frequency",
+         "wavelength",  "wavevector", "wavenumber",  "intensity",   "count",        "counts",
+         "energy",      "work",       "adhesion",    "modulus",     "stress",       "strain",
+         "pressure",    "phase",      "amplitude",   "deflection",  "indentation",  "penetration",
+         "charge",      "speed",      "velocity",    "stiffness",   "rms",          "radius",
+         "diameter",    "area",       "volume",      "psd",         "density",      "acf",
+         "bandwidth",   "error",      "deviation",   "residual",    "fft",          "spectrum",
+         "spectra",     "power",      "correlation", "corr",        "covariance",   "autocorrelation",
+         "probability", "histogram",  "hist",        "absorbance",  "transmission", "transmittance",
+         "reflectance", "hardness",   "friction",    "weight",      "weights",      "kernel",
+         "bias",        "gradient",   "slope",       "curvature",   "mask",         "label",
+         "labels",      "log",        "log10",       "ln",          "lg",           "latitude",
+         "longitude",   "angle"});
     return std::string(word_among(name, quantities));
 }
 

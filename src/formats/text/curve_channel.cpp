@@ -29,6 +29,14 @@ struct Units {
 /// measurement has one length unit), with an alert. Empty where nobody says any.
 Units find_units(const HeightCurve& curve, ChannelInfo& info, const ReadOptions& options, const bytes::Source& source) {
     Units units{curve.x.unit, curve.heights.unit};
+    if (tables::is_unit_of(units.x, dimension::wavevector))
+        throw FormatError(
+            source.name, {.line = 1},
+            fmt::format(
+                "the header gives {} for the first column, so this is a spectrum; expected its density in a unit "
+                "such as um3 (C1D) or um4 (C_iso), got '{}': divide f S(f) by f, square amplitudes, and undo "
+                "logarithms and decibels",
+                units.x, units.heights));
     for (const auto* unit : {&units.x, &units.heights})
         if (!unit->empty() && !is_length_unit(*unit))
             throw FormatError(

@@ -146,7 +146,18 @@ bool count_on(const tables::NumberLines& lines) {
     for (Index j = 0; j < numbers.cols(); ++j)
         for (Index i = 0; i < numbers.rows(); ++i)
             if (numbers(i, j) != numbers(0, 0) + static_cast<double>(j * numbers.rows() + i)) return false;
-    return true;
+    return numbers(0, 0) != numbers(numbers.rows() - 1, numbers.cols() - 1);  // a step of 1 is lost beside 1e30
+}
+
+/// Why unnamed numbers are no map; empty where they may be one.
+std::string why_no_map(const tables::NumberLines& lines, const Layer& layer, const ReadOptions& options) {
+    constexpr Index most_columns = 6, tallest = 200;
+    if (options.keep_values || options.layout == TextLayout::matrix) return {};
+    const bool sized = options.size && options.size->size() == 2;
+    if (!sized && layer.nx > 1 && layer.nx <= most_columns && layer.ny >= tallest)
+        return fmt::format("{} rows of {} numbers: a table of {} columns; --as matrix takes it as a map", layer.ny,
+                           layer.nx, layer.nx);
+    return count_on(lines) ? "whole numbers that count on from value to value" : std::string();
 }
 
 Channel channel_of(const tables::NumberLines& lines, const SectionHeader& section, const ReadOptions& options,
@@ -177,13 +188,15 @@ Channel channel_of(const tables::NumberLines& lines, const SectionHeader& sectio
     const double factor = stated * complete(info, options, lines.source);
     const bool unit_is_all = layer.labels.x && layer.labels.y && !layer.labels.x->counts && !layer.labels.y->counts;
     if (unit_is_all && info.unit.empty()) return channel_without_unit(std::move(info), lines.source);
-    if (info.size.empty() || info.unit.empty()) return incomplete_channel(std::move(info), lines.source);
+    const bool loose = section.header.unit.empty() && !header.is_map;
+    const auto why = loose ? why_no_map(lines, layer, options) : std::string();
+    if (info.size.empty() || info.unit.empty()) {
+        auto channel = incomplete_channel(std::move(info), lines.source);
+        return why.empty() ? channel : doubtful_channel(std::move(channel), why);
+    }
     auto read = [lines, layer, factor, info] { return measured(lines, layer, factor, info); };
     Channel channel{std::move(info), std::move(read)};
-    const bool loose = section.header.unit.empty() && !options.keep_values;
-    return loose && count_on(lines)
-               ? doubtful_channel(std::move(channel), "whole numbers that count on from value to value")
-               : channel;
+    return why.empty() ? channel : doubtful_channel(std::move(channel), why);
 }
 
 /// Text from one byte to another as the lines of a header.

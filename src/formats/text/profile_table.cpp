@@ -17,18 +17,6 @@
 namespace setae::formats {
 namespace {
 
-/// Positions that are defined and never turn, or run back and forth.
-bool run_along(const Array1D& positions) {
-    if (positions.size() < 2 || !positions.isFinite().all()) return false;
-    bool forward = true, backward = true;
-    for (Index i = 1; i < positions.size(); ++i) {
-        forward = forward && positions[i] >= positions[i - 1];
-        backward = backward && positions[i] <= positions[i - 1];
-    }
-    const bool moves = positions.maxCoeff() > positions.minCoeff();
-    return moves && (forward || backward || passes_of(positions).size() > 1);
-}
-
 bool is_named_y(const std::string& name) {
     const auto words = words_of_name(name);
     return !words.empty() && words.front() == "y";
@@ -55,18 +43,57 @@ bool are_numbers_of_rows(const tables::RawTable::RawColumn& column) {
            counts_rows(column.values);
 }
 
+/// A column that may stand before that of positions: another quantity, such as the time.
+bool is_before_positions(const tables::RawTable::RawColumn& column) {
+    return are_numbers_of_rows(column) || !other_quantity(column.name).empty() ||
+           (!column.unit.empty() && !is_length_unit(column.unit));
+}
+
 }  // namespace
+
+bool run_along(const Array1D& positions) {
+    if (positions.size() < 2 || !positions.isFinite().all()) return false;
+    bool forward = true, backward = true;
+    for (Index i = 1; i < positions.size(); ++i) {
+        forward = forward && positions[i] >= positions[i - 1];
+        backward = backward && positions[i] <= positions[i - 1];
+    }
+    const bool moves = positions.maxCoeff() > positions.minCoeff();
+    return moves && (forward || backward || passes_of(positions).size() > 1);
+}
 
 std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool said) {
     const auto& columns = table.columns;
     const bool numbers_first =
         columns.size() > 2 && are_numbers_of_rows(columns[0]) && may_be_positions(columns[1], said);
-    const std::size_t x = numbers_first ? 1 : 0;
+    std::size_t x = numbers_first ? 1 : 0;
+    while (x + 2 < columns.size() && is_before_positions(columns[x]) && !may_be_positions(columns[x], false)) ++x;
+    if (x > 0 && !numbers_first &&
+        (!is_position_name(columns[x].name) ||
+         std::none_of(columns.begin() + static_cast<std::ptrdiff_t>(x) + 1, columns.end(),
+                      [](const auto& column) { return is_height_name(column.name); })))
+        return std::nullopt;
     if (columns.size() < x + 2 || !may_be_positions(columns[x], said)) return std::nullopt;
     const bool record = std::any_of(columns.begin(), columns.end(), is_of_a_record);
     if (record && !said && !is_position_name(columns[x].name)) return std::nullopt;
-    const bool points = !said && columns.size() == x + 3 && is_named_y(columns[x + 1].name);
+    const bool points = !said && columns.size() >= x + 3 && is_named_y(columns[x + 1].name);
     return points ? std::nullopt : std::optional(x);
+}
+
+std::optional<tables::RawTable> named_points(const tables::RawTable& table) {
+    std::vector<tables::RawTable::RawColumn> x, y, heights;
+    for (const auto& column : table.columns) {
+        const auto words = words_of_name(column.name);
+        const bool length = column.text.empty() && (column.unit.empty() || is_length_unit(column.unit));
+        if (words.empty() || !length) continue;
+        if (words.front() == "x") x.push_back(column);
+        else if (words.front() == "y") y.push_back(column);
+        else if (is_height_name(column.name)) heights.push_back(column);
+    }
+    if (x.size() != 1 || y.size() != 1 || heights.size() != 1) return std::nullopt;
+    auto points = table;
+    points.columns = {x.front(), y.front(), heights.front()};
+    return points;
 }
 
 std::vector<Channel> profile_channels(const tables::RawTable& table, std::size_t positions,

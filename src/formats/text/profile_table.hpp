@@ -13,11 +13,18 @@ namespace setae::formats {
 
 /// The column of x in a table of x and the heights of one profile or more; nothing where there is none.
 ///
-/// It is the first, or the second behind numbers of rows. Its positions are defined and never turn, or run forth and
-/// back (passes_of()). Where nobody says that the columns are those of profiles, its name or its unit is one of
-/// positions; a second column named y makes the table one of points x, y, z, and a column of time or forces one of a
-/// record, unless x is named so. said: the user says so.
+/// It is the first, the second behind numbers of rows, or one named so behind other quantities such as the time, where
+/// a later column is named heights. Its positions are defined and never turn, or run forth and back (passes_of()).
+/// Where nobody says that the columns are those of profiles, its name or its unit is one of positions; a column named y
+/// behind it makes the table one of points x, y, z, and a column of time or forces one of a record, unless x is named
+/// so. said: the user says so.
 [[nodiscard]] std::optional<std::size_t> positions_of_profiles(const tables::RawTable& table, bool said);
+
+/// The columns x, y and heights of a table that names one of each, in this order; nothing for other tables.
+[[nodiscard]] std::optional<tables::RawTable> named_points(const tables::RawTable& table);
+
+/// Positions that are defined and never turn, or run back and forth.
+[[nodiscard]] bool run_along(const Array1D& positions);
 
 /// The profiles of such a table as channels; columns that hold no heights are listed with the reason.
 [[nodiscard]] std::vector<Channel> profile_channels(const tables::RawTable& table, std::size_t positions,

@@ -9,6 +9,7 @@
 #include "channel_building.hpp"
 #include "column_meaning.hpp"
 #include "curve_channel.hpp"
+#include "height_names.hpp"
 #include "matrix_channels.hpp"
 #include "point_grid.hpp"
 #include "profile_table.hpp"
@@ -56,7 +57,9 @@ Choice choose(const tables::RawTable& table, const ReadOptions& options) {
     const bool named_index = bytes::lowered(columns[0].name) == "index";
     const bool along_x = increases(columns[1].values) || increases(-columns[1].values);
     if (named_index && along_x) return {TextContent::curve, false, {}};
-    if (!named && counts_rows(columns[0].values) && along_x) return {TextContent::curve, !options.layout, {}};
+    const bool others_named = !columns[1].name.empty() && !columns[2].name.empty();
+    if (!named && counts_rows(columns[0].values) && along_x)
+        return {TextContent::curve, !options.layout && !others_named, {}};
     auto grid = grid_of(columns[0].values, columns[1].values, columns[2].values);
     const bool said = named || table.metadata.contains("Lateral units");
     if (grid.found()) return {TextContent::points, !said && !options.layout, std::move(grid)};
@@ -91,6 +94,25 @@ Alert ambiguous(TextContent content, const bytes::Source& source, const tables::
                                            : "check the shape; give --as matrix where it is wrong"};
 }
 
+/// What tells that of two columns the second holds the positions.
+enum class Exchange { no, by_name, by_steps };
+
+Exchange exchange_of(const std::vector<tables::RawTable::RawColumn>& columns) {
+    const auto &first = columns[0], &second = columns[1];
+    if (is_position_name(first.name) || !other_quantity(first.name).empty() || !other_quantity(second.name).empty())
+        return Exchange::no;
+    const bool first_runs = run_along(first.values);
+    const bool named = !first.name.empty() && is_position_name(second.name) && run_along(second.values);
+    if (named && (is_height_name(first.name) || !first_runs)) return Exchange::by_name;
+    return !first_runs && runs_evenly(second.values) ? Exchange::by_steps : Exchange::no;
+}
+
+Alert exchanged(const bytes::Source& source) {
+    return {"AMBIGUOUS_COLUMNS", source.name,
+            "the second column runs evenly and the first does not: the second was taken as x, the first as heights",
+            "check the heights; give --as columns where the first is x"};
+}
+
 HeightCurve curve_of(const tables::RawTable& table) {
     const auto& columns = table.columns;
     if (columns.size() == 2) return {columns[0], columns[1]};
@@ -112,6 +134,10 @@ std::string why_no_profile(const HeightCurve& curve) {
 std::vector<Channel> curve_of(const tables::RawTable& table, std::vector<Alert> alerts, const ReadOptions& options,
                               const bytes::Source& source) {
     auto curve = curve_of(table);
+    const bool open = table.columns.size() == 2 && options.layout != TextLayout::columns;
+    const auto exchange = open ? exchange_of(table.columns) : Exchange::no;
+    if (exchange != Exchange::no) std::swap(curve.x, curve.heights);
+    if (exchange == Exchange::by_steps) alerts.push_back(exchanged(source));
     ChannelInfo info;
     info.name = curve.heights.name;
     info.format = "xy";
@@ -210,7 +236,7 @@ bool is_table(const tables::TextStart& start) {
     if (names.empty()) return false;
     double value = 0.0;
     for (const auto& name : names)
-        if (parse_cell(name, start.layout.dialect, value)) return false;
+        if ((!name.empty() || names.size() == 1) && parse_cell(name, start.layout.dialect, value)) return false;
     return true;
 }
 
@@ -278,7 +304,13 @@ std::vector<Channel> open_text(const bytes::Source& source, const ReadOptions& o
         require_clear_commas(*start, header);
         return matrix_channels(*start, header, options, {});
     }
-    const auto table = tables::read_raw_table(source);
+    auto table = tables::read_raw_table(source);
+    if (!as_columns)
+        if (auto points = named_points(table)) {
+            table = std::move(*points);
+            if (const auto& y = table.columns[1].values; (y == y[0]).all())  // one line of points
+                table.columns.erase(table.columns.begin() + 1);
+        }
     if (table.columns.size() > 3)
         if (const auto x = positions_of_profiles(table, as_columns))
             return profile_channels(table, *x, {}, options, source);

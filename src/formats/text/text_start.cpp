@@ -53,6 +53,8 @@ std::optional<tables::TextStart> looked_for(const bytes::Source& source) {
         start.layout = *layout;
         start.line = layout->first_row;
         start.broken = tables::broken_row_above(lines, *layout);
+        constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+        if (head.starts_with(utf8_mark)) start.begin = utf8_mark.size();
         for (std::size_t i = 0; i < layout->first_row; ++i) {
             start.begin = head.find('\n', start.begin) + 1;
             if (const auto line = trimmed(lines[i]); !line.empty()) start.header.emplace_back(line);

@@ -98,14 +98,18 @@ ChannelFaultError::ChannelFaultError(ChannelFault fault) : UndefinedDataError(me
 
 std::optional<ChannelFault> channel_fault(const Loop& loop) {
     const Array1D &force = loop.force, &displacement = loop.displacement, &time = loop.time;
-    if (columns_look_swapped(loop))
+    const auto make_sense_swapped = [&] {
         for (const double force_sign : {1.0, -1.0})
             for (const double displacement_sign : {1.0, -1.0})
-                if (makes_sense(with(force_sign * displacement, displacement_sign * force, time)))
-                    return ChannelFault::swapped;
+                if (makes_sense(with(force_sign * displacement, displacement_sign * force, time))) return true;
+        return false;
+    };
+    if (columns_look_swapped(loop) && make_sense_swapped()) return ChannelFault::swapped;
     if (makes_sense(with(-force, displacement, time))) return ChannelFault::force_reversed;
     if (makes_sense(with(force, -displacement, time))) return ChannelFault::displacement_reversed;
     if (makes_sense(with(-force, -displacement, time))) return ChannelFault::both_reversed;
+    // a stage whose speed changes draws no straight lines
+    if (make_sense_swapped()) return ChannelFault::swapped;
     return std::nullopt;
 }
 

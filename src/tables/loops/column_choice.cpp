@@ -249,6 +249,13 @@ std::string misfit_among(const ColumnGuess& guess, const std::string& role) {
     return "";
 }
 
+/// The position of a column that may be meant for a role: the first in a unit of the role that no other role has.
+std::string likely_position(const ColumnGuess& guess, const std::string& role) {
+    for (std::size_t k = 0; k < guess.columns.size(); ++k)
+        if (is_unit_of(guess.columns[k].unit, dimension_of_role(role))) return fmt::format("{}", k + 1);
+    return "2";
+}
+
 [[noreturn]] void refuse_missing(const ColumnGuess& guess, bool force) {
     const std::string role = force ? "displacement" : "force";
     const auto wrong = misfit_among(guess, role);
@@ -256,7 +263,8 @@ std::string misfit_among(const ColumnGuess& guess, const std::string& role) {
         guess.path, {},
         fmt::format("no column found for {}, the file has {}{}", force ? "displacement or contact_radius" : "force",
                     fmt::join(all_labels(guess), ", "),
-                    wrong.empty() ? fmt::format("; name it by its header or position: {}", column_option({{role, "2"}}))
+                    wrong.empty() ? fmt::format("; name it by its header or position: {}",
+                                                column_option({{role, likely_position(guess, role)}}))
                                   : wrong));
 }
 

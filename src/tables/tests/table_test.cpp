@@ -10,6 +10,7 @@
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/tables/header.hpp"
 #include "setae/tables/mapping.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
 #include "setae/tables/table_file.hpp"
@@ -220,6 +221,37 @@ TEST(PowerSpectrumTable, FrequenciesAndWavelengthsBecomeWavevectors) {
     EXPECT_EQ(
         read_power_spectrum_table(folder.write("q.csv", "q [1/um],C1D [nm3]\n1,2\n2,1\n")).metadata.count("converted"),
         0u);
+}
+
+TEST(PowerSpectrumTable, CyclesAndPairsOfLinesAreFrequencies) {
+    const TemporaryFolder folder;
+    for (const char* first : {"cycles per um", "f [cycles/um]", "period (lp/um)"}) {
+        const auto table =
+            read_power_spectrum_table(folder.write("f.csv", std::string(first) + ",two-sided PSD [nm3]\n1,2\n2,1\n"));
+        EXPECT_DOUBLE_EQ(table.at("wavevector")[0], 2e6 * pi) << first;
+    }
+}
+
+TEST(PowerSpectrumTable, LogarithmsAreRefused) {
+    const TemporaryFolder folder;
+    EXPECT_NE(
+        message_of([&] {
+            (void)read_power_spectrum_table(folder.write("l.csv", "log10 q (1/m),log10 C1D (m3)\n5,-27\n6,-28\n"));
+        }).find("'log10 q' holds logarithms"),
+        std::string::npos);
+}
+
+TEST(HeaderCell, UnitsBehindASlashAreThoseOfDin) {
+    const auto shown = [](const char* cell) {
+        const auto [name, unit] = parse_header_cell(cell);
+        return name + "|" + unit;
+    };
+    EXPECT_EQ(shown("x/mm"), "x|mm");
+    EXPECT_EQ(shown("F/mN"), "F|mN");
+    EXPECT_EQ(shown("Kraft/N"), "Kraft|N");
+    EXPECT_EQ(shown("N/mm"), "N/mm|");
+    EXPECT_EQ(shown("1/um"), "1/um|");
+    EXPECT_EQ(shown("y/x"), "y/x|");
 }
 
 /// A Gaussian spectrum, σ 2 nm and T 1 µm: C1D = √π σ² T exp(−q²T²/4), C_iso = π σ² T² exp(−q²T²/4) [µm, nm].

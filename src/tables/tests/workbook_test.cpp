@@ -67,6 +67,29 @@ TEST(Workbook, TheSheetOfALoopGoesBeforeOthers) {
                       "no sheet 'nothing', the workbook has 'Summary', 'Test 1', 'Test 2'"));
 }
 
+TEST(Workbook, SheetsThatAreNotShownComeLast) {
+    const auto text = [](const char* state) {
+        return fmt::format(
+            R"(<workbook xmlns:r="r"><sheets><sheet name="old" r:id="r0"{}/><sheet name="new" r:id="r1"/></sheets></workbook>)",
+            state);
+    };
+    const auto first = [&](const char* state) {
+        const auto source = bytes::memory_source(
+            "b.xlsx",
+            zip_archive(
+                {{"xl/worksheets/sheet0.xml", "<worksheet><sheetData>" + summary_sheet() + "</sheetData></worksheet>"},
+                 {"xl/worksheets/sheet1.xml", "<worksheet><sheetData>" + summary_sheet() + "</sheetData></worksheet>"},
+                 {"xl/workbook.xml", text(state)},
+                 {"xl/_rels/workbook.xml.rels",
+                  R"(<Relationships><Relationship Id="r0" Target="worksheets/sheet0.xml"/><Relationship Id="r1" Target="worksheets/sheet1.xml"/></Relationships>)"}}));
+        return spreadsheet_texts(source).at(0).sheet;
+    };
+    EXPECT_EQ(first(""), "old");
+    EXPECT_EQ(first(R"( state="visible")"), "old");
+    EXPECT_EQ(first(R"( state="hidden")"), "new");
+    EXPECT_EQ(first(R"( state="veryHidden")"), "new");
+}
+
 TEST(Workbook, ASheetThatIsNoTableDoesNotHideAnother) {
     const auto broken = rows({{number(1), number(2)}, {number(3), number(4)}, {words("Mean"), number(3)}});
     EXPECT_EQ(read_spreadsheet(book({{"Summary", broken}, {"Test", loop_sheet()}})).metadata.at("sheet"), "Test");

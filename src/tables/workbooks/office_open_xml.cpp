@@ -45,8 +45,9 @@ std::vector<Sheet> listed_sheets(const pugi::xml_document& book, const bytes::Ar
         for (const auto& attribute : node.attributes())
             if (std::string_view(attribute.name()).ends_with(":id")) id = attribute.value();
         const auto target = targets.find(id);
+        const std::string_view state = node.attribute("state").value();
         if (target != targets.end() && archive.has(target->second))
-            sheets.push_back({node.attribute("name").value(), target->second});
+            sheets.push_back({node.attribute("name").value(), target->second, state.ends_with("idden")});
     }
     if (sheets.empty()) throw FormatError(source.name, {}, "workbook without a sheet of cells");
     return sheets;

@@ -69,6 +69,14 @@ std::vector<std::pair<std::size_t, std::string>> cells_of(const pugi::xml_node& 
     return cells;
 }
 
+/// Whether the style of a table says that the table is not displayed.
+bool is_hidden(const pugi::xml_document& document, std::string_view style) {
+    for (const auto& node : local_child(document.document_element(), "automatic-styles").children())
+        if (attribute(node, "name") == style)
+            return attribute(local_child(node, "table-properties"), "display") == "false";
+    return false;
+}
+
 /// A spreadsheet's document, parsed once.
 struct OpenDocument {
     explicit OpenDocument(const bytes::Source& from) : source(from) {
@@ -80,7 +88,8 @@ struct OpenDocument {
         for (const auto& table : local_child(body, "spreadsheet").children())
             if (is_named(table, "table")) {
                 tables.push_back(table);
-                sheets.push_back({std::string(attribute(table, "name")), fmt::format("{}", sheets.size())});
+                sheets.push_back({std::string(attribute(table, "name")), fmt::format("{}", sheets.size()),
+                                  is_hidden(document, attribute(table, "style-name"))});
             }
         if (sheets.empty()) throw FormatError(from.name, {}, "spreadsheet without a table");
     }

@@ -43,6 +43,15 @@ WorkbookKind workbook_kind(const bytes::Source& source) {
     }
 }
 
+namespace {
+
+/// Sheets in their order, those that are not shown behind the others.
+void hidden_last(std::vector<Sheet>& sheets) {
+    std::stable_partition(sheets.begin(), sheets.end(), [](const Sheet& sheet) { return !sheet.hidden; });
+}
+
+}  // namespace
+
 struct Workbook::Content : WorkbookContent {};
 
 Workbook::Workbook(const bytes::Source& source) : content_(std::make_unique<Content>()) {
@@ -54,9 +63,11 @@ Workbook::Workbook(const bytes::Source& source) : content_(std::make_unique<Cont
     switch (workbook_kind(source)) {
         case WorkbookKind::office_open_xml:
             static_cast<WorkbookContent&>(*content_) = open_office_open_xml(source);
+            hidden_last(content_->sheets);
             return;
         case WorkbookKind::open_document:
             static_cast<WorkbookContent&>(*content_) = open_document_spreadsheet(source);
+            hidden_last(content_->sheets);
             return;
         case WorkbookKind::old_excel: refuse("a workbook of Excel 97 to 2003 or older (.xls)"); break;
         case WorkbookKind::binary_excel: refuse("a binary workbook of Excel (.xlsb)"); break;

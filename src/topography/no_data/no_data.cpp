@@ -41,15 +41,16 @@ std::vector<SampleLevel> levels_of(std::vector<double> sorted) {
 
 /// Values that the sample holds far more often than others.
 std::vector<double> dominant_values(const std::vector<SampleLevel>& levels) {
-    constexpr std::size_t most_marks = 4, fewest = 8, times = 10;
+    constexpr std::size_t most_marks = 4, fewest = 8, times = 10, fewest_among_unequal = 5;
     if (levels.size() < fewest_levels + most_marks) return {};
     std::vector<std::size_t> counts;
     for (const auto& level : levels) counts.push_back(level.count);
     std::nth_element(counts.begin(), counts.begin() + most_marks, counts.end(), std::greater<>());
     const auto usual = counts[most_marks];
     std::vector<double> values;
+    const auto enough = usual == 1 ? fewest_among_unequal : std::max(fewest, times * usual);
     for (const auto& level : levels)
-        if (level.count >= std::max(fewest, times * usual)) values.push_back(level.value);
+        if (level.count >= enough) values.push_back(level.value);
     return values;
 }
 
@@ -115,7 +116,7 @@ bool is_no_height(const Evidence& e) {
     if (e.isolated && count >= 5) return true;
     const bool jumps = 10 * e.facts.jumps >= 9 * e.facts.steps;
     const bool others_vary = e.facts.beside.standard_deviation() >= beside_steps * e.others.step;
-    return e.dominant && e.within && count >= 10 && jumps && others_vary;
+    return e.dominant && (e.within || e.usual_mark) && count >= 10 && jumps && others_vary;
 }
 
 bool is_suspect(const Evidence& e) {

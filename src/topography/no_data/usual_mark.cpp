@@ -28,10 +28,11 @@ bool is_nines(double number) {
 }  // namespace
 
 bool is_usual_mark(double number) {
-    constexpr double smallest = 99.0, any_from = 1e20, power_from = 1e6;
+    constexpr double logs_of_wells = 999.25;  // of the Log ASCII Standard
+    constexpr double smallest = 99.0, any_from = 1e20, power_from = 1e4;
     number = std::abs(number);
     if (!(number >= smallest)) return false;
-    if (number >= any_from || is_nines(number)) return true;
+    if (number >= any_from || is_nines(number) || is_near(number, logs_of_wells)) return true;
     for (const double power : {0x1p15, 0x1p16, 0x1p31, 0x1p32})
         if (is_near(number, power) || is_near(number, power - 1.0)) return true;
     return number >= power_from * (1.0 - single_precision) &&

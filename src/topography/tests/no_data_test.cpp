@@ -36,7 +36,8 @@ HeightMap with_marks(HeightMap map, double value, double share, unsigned seed = 
 }
 
 TEST(NoData, FindsTheMarksThatProgramsWrite) {
-    for (const double mark : {-9999.0, -25400.0, -32768.0, 0.0, 3.402823466e38, 1e30, 999.999, -1e10, 65535.0})
+    for (const double mark :
+         {-9999.0, -999.25, 10000.0, -25400.0, -32768.0, 0.0, 3.402823466e38, 1e30, 999.999, -1e10, 65535.0})
         for (const double share : {0.002, 0.05, 0.4}) {
             const double value = mark * micrometre;
             const auto map = with_marks(rough(), value, share);
@@ -48,6 +49,22 @@ TEST(NoData, FindsTheMarksThatProgramsWrite) {
             EXPECT_GT(report.least, 2e-6);
             EXPECT_LT(report.greatest, 8e-6);
         }
+}
+
+TEST(NoData, FindsAUsualMarkJustBeyondTheHeights) {  // no gap, but every step to it is a jump
+    auto map = rough();
+    map.heights = 2500.0 * (map.heights - 5e-6);  // within ±8 mm
+    const auto report = find_no_data(with_marks(map, -9999e-6, 0.05), in_micrometres);
+    ASSERT_EQ(report.values.size(), 1u);
+    EXPECT_TRUE(report.values[0].no_height);
+}
+
+TEST(NoData, FindsFewMarksAmongHeightsThatAllDiffer) {
+    auto map = rough(40, 25);
+    for (Index k = 7; k < 1000; k += 131) map.heights.data()[k] = 0.0;
+    const auto report = find_no_data(map, in_micrometres);
+    ASSERT_EQ(report.values.size(), 1u);
+    EXPECT_EQ(report.values[0].count, 8);
 }
 
 TEST(NoData, FindsSeveralMarks) {

@@ -341,6 +341,11 @@ TEST(Hdf5, IndicesPositionsPicturesAndTablesAreNoHeights) {
         why("/grid_y", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i / 8); }))
             .find("coordinates"),
         std::string::npos);
+    for (const char* name : {"/fft", "/psd", "/power spectrum", "/correlation", "/layer/weights"})
+        EXPECT_NE(why(name, H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)).find("its name says"), std::string::npos);
+    EXPECT_NE(why("/ids", H5T_IEEE_F64LE, {6, 8}, values_of(48, [](std::size_t i) { return static_cast<double>(i); }))
+                  .find("an index"),
+              std::string::npos);
     EXPECT_NE(why("/t/_i_t/sorted", H5T_IEEE_F64LE, {6, 8}, values_of(48, rough)).find("PyTables"), std::string::npos);
     EXPECT_EQ(why("/height", H5T_STD_I32LE, {6, 8}, values_of(48, rough)), "") << "named so";
 }

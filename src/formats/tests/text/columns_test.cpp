@@ -54,6 +54,63 @@ TEST(XyzText, NodesWithoutAPointAreUndefined) {  // the other reader refuses suc
     EXPECT_DOUBLE_EQ(map.size[1], 2e-6);
 }
 
+TEST(XyzText, NamedColumnsStandInAnyOrderBesideOthers) {
+    const auto map = map_of("id,z [um],intensity,y [um],x [um]\n1,5,9,0,0\n2,6,9,0,1\n3,7,9,1,0\n4,8,9,1,1\n", {});
+    EXPECT_EQ(map.shape(), (std::array<Index, 2>{2, 2}));
+    EXPECT_DOUBLE_EQ(map.heights(1, 0), 6e-6);
+    EXPECT_DOUBLE_EQ(map.heights(0, 1), 7e-6);
+}
+
+TEST(CurveText, PositionsAreFoundByTheirName) {
+    const auto heights = [](const std::string& text) {
+        const auto line = std::get<LineScan>(channel_of(text, {}).read());
+        EXPECT_DOUBLE_EQ(line.size, 4e-3) << text;
+        return line.heights;
+    };
+    for (const char* text : {"z [um],x [mm]\n3,0\n5,1\n4,2\n6,3\n", "height (um),distance (mm)\n3,0\n5,1\n4,2\n6,3\n",
+                             "Höhe/µm;Weg/mm\n3;0\n5;1\n4;2\n6;3\n", ",x [mm],z [um]\n0,0,3\n1,1,5\n2,2,4\n3,3,6\n",
+                             "time [s],x [mm],height [um]\n0,0,3\n0.1,1,5\n0.2,2,4\n0.3,3,6\n"}) {
+        const auto found = heights(text);
+        EXPECT_DOUBLE_EQ(found[1], 5e-6) << text;
+        EXPECT_DOUBLE_EQ(found[3], 6e-6) << text;
+    }
+}
+
+TEST(CurveText, EvenStepsMakeTheSecondColumnPositions) {
+    std::string text, named;
+    for (int i = 0; i < 12; ++i) {
+        text += fmt::format("{} {}\n", (7 * i * i) % 11, 0.5 * i);
+        named += fmt::format("{},{}\n", (7 * i * i) % 11, 0.5 * i);
+    }
+    const auto channel = channel_of(text);
+    const auto line = std::get<LineScan>(channel.read());
+    EXPECT_DOUBLE_EQ(line.size, 6e-6);
+    EXPECT_DOUBLE_EQ(line.heights[1], 7e-6);
+    EXPECT_EQ(channel.info.alerts.at(0).code, "AMBIGUOUS_COLUMNS");
+    EXPECT_NE(refusal("x,y\n" + named).find("jumps to and fro"), std::string::npos) << "x is named";
+}
+
+TEST(XyzText, OneLineOfNamedPointsIsAProfile) {
+    const auto line = std::get<LineScan>(channel_of("x [um],y [um],z [um]\n0,2,5\n1,2,6\n2,2,7\n3,2,4\n", {}).read());
+    EXPECT_DOUBLE_EQ(line.size, 4e-6);
+    EXPECT_DOUBLE_EQ(line.heights[1], 6e-6);
+}
+
+TEST(MatrixText, TallTablesWithoutNamesAreNoMaps) {
+    std::string text;
+    for (int i = 0; i < 250; ++i) text += fmt::format("{} {} {} {}\n", (7 * i) % 31, i % 5, (3 * i) % 17, (i * i) % 23);
+    const auto channel = channel_of(text, {});
+    EXPECT_NE(channel.info.not_heights.find("a table of 4 columns"), std::string::npos);
+    EXPECT_TRUE(channel_of(text, taken_as(TextLayout::matrix)).info.not_heights.empty());
+}
+
+TEST(MatrixText, ARowOfAMarkIsNoIndex) {  // 1e30 + 1 is 1e30
+    std::string text;
+    for (int j = 0; j < 12; ++j)
+        for (int i = 0; i < 8; ++i) text += fmt::format("{}{}", j < 9 ? 1e30 : (7.3 * i * j), i < 7 ? " " : "\n");
+    EXPECT_TRUE(channel_of(text, {}).info.not_heights.empty());
+}
+
 TEST(XyzText, StepsAreComparedWithTheStepNotWithALength) {  // the other reader compares with 1e-6 of the file's unit:
                                                             // metres always pass
     EXPECT_EQ(

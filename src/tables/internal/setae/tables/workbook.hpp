@@ -17,7 +17,8 @@ using SheetRows = std::map<std::size_t, std::map<std::size_t, std::string>>;
 
 struct Sheet {
     std::string name;
-    std::string member;  ///< of the archive
+    std::string member;   ///< of the archive
+    bool hidden = false;  ///< the program that wrote it does not show the sheet
 };
 
 /// What a source is of workbooks. Those of Excel before 2007 and binary ones are told, not read.
