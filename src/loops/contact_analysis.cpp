@@ -184,8 +184,11 @@ Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const Co
                               {bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)});
         }
         // creep and drift during the loop move the contact point: the unloading branch knows its own best
-        const bool known = analysis.unloading && analysis.unloading->force_displacement;
+        const bool known = analysis.unloading && analysis.unloading->force_displacement &&
+                           analysis.unloading->force_displacement->converged;
         const double contact_point = known ? analysis.unloading->force_displacement->contact_point.value : undefined;
+        if (points.contact_radius.size() == 0 && !known)
+            throw UndefinedDataError("the contact point is not known: no fit of the retraction in depth converged");
         require_resolved_radii(points, analysis, contact_point, bodies.radius);
         const auto fitted = [&](const BranchData& samples) {
             return fit_retraction(samples, bodies.radius, analysis.loading.primary().contact_modulus, contact_point,
