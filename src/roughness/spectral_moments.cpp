@@ -11,6 +11,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "cut_moments.hpp"
+#include "mode_parts.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/roughness/true_area.hpp"
@@ -130,22 +131,6 @@ double weighted_integral(const Piece& piece, double order, double q_s) {
     return boost::math::quadrature::gauss<double, 15>::integrate(integrand, t0, t1);
 }
 
-/// Squares of the parameters, and the energy, that one piece adds: factor · ∫ q^order C dq.
-struct Contribution {
-    double height2 = 0.0, slope2 = 0.0, curvature2 = 0.0, energy = 0.0;
-
-    Contribution& operator+=(const Contribution& other) {
-        height2 += other.height2;
-        slope2 += other.slope2;
-        curvature2 += other.curvature2;
-        energy += other.energy;
-        return *this;
-    }
-    [[nodiscard]] SpectralParameters parameters() const {
-        return {std::sqrt(height2), std::sqrt(slope2), std::sqrt(curvature2), energy};
-    }
-};
-
 /// Contributions of C1D through the exact identities.
 Contribution of_profile(const Piece& piece) {
     return {integral(piece, 0.0) / pi, 2.0 * integral(piece, 2.0) / pi, 2.0 * integral(piece, 4.0) / (3.0 * pi),
@@ -249,6 +234,13 @@ SpectralParameters spectral_parameters(const spectra::Spectrum& curve, Conversio
     }
     if (curve.kind == spectra::Density::C1D) parameters.decade_C1D = means_of(parts);
     return parameters;
+}
+
+std::vector<ModePart> mode_parts(const spectra::Spectrum& modes, Conversion conversion) {
+    std::vector<ModePart> result;
+    for (const auto& piece : pieces(modes))
+        result.push_back({piece.mode, piece.level, piece.left, piece.right, contribution(piece, modes, conversion)});
+    return result;
 }
 
 DecadeMeans decade_means(const spectra::Spectrum& C1D) { return means_of(pieces(C1D)); }

@@ -58,7 +58,7 @@ std::vector<Direction> directions(const Profile& profile, const ReliabilityOptio
 }
 
 /// Largest scale at which the curvature passes −1/(2R): found from long stencils down by halving, then bracketed.
-TipCutoff cutoff(const Direction& direction, double tip_radius) {
+TipCutoff cutoff_along(const Direction& direction, double tip_radius) {
     const double threshold = -0.5 / tip_radius, shortest = 2.0 * direction.step, longest = 0.5 * direction.size;
     const auto excess = [&](double length) {
         const double curvature = direction.curvature(length);
@@ -84,7 +84,7 @@ TipCutoff cutoff(const Direction& direction, double tip_radius) {
 TipCutoff worst(const std::vector<Direction>& directions, double tip_radius) {
     TipCutoff result{0.0, CutoffStatus::all_reliable, 0.0, {}};
     for (const auto& direction : directions) {
-        const auto candidate = cutoff(direction, tip_radius);
+        const auto candidate = cutoff_along(direction, tip_radius);
         if (candidate.value > result.value) result = candidate;
     }
     return result;

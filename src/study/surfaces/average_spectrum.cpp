@@ -10,6 +10,7 @@
 
 #include "instrument_inputs.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/roughness/mode_noise.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/bootstrap.hpp"
 #include "setae/spectra/jackknife.hpp"
@@ -116,13 +117,12 @@ Array1D own_freedom(const spectra::MeasuredSpectrum& spectrum, parallel::Threads
 /// What other places of the surface would give, as far as one measurement can say.
 void add_parametric_noise(roughness::ParameterSpread& spread, const spectra::MeasuredSpectrum& spectrum,
                           const SurfaceAnalysisOptions& options, parallel::Threads threads) {
-    auto replica = spectrum;
-    const Array2D drawn =
-        spectra::parametric_noise(spectrum, own_freedom(spectrum, threads), options.bootstrap_resamples, options.seed);
-    for (Index r = 0; r < drawn.rows(); ++r) {
-        replica.density = drawn.row(r).transpose();
-        spread.replicas.push_back(parameters_of(spectra::within_band(replica), options));
-    }
+    spread.replicas = roughness::parameters_of_noise(spectrum, own_freedom(spectrum, threads),
+                                                     {.limits = options.limits(),
+                                                      .conversion = options.conversion,
+                                                      .count = options.bootstrap_resamples,
+                                                      .seed = options.seed,
+                                                      .threads = threads});
     spread.replica_method = "parametric noise";
 }
 

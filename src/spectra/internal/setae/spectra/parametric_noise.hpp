@@ -11,6 +11,21 @@ namespace setae::spectra {
 /// 1/36)).
 inline constexpr double share_under_hann = 0.5142857142857142;
 
+/// Random numbers of one replica. Every index has a number of each kind, whatever is drawn before it.
+class NoiseNumbers {
+public:
+    NoiseNumbers(std::uint64_t seed, std::uint64_t replica);
+
+    /// Gamma distributed with mean 1. shape: > 0.
+    /// Source: Marsaglia, Tsang, ACM Trans. Math. Softw. 26 (2000) 363; shapes below 1 by G(ν + 1) U^(1/ν).
+    [[nodiscard]] double gamma(std::uint64_t index, double shape) const;
+    /// Gaussian with mean 0 and variance 1, independent of the gamma number with this index.
+    [[nodiscard]] double normal(std::uint64_t index) const;
+
+private:
+    std::uint64_t seed_, normal_, uniform_;  ///< the seed and its two streams
+};
+
 /// C1D of one measurement as other places of the same surface would give it.
 ///
 ///   C_k G_k,  G_k gamma distributed with mean 1 and shape ν_k, all independent

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/roughness/mode_noise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <boost/math/special_functions/digamma.hpp>
+#include <boost/math/special_functions/trigamma.hpp>
+
+#include "mode_parts.hpp"
+#include "setae/core/errors.hpp"
+#include "setae/spectra/mode_groups.hpp"
+#include "setae/spectra/parametric_noise.hpp"
+
+namespace setae::roughness {
+namespace {
+
+constexpr std::size_t decade_count = no_decades.size();
+using PerDecade = std::array<double, decade_count>;
+
+/// Of a mode's cell, ∫ d(ln q) over what lies in each decade, as a share of ln 10.
+PerDecade shares_of_decades(const ModePart& part) {
+    PerDecade shares{};
+    double lower = std::pow(10.0, first_decade);
+    for (std::size_t d = 0; d < decade_count; ++d, lower *= 10.0) {
+        const double from = std::max(part.left, lower), to = std::min(part.right, 10.0 * lower);
+        if (from < to) shares[d] = std::log(to / from) / std::log(10.0);
+    }
+    return shares;
+}
+
+/// Mean and variance of ln G. Neighbouring modes have the same shape, mostly.
+class Logarithm {
+public:
+    void take(double shape) {
+        if (shape == shape_) return;
+        shape_ = shape;
+        mean_ = boost::math::digamma(shape) - std::log(shape);
+        variance_ = boost::math::trigamma(shape);
+    }
+    [[nodiscard]] double mean() const { return mean_; }
+    [[nodiscard]] double variance() const { return variance_; }
+
+private:
+    double shape_ = 0.0, mean_ = 0.0, variance_ = 0.0;
+};
+
+/// One mode, or a narrow band of modes, whose noise is drawn as one number.
+struct Drawn {
+    std::uint64_t index = 0;  ///< of the first mode
+    double shape = 0.0;       ///< of the gamma number G that all it adds is multiplied with
+    Contribution adds;
+    PerDecade shares{};
+    /// The mean of ln G over the modes of a band: mean + slope (G − 1) + deviation · normal.
+    bool is_band = false;
+    double log_mean = 0.0, log_slope = 0.0, log_deviation = 0.0;
+};
+
+/// Modes first … last − 1 as one.
+class Band {
+public:
+    void add(const ModePart& part, double freedom, const PerDecade& shares) {
+        adds_ += part.adds;
+        const double energy = part.adds.energy;
+        energy2_ += energy * energy / freedom;
+        freedom_ += freedom;
+        double share = 0.0;
+        for (std::size_t d = 0; d < decade_count; ++d) {
+            shares_[d] += shares[d];
+            share += shares[d];
+        }
+        logarithm_.take(freedom);
+        share_ += share;
+        log_mean_ += share * logarithm_.mean();
+        log_variance_ += share * share * logarithm_.variance();
+        covariance_ += share * energy / freedom;
+    }
+
+    [[nodiscard]] Drawn drawn(std::uint64_t index) const {
+        Drawn result{.index = index, .adds = adds_, .shares = shares_, .is_band = true};
+        const double energy = adds_.energy;
+        result.shape = energy2_ > 0.0 ? energy * energy / energy2_ : freedom_;
+        if (!(share_ > 0.0)) return result;
+        result.log_mean = log_mean_ / share_;
+        const double covariance = energy > 0.0 ? covariance_ / (share_ * energy) : 0.0;
+        result.log_slope = covariance * result.shape;
+        const double rest = log_variance_ / (share_ * share_) - covariance * result.log_slope;
+        result.log_deviation = std::sqrt(std::max(0.0, rest));
+        return result;
+    }
+
+private:
+    Contribution adds_;
+    PerDecade shares_{};
+    double energy2_ = 0.0, freedom_ = 0.0, share_ = 0.0, log_mean_ = 0.0, log_variance_ = 0.0, covariance_ = 0.0;
+    Logarithm logarithm_;
+};
+
+/// What the replicas of a spectrum have in common.
+struct Noise {
+    std::vector<Drawn> drawn;
+    DecadeMeans measured = no_decades;  ///< decade means of the spectrum itself
+};
+
+/// A mode that integrals sum over, with its place in the spectrum.
+struct PlacedMode {
+    Index index;
+    ModePart part;
+};
+
+std::vector<PlacedMode> placed_modes(const spectra::MeasuredSpectrum& spectrum, const spectra::Spectrum& curve,
+                                     Conversion conversion) {
+    std::vector<PlacedMode> result;
+    Index index = 0;
+    for (const auto& part : mode_parts(curve, conversion)) {
+        while (spectrum.wavevector[index] != part.wavevector) ++index;
+        result.push_back({index, part});
+    }
+    return result;
+}
+
+Noise noise_of(const spectra::MeasuredSpectrum& spectrum, const ArrayView1D& freedom, const ModeNoiseOptions& options) {
+    constexpr double band_ratio = 1.02;
+    const auto curve = limited(spectra::within_band(spectrum), options.limits);
+    Noise noise;
+    if (curve.kind == spectra::Density::C1D) noise.measured = decade_means(curve);
+    const auto modes = placed_modes(spectrum, curve, options.conversion);
+    const auto first = spectra::narrow_groups(spectrum.wavevector, band_ratio);
+    std::size_t group = 0;
+    for (auto mode = modes.begin(); mode != modes.end();) {
+        while (first[group + 1] <= mode->index) ++group;
+        const auto end = std::find_if(mode, modes.end(), [&](const auto& m) { return m.index >= first[group + 1]; });
+        const auto index = static_cast<std::uint64_t>(mode->index);
+        if (first[group + 1] - first[group] == 1) {
+            noise.drawn.push_back({.index = index,
+                                   .shape = freedom[mode->index],
+                                   .adds = mode->part.adds,
+                                   .shares = shares_of_decades(mode->part)});
+        } else {
+            Band band;
+            for (auto m = mode; m != end; ++m) band.add(m->part, freedom[m->index], shares_of_decades(m->part));
+            noise.drawn.push_back(band.drawn(index));
+        }
+        mode = end;
+    }
+    return noise;
+}
+
+SpectralParameters replica_of(const Noise& noise, const spectra::NoiseNumbers& random) {
+    Contribution sum;
+    PerDecade logarithms{};
+    for (const auto& drawn : noise.drawn) {
+        const double factor = random.gamma(drawn.index, drawn.shape);
+        sum += factor * drawn.adds;
+        const double logarithm = drawn.is_band ? drawn.log_mean + drawn.log_slope * (factor - 1.0) +
+                                                     drawn.log_deviation * random.normal(drawn.index)
+                                               : std::log(factor);
+        for (std::size_t d = 0; d < decade_count; ++d) logarithms[d] += drawn.shares[d] * logarithm;
+    }
+    auto parameters = sum.parameters();
+    for (std::size_t d = 0; d < decade_count; ++d)
+        parameters.decade_C1D[d] = noise.measured[d] * std::exp(logarithms[d]);
+    return parameters;
+}
+
+}  // namespace
+
+std::vector<SpectralParameters> parameters_of_noise(const spectra::MeasuredSpectrum& spectrum,
+                                                    const ArrayView1D& freedom, const ModeNoiseOptions& options) {
+    if (spectrum.nodes != spectra::Nodes::modes)
+        throw InvalidArgument("noise of single modes is wanted of a spectrum whose nodes are not modes");
+    if (freedom.size() != spectrum.wavevector.size() || !(freedom > 0.0).all() || options.count < 1)
+        throw InvalidArgument(fmt::format(
+            "{} replicas of {} modes with {} freedoms, the least {}; expected at least one, as many, all > 0",
+            options.count, spectrum.wavevector.size(), freedom.size(), freedom.size() > 0 ? freedom.minCoeff() : 0.0));
+    const auto noise = noise_of(spectrum, freedom, options);
+    std::vector<SpectralParameters> replicas(static_cast<std::size_t>(options.count));
+    parallel::for_each_index(replicas.size(), options.threads, [&](std::size_t r) {
+        replicas[r] = replica_of(noise, spectra::NoiseNumbers(options.seed, r));
+    });
+    return replicas;
+}
+
+}  // namespace setae::roughness
