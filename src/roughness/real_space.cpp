@@ -314,12 +314,24 @@ RealSpaceParameters real_space_parameters(const topography::Measurement& measure
     return std::visit(Visitor{threads}, measurement);
 }
 
-double arithmetic_height(const topography::Measurement& measurement, double mean_height) {
+double arithmetic_height(const topography::Measurement& measurement, double mean_height, parallel::Threads threads) {
     if (std::holds_alternative<topography::Profile>(measurement)) return undefined;
+    constexpr Index block = 1 << 16;
     return std::visit(
-        [mean_height](const auto& m) {
-            const auto deviations =
-                sum_of<true>(0, m.heights.size(), [&](Index j) { return std::abs(m.heights.data()[j] - mean_height); });
+        [=](const auto& m) {
+            const Index n = m.heights.size();
+            const double* heights = m.heights.data();
+            std::vector<Sum> partial(static_cast<std::size_t>((n + block - 1) / block));
+            parallel::for_each_index(partial.size(), threads, [&](std::size_t b) {
+                const Index first = static_cast<Index>(b) * block;
+                partial[b] = sum_of<true>(first, std::min(n, first + block),
+                                          [&](Index j) { return std::abs(heights[j] - mean_height); });
+            });
+            Sum deviations;
+            for (const auto& [sum, count] : partial) {
+                deviations.sum += sum;
+                deviations.count += count;
+            }
             return ratio(deviations.sum, deviations.count);
         },
         measurement);

@@ -121,11 +121,12 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
     if (wanted.previews) result.preview = height_preview(measurement);
     if (wanted.parameters) {
         result.real_space = roughness::real_space_parameters(measurement, threads);
-        result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height);
+        result.arithmetic_height = roughness::arithmetic_height(measurement, result.real_space.mean_height, threads);
         if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
             result.triangulated = roughness::triangulated_area(*map, threads);
             if (result.triangulated->rms_slope > 0.0)
-                result.slope_shape = {roughness::slope_shape(*map, threads), map->size[0] * map->size[1]};
+                result.slope_shape = {roughness::slope_shape(*map, result.triangulated->rms_slope, threads),
+                                      map->size[0] * map->size[1]};
         }
     }
     const auto [nx, ny] = topography::shape(measurement);

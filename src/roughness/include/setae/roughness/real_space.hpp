@@ -39,6 +39,7 @@ struct RealSpaceParameters {
                                                         parallel::Threads threads = {});
 
 /// Arithmetic mean deviation Ra or Sa [m]: ⟨|h − ⟨h⟩|⟩ over defined points; of a polyline NaN. A second pass.
-[[nodiscard]] double arithmetic_height(const topography::Measurement& measurement, double mean_height);
+[[nodiscard]] double arithmetic_height(const topography::Measurement& measurement, double mean_height,
+                                       parallel::Threads threads = {});
 
 }  // namespace setae::roughness

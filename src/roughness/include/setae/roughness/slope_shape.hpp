@@ -18,9 +18,12 @@ struct SlopeShape {
     [[nodiscard]] double area_ratio(double rms_slope) const;
 };
 
-/// Of the triangles that triangulated_area() sums over. Classes: forty a decade of t², 1e-6 … 1e4.
+/// Of the triangles that triangulated_area() sums over. Classes: forty per decade of t², 1e-6 … 1e4.
 /// @throws UndefinedDataError where no cell has four defined corners, or all are level.
 [[nodiscard]] SlopeShape slope_shape(const topography::HeightMap& map, parallel::Threads threads = {});
+
+/// The same of a map whose rms slope triangulated_area() gave already.
+[[nodiscard]] SlopeShape slope_shape(const topography::HeightMap& map, double rms_slope, parallel::Threads threads);
 
 /// A map's share of what is known of a surface's slopes.
 struct WeighedShape {
