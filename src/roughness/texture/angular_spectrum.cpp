@@ -54,13 +54,14 @@ StrongestDirection strongest_direction(const topography::HeightMap& map, double 
                 const double weight = m == 0 || 2 * m == ny ? 1.0 : 2.0, q_y = step_y * static_cast<double>(m);
                 for (Index k = 0; k < nx; ++k) {
                     const double q_x = step_x * static_cast<double>(2 * k > nx ? k - nx : k);
-                    if ((m == 0 && k == 0) || q_x * q_x + q_y * q_y > longest * longest) continue;
+                    const double q2 = q_x * q_x + q_y * q_y;
+                    if ((m == 0 && k == 0) || q2 > longest * longest) continue;
                     const double power = weight * std::norm(block.line(line)[k]);
                     const double angle = std::atan2(q_y, q_x);
                     const auto sector =
                         static_cast<std::size_t>(wrapped(static_cast<int>(std::lround(angle * sectors / pi))));
                     sums.power[sector] += power;
-                    sums.doubled[sector] += std::polar(power, 2.0 * angle);
+                    sums.doubled[sector] += power / q2 * std::complex<double>(q_x * q_x - q_y * q_y, 2.0 * q_x * q_y);
                 }
             }
         },

@@ -47,8 +47,9 @@ FeatureParameters feature_parameters(const topography::HeightMap& map, const Fea
         throw InvalidArgument(fmt::format("pruning is {} of Sz, expected 0 … 1", options.pruning));
     const auto heights = height_parameters(map, threads);
     std::array<std::vector<Peak>, 2> found;
+    const parallel::Threads inside{std::max(1, threads.resolved() / 2)};
     parallel::for_each_index(2, threads, [&](std::size_t k) {
-        found[k] = significant_peaks(map, k == 0 ? Up::hills : Up::dales, options.pruning * heights.Sz);
+        found[k] = significant_peaks(map, k == 0 ? Up::hills : Up::dales, options.pruning * heights.Sz, inside);
     });
     const auto& [peaks, pits] = found;
     const double area = map.pixel_size()[0] * map.pixel_size()[1] * static_cast<double>(heights.defined);

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::texture {
@@ -45,15 +47,23 @@ public:
     [[nodiscard]] Index nx() const { return map_.heights.rows(); }
     [[nodiscard]] Index ny() const { return map_.heights.cols(); }
     [[nodiscard]] double at(Index point) const { return sign_ * map_.heights.data()[point]; }
-    /// The neighbour of (i, j), or none beyond an open edge.
-    [[nodiscard]] Index neighbour(Index i, Index j, const std::array<Index, 2>& step) const {
-        i += step[0];
-        j += step[1];
+    /// Calls visitor(neighbour) for the neighbours of (i, j) from the first one on, with none beyond an open edge.
+    template <class Visitor>
+    void for_neighbours(Index i, Index j, std::size_t first, Visitor visitor) const {
+        const bool inside = i > 0 && j > 0 && i + 1 < nx() && j + 1 < ny();
+        const Index point = i * ny() + j;
+        for (auto k = first; k < neighbours.size(); ++k) {
+            const auto& [down, along] = neighbours[k];
+            visitor(inside ? point + down * ny() + along : neighbour(i + down, j + along));
+        }
+    }
+
+private:
+    [[nodiscard]] Index neighbour(Index i, Index j) const {
         if (map_.periodic) return (i + nx()) % nx() * ny() + (j + ny()) % ny();
         return i < 0 || j < 0 || i >= nx() || j >= ny() ? none : i * ny() + j;
     }
 
-private:
     const topography::HeightMap& map_;
     double sign_;
 };
@@ -65,38 +75,41 @@ struct Basins {
     std::vector<char> complete;  ///< whether it keeps off edges and undefined points
 };
 
-Basins basins_of(const Grid& grid) {
+Basins basins_of(const Grid& grid, parallel::Threads threads) {
     const auto n = static_cast<std::size_t>(grid.nx() * grid.ny());
     if (n > static_cast<std::size_t>(INT32_MAX))
         throw InvalidArgument("map has more than 2³¹ points, too many for watersheds; crop it");
     std::vector<Label> uphill(n, none);
     std::vector<char> rim(n, 0);
-    for (Index i = 0; i < grid.nx(); ++i)
+    parallel::for_each_index(static_cast<std::size_t>(grid.nx()), threads, [&](std::size_t row) {
+        const auto i = static_cast<Index>(row);
         for (Index j = 0; j < grid.ny(); ++j) {
             const auto point = i * grid.ny() + j;
-            if (grid.at(point) != grid.at(point)) continue;
+            const double height = grid.at(point);
+            if (height != height) continue;
             auto best = point;
-            for (const auto& step : neighbours) {
-                const auto other = grid.neighbour(i, j, step);
-                if (other == none || grid.at(other) != grid.at(other)) rim[static_cast<std::size_t>(point)] = 1;
-                else if (grid.at(other) > grid.at(best)) best = other;
-            }
+            double highest = height;
+            grid.for_neighbours(i, j, 0, [&](Index other) {
+                const double beside = other == none ? undefined : grid.at(other);
+                if (beside != beside) rim[static_cast<std::size_t>(point)] = 1;
+                else if (beside > highest) best = other, highest = beside;
+            });
             uphill[static_cast<std::size_t>(point)] = static_cast<Label>(best);
         }
+    });
     // tops of one plateau are one peak
     Sets tops(n);
     for (Index i = 0; i < grid.nx(); ++i)
         for (Index j = 0; j < grid.ny(); ++j) {
             const auto point = static_cast<Label>(i * grid.ny() + j);
             if (uphill[static_cast<std::size_t>(point)] != point) continue;
-            for (const auto& step : neighbours) {
-                const auto other = grid.neighbour(i, j, step);
+            grid.for_neighbours(i, j, 0, [&](Index other) {
                 if (other == none || uphill[static_cast<std::size_t>(other)] != static_cast<Label>(other) ||
                     grid.at(other) != grid.at(point))
-                    continue;
+                    return;
                 const auto a = tops.find(point), b = tops.find(static_cast<Label>(other));
                 if (a != b) tops.join(std::min(a, b), std::max(a, b));
-            }
+            });
         }
     Basins basins{std::vector<Label>(n, none), {}, {}};
     std::vector<Label> path;
@@ -134,40 +147,85 @@ struct Saddle {
     Label a, b;
 };
 
-std::vector<Saddle> saddles_of(const Grid& grid, const Basins& basins) {
-    std::vector<Saddle> saddles;
-    for (Index i = 0; i < grid.nx(); ++i)
+/// Whether a saddle is crossed before another one, from the highest down; never both ways for two that differ.
+bool is_before(const Saddle& a, const Saddle& b) {
+    if (a.height != b.height) return a.height > b.height;
+    return a.a != b.a ? a.a < b.a : a.b < b.b;
+}
+
+/// Every place where two basins touch.
+std::vector<Saddle> contacts_of(const Grid& grid, const Basins& basins, parallel::Threads threads) {
+    std::vector<std::vector<Saddle>> of_row(static_cast<std::size_t>(grid.nx()));
+    parallel::for_each_index(of_row.size(), threads, [&](std::size_t row) {
+        const auto i = static_cast<Index>(row);
+        auto& saddles = of_row[row];
         for (Index j = 0; j < grid.ny(); ++j) {
             const auto point = i * grid.ny() + j;
             const auto label = basins.of_point[static_cast<std::size_t>(point)];
             if (label == none) continue;
-            for (auto step = first_forward; step < neighbours.size(); ++step) {
-                const auto other = grid.neighbour(i, j, neighbours[step]);
-                if (other == none) continue;
+            grid.for_neighbours(i, j, first_forward, [&](Index other) {
+                if (other == none) return;
                 const auto beside = basins.of_point[static_cast<std::size_t>(other)];
-                if (beside == none || beside == label) continue;
+                if (beside == none || beside == label) return;
                 saddles.push_back(
                     {std::min(grid.at(point), grid.at(other)), std::min(label, beside), std::max(label, beside)});
-            }
+            });
         }
-    std::sort(saddles.begin(), saddles.end(), [](const Saddle& a, const Saddle& b) {
-        if (a.height != b.height) return a.height > b.height;
-        return a.a != b.a ? a.a < b.a : a.b < b.b;
     });
+    std::vector<Saddle> all;
+    for (auto& saddles : of_row) {
+        all.insert(all.end(), saddles.begin(), saddles.end());
+        saddles = {};
+    }
+    return all;
+}
+
+/// The saddles that connect basins not connected by higher ones, from the highest down: the maximum spanning forest,
+/// grown from all basins at once, so that only the saddles in it are sorted.
+/// Source: Borůvka 1926; Nešetřil, Milková, Nešetřilová, Discrete Math. 233 (2001) 3.
+std::vector<Saddle> saddles_of(const Grid& grid, const Basins& basins, parallel::Threads threads) {
+    auto contacts = contacts_of(grid, basins, threads);
+    Sets connected(basins.peak.size());
+    std::vector<Saddle> saddles;
+    constexpr std::size_t no_contact = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> first(basins.peak.size());
+    while (!contacts.empty()) {
+        std::fill(first.begin(), first.end(), no_contact);
+        std::size_t kept = 0;
+        for (const auto& contact : contacts) {
+            const auto a = connected.find(contact.a), b = connected.find(contact.b);
+            if (a == b) continue;
+            contacts[kept] = contact;
+            for (const auto end : {a, b}) {
+                auto& best = first[static_cast<std::size_t>(end)];
+                if (best == no_contact || is_before(contacts[kept], contacts[best])) best = kept;
+            }
+            ++kept;
+        }
+        contacts.resize(kept);
+        for (const auto best : first) {
+            if (best == no_contact) continue;
+            const auto a = connected.find(contacts[best].a), b = connected.find(contacts[best].b);
+            if (a == b) continue;  // chosen from the other side already
+            connected.join(std::min(a, b), std::max(a, b));
+            saddles.push_back(contacts[best]);
+        }
+    }
+    std::sort(saddles.begin(), saddles.end(), is_before);
     return saddles;
 }
 
 }  // namespace
 
-std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, double least) {
+std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, double least, parallel::Threads threads) {
     const Grid grid(map, up);
-    auto basins = basins_of(grid);
+    auto basins = basins_of(grid, threads);
     const auto count = basins.peak.size();
     // from the highest saddle down: of two lands that meet, the one with the lower peak is joined to the hill beside
     // it, or stays a hill
     Sets lands(count), hills(count);
     const auto peak_height = [&](Label basin) { return grid.at(basins.peak[static_cast<std::size_t>(basin)]); };
-    for (const auto& saddle : saddles_of(grid, basins)) {
+    for (const auto& saddle : saddles_of(grid, basins, threads)) {
         auto higher = lands.find(saddle.a), lower = lands.find(saddle.b);
         if (higher == lower) continue;
         auto hill_beside = hills.find(saddle.a);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "setae/parallel/for_each.hpp"
 #include "setae/topography/measurement.hpp"
 
 namespace setae::texture {
@@ -18,6 +19,7 @@ struct Peak {
 
 /// Peaks of the hills (pits of the dales) that rise over their highest saddle by at least `least` [m] and lie inside
 /// the map; see FeatureParameters. In the order of the points.
-[[nodiscard]] std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, double least);
+[[nodiscard]] std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, double least,
+                                                  parallel::Threads threads = {});
 
 }  // namespace setae::texture
