@@ -12,6 +12,9 @@ namespace {
 constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
 constexpr int digit_bits = 16;
 constexpr std::uint64_t digit_mask = (std::uint64_t{1} << digit_bits) - 1;
+constexpr std::uint64_t largest_key = ~std::uint64_t{0};
+/// Values that agree in their leading digits are copied where they are at most one of so many.
+constexpr Index few = 8;
 
 /// The number a key was made of.
 double value_of(std::uint64_t key) { return std::bit_cast<double>(key & sign_bit ? key & ~sign_bit : ~key); }
@@ -29,7 +32,9 @@ std::uint64_t OrderStatistics::key(double value) const {
     return bits & sign_bit ? ~bits : bits | sign_bit;
 }
 
-double OrderStatistics::at(Index rank) const {
+double OrderStatistics::at(Index rank) const { return pair_at(rank)[0]; }
+
+std::array<double, 2> OrderStatistics::pair_at(Index rank) const {
     std::uint64_t prefix = 0;
     std::vector<Index> counts(digit_mask + 1);
     for (int shift = 64 - digit_bits; shift >= 0; shift -= digit_bits) {
@@ -44,16 +49,43 @@ double OrderStatistics::at(Index rank) const {
         std::uint64_t digit = 0;
         while (rank >= counts[digit]) rank -= counts[digit++];
         prefix = prefix << digit_bits | digit;
+        if (shift > 0 && counts[digit] <= n_ / few) return among(prefix, shift, rank, counts[digit]);
     }
-    return value_of(prefix);
+    const auto next = rank + 1 < static_cast<Index>(counts[prefix & digit_mask]) ? prefix : least_above(prefix);
+    return {value_of(prefix), value_of(next)};
+}
+
+std::array<double, 2> OrderStatistics::among(std::uint64_t prefix, int shift, Index rank, Index count) const {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(static_cast<std::size_t>(count));
+    auto above = largest_key;
+    for (Index i = 0; i < n_; ++i) {
+        if (values_[i] != values_[i]) continue;
+        const auto bits = key(values_[i]);
+        if (bits >> shift == prefix) keys.push_back(bits);
+        else if (bits >> shift > prefix) above = std::min(above, bits);
+    }
+    const auto at = keys.begin() + rank;
+    std::nth_element(keys.begin(), at, keys.end());
+    const auto next = at + 1 == keys.end() ? above : *std::min_element(at + 1, keys.end());
+    return {value_of(*at), value_of(next)};
+}
+
+std::uint64_t OrderStatistics::least_above(std::uint64_t bound) const {
+    auto least = largest_key;
+    for (Index i = 0; i < n_; ++i)
+        if (values_[i] == values_[i])
+            if (const auto bits = key(values_[i]); bits > bound) least = std::min(least, bits);
+    return least;
 }
 
 double OrderStatistics::quantile(double probability) const {
     const double order = static_cast<double>(defined_ - 1) * probability;
     const auto below = static_cast<Index>(std::floor(order));
-    const double share = order - static_cast<double>(below), lower = at(below);
+    const double share = order - static_cast<double>(below);
+    const auto [lower, upper] = pair_at(below);
     if (!(share > 0.0) || below + 1 >= defined_) return lower;
-    return lower + share * (at(below + 1) - lower);
+    return lower + share * (upper - lower);
 }
 
 }  // namespace setae::processing

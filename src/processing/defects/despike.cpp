@@ -76,12 +76,96 @@ Tilt median_tilt(const Field& field, Array2D& scratch, parallel::Threads threads
     return {median(1, 0), median(0, 1)};
 }
 
+/// Points of a row whose medians are found side by side, so that comparisons become vector instructions.
+constexpr std::size_t together = 8;
+using Lanes = std::array<double, together>;
+
+/// The smaller numbers of two to the first, the larger ones to the second.
+void order(Lanes& low, Lanes& high) {
+    for (std::size_t l = 0; l < together; ++l) {
+        const double a = low[l], b = high[l];
+        low[l] = b < a ? b : a;
+        high[l] = b < a ? a : b;
+    }
+}
+
+/// The numbers of a set that can still be in the middle: the smallest and the largest one of enough of them cannot be.
+class Middle {
+public:
+    /// all: how many numbers there are, an even number.
+    explicit Middle(std::size_t all) : most_(all / 2 + 2) {}
+
+    void add(const Lanes& numbers) {
+        kept_[size_++] = numbers;
+        if (size_ == most_ && size_ > 2) drop_ends();
+    }
+    /// The median of an even number of them, after the last.
+    [[nodiscard]] Lanes median() {
+        while (size_ > 2) drop_ends();
+        Lanes result;
+        for (std::size_t l = 0; l < together; ++l) result[l] = 0.5 * (kept_[0][l] + kept_[1][l]);
+        return result;
+    }
+
+private:
+    void drop_ends() {
+        for (std::size_t k = 0; 2 * k + 1 < size_; ++k) order(kept_[k], kept_[size_ - 1 - k]);
+        for (std::size_t k = 1; 2 * k < size_; ++k) order(kept_[0], kept_[k]);
+        for (std::size_t k = size_ / 2; k + 1 < size_; ++k) order(kept_[k], kept_[size_ - 1]);
+        kept_[0] = kept_[size_ - 2];
+        size_ -= 2;
+        most_ = size_ + 1;
+    }
+
+    std::size_t most_, size_ = 0;
+    std::array<Lanes, (2 * largest_reach + 1) * (2 * largest_reach + 1) / 2 + 2> kept_;
+};
+
+/// local_median() of the points (i, j) … (i, j + 7), whose surroundings lie inside the field and are defined.
+Lanes medians_together(const Field& field, const Tilt& tilt, Index i, Index j, Index reach_i, Index reach_j) {
+    Middle middle(static_cast<std::size_t>((2 * reach_i + 1) * (2 * reach_j + 1) - 1));
+    const double* here = field.heights + i * field.columns + j;
+    for (Index a = -reach_i; a <= reach_i; ++a)
+        for (Index b = -reach_j; b <= reach_j; ++b) {
+            if (a == 0 && b == 0) continue;
+            const double* there = here + a * field.columns + b;
+            const double down = static_cast<double>(a) * tilt.down, along = static_cast<double>(b) * tilt.along;
+            Lanes rise;
+            for (std::size_t l = 0; l < together; ++l) rise[l] = there[l] - here[l] - down - along;
+            middle.add(rise);
+        }
+    return middle.median();
+}
+
+/// Whether all heights are defined that medians_together() looks at.
+bool defined_around(const Field& field, Index i, Index j, Index reach_i, Index reach_j) {
+    double sum = 0.0;
+    for (Index a = i - reach_i; a <= i + reach_i; ++a) {
+        const double* row = field.heights + a * field.columns + j;
+        for (Index b = -reach_j; b < static_cast<Index>(together) + reach_j; ++b) sum += row[b];
+    }
+    return std::isfinite(sum);
+}
+
 /// r: heights minus the median of their surroundings; NaN where either is undefined.
 void find_differences(const Field& field, const Tilt& tilt, Index reach, parallel::Threads threads, Array2D& r) {
     for_each_row(field.rows, field.columns * (2 * reach + 1), threads, [&](Index i) {
         const Index reach_i = narrowed(reach, i, field.rows);
-        for (Index j = 0; j < field.columns; ++j)
+        const auto one = [&](Index j) {
             r(i, j) = -local_median(field, tilt, i, j, reach_i, narrowed(reach, j, field.columns), nullptr, false);
+        };
+        constexpr auto step = static_cast<Index>(together);
+        Index j = 0;
+        for (; j < std::min(reach, field.columns); ++j) one(j);
+        for (; j + step + reach <= field.columns; j += step) {
+            if (!defined_around(field, i, j, reach_i, reach)) {
+                for (Index k = j; k < j + step; ++k) one(k);
+                continue;
+            }
+            const auto medians = medians_together(field, tilt, i, j, reach_i, reach);
+            for (Index k = 0; k < step; ++k) r(i, j + k) = -medians[static_cast<std::size_t>(k)];
+        }
+        for (; j < field.columns; ++j) one(j);
     });
 }
 

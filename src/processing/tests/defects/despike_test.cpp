@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
 #include <set>
+#include <vector>
 
 #include "record_number.hpp"
 #include "setae/core/constants.hpp"
@@ -40,6 +42,53 @@ std::set<Index> plant(HeightMap& map, double height, Index count, unsigned seed)
         map.heights(i, j) += planted.size() % 2 == 0 ? height : -height;
     }
     return planted;
+}
+
+/// The number in the middle, by sorting.
+double middle_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const auto n = values.size();
+    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+/// Median of the rises from a point to those around it without the tilt, point by point.
+double median_around(const HeightMap& map, Index i, Index j, Index reach, double down, double along) {
+    const auto [nx, ny] = map.shape();
+    const auto narrowed = [reach](Index place, Index n) { return std::min({reach, place, n - 1 - place}); };
+    const Index reach_i = narrowed(i, nx), reach_j = narrowed(j, ny);
+    std::vector<double> rises;
+    for (Index a = -reach_i; a <= reach_i; ++a)
+        for (Index b = -reach_j; b <= reach_j; ++b) {
+            const double rise = map.heights(i + a, j + b) - map.heights(i, j) - static_cast<double>(a) * down -
+                                static_cast<double>(b) * along;
+            if ((a != 0 || b != 0) && !std::isnan(rise)) rises.push_back(rise);
+        }
+    return rises.empty() ? undefined : middle_of(rises);
+}
+
+TEST(FindSpikes, ComparesWithTheMedianOfEverySurrounding) {
+    auto map = self_affine(64, 0.5, 3);
+    map.heights(20, 31) = undefined;
+    const auto [nx, ny] = map.shape();
+    std::vector<double> down, along;
+    for (Index i = 0; i < nx; ++i)
+        for (Index j = 0; j < ny; ++j) {
+            if (i + 1 < nx) down.push_back(map.heights(i + 1, j) - map.heights(i, j));
+            if (j + 1 < ny) along.push_back(map.heights(i, j + 1) - map.heights(i, j));
+        }
+    for (auto* rises : {&down, &along}) std::erase_if(*rises, [](double rise) { return std::isnan(rise); });
+    for (const Index reach : {1, 2, 3, 7}) {
+        std::vector<double> sizes;
+        for (Index i = 0; i < nx; ++i)
+            for (Index j = 0; j < ny; ++j)
+                if (const double median = median_around(map, i, j, reach, middle_of(down), middle_of(along));
+                    !std::isnan(median))
+                    sizes.push_back(std::abs(median));
+        constexpr double upper_quartile_of_normal = 0.67448975019608174;
+        EXPECT_NEAR(find_spikes(map, {.reach = reach}).deviation / (middle_of(sizes) / upper_quartile_of_normal), 1.0,
+                    1e-12)
+            << reach;
+    }
 }
 
 TEST(FindSpikes, FindsNineteenOfTwentyPlantedSpikesOfFiveRmsOnSelfAffineSurfaces) {
