@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "evidence.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::diagnostics {
 namespace {
@@ -25,8 +28,9 @@ struct Level {
     Index count;
 };
 
-std::vector<Level> levels_of(const std::vector<double>& sorted) {
-    const double same = 1e-9 * (sorted.back() - sorted.front());
+/// range: from the lowest to the highest of all heights.
+std::vector<Level> levels_of(const std::vector<double>& sorted, double range) {
+    const double same = 1e-9 * range;
     std::vector<Level> levels;
     for (const double h : sorted) {
         if (levels.empty() || h - levels.back().height > same) levels.push_back({h, 0});
@@ -67,13 +71,51 @@ std::optional<double> common_step(const std::vector<Level>& levels) {
     return (levels.back().height - levels.front().height) / steps;
 }
 
-Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, bool top) {
+/// Levels that a last one is compared with.
+constexpr std::size_t levels_compared = 5;
+
+std::vector<Level> all_levels(const Array2D& heights) {
+    const auto sorted = sorted_heights(heights);
+    return levels_of(sorted, sorted.back() - sorted.front());
+}
+
+/// The height that about a share of all heights lies below, from a sample of them.
+double sampled_quantile(const Array2D& heights, double share) {
+    constexpr Index every = 61;
+    std::vector<double> sample;
+    for (Index k = 0; k < heights.size(); k += every)
+        if (!std::isnan(heights.data()[k])) sample.push_back(heights.data()[k]);
+    return sample.empty() ? undefined : lower_quantile(std::move(sample), share);
+}
+
+/// The outermost levels at an end of the range, in increasing order, more than twice those compared where there are so
+/// many: of many heights only those near the end are sorted.
+std::vector<Level> levels_at_end(const Array2D& heights, bool top) {
+    constexpr Index many = Index{1} << 16;
+    constexpr double outer_share = 0.005;
+    if (heights.size() < many) return all_levels(heights);
+    const double bound = sampled_quantile(heights, top ? 1.0 - outer_share : outer_share);
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    std::vector<double> outer;
+    for (Index k = 0; k < heights.size(); ++k) {
+        const double h = heights.data()[k];
+        lowest = h < lowest ? h : lowest;
+        highest = h > highest ? h : highest;
+        if (top ? h >= bound : h <= bound) outer.push_back(h);
+    }
+    if (outer.empty()) return all_levels(heights);
+    std::sort(outer.begin(), outer.end());
+    auto levels = levels_of(outer, highest - lowest);
+    return levels.size() > 2 * levels_compared + 1 ? levels : all_levels(heights);
+}
+
+Found clipped_at(const Evidence& evidence, bool top) {
+    const auto levels = levels_at_end(evidence.map.heights, top);
     const auto at = [&](std::size_t k) { return top ? levels[levels.size() - 1 - k] : levels[k]; };
-    constexpr std::size_t compared = 5;
-    if (levels.size() <= 2 * compared) return {};
+    if (levels.size() <= 2 * levels_compared) return {};
     double beside = 0.0;
-    for (std::size_t k = 1; k <= compared; ++k)
-        beside += static_cast<double>(at(k).count) / static_cast<double>(compared);
+    for (std::size_t k = 1; k <= levels_compared; ++k)
+        beside += static_cast<double>(at(k).count) / static_cast<double>(levels_compared);
     const auto [height, count] = at(0);
     // tails thin out towards their ends: a last level that holds more than those before it is a limit
     if (count < 5 || static_cast<double>(count) < 3.0 * beside) return {};
@@ -92,19 +134,18 @@ Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, boo
 }  // namespace
 
 Found quantised(const Evidence& evidence) {
-    const auto sorted = sorted_heights(evidence.map.heights);
     if (evidence.flat)
-        return Finding{{"QUANTISED", evidence.subject,
-                        fmt::format("all {} defined heights are equal: nothing of a surface is in them", sorted.size()),
-                        "look whether the right channel was read and the instrument was in contact"},
-                       {effect("rms_height", "h_rms", 0.0, "m")}};
-    const auto levels = levels_of(sorted);
+        return Finding{
+            {"QUANTISED", evidence.subject,
+             fmt::format("all {} defined heights are equal: nothing of a surface is in them", evidence.defined),
+             "look whether the right channel was read and the instrument was in contact"},
+            {effect("rms_height", "h_rms", 0.0, "m")}};
     const double share = plateau_share(evidence.map.heights);
     constexpr double many_plateaus = 0.05;
-    constexpr std::size_t fewest_heights = 64;
-    if (sorted.size() < fewest_heights || levels.size() < 3 || !(share > many_plateaus) ||
-        2 * levels.size() > sorted.size())
-        return {};
+    constexpr Index fewest_heights = 64;
+    if (evidence.defined < fewest_heights || !(share > many_plateaus)) return {};
+    const auto levels = all_levels(evidence.map.heights);
+    if (levels.size() < 3 || 2 * std::ssize(levels) > evidence.defined) return {};
     const auto step = common_step(levels);
     if (!step) return {};
     const double rms = rms_height(evidence.level.heights), error = *step / std::sqrt(12.0);
@@ -122,10 +163,9 @@ Found quantised(const Evidence& evidence) {
 }
 
 std::vector<Finding> clipped(const Evidence& evidence) {
-    const auto levels = levels_of(sorted_heights(evidence.map.heights));
     std::vector<Finding> found;
     for (const bool top : {true, false})
-        if (auto finding = clipped_at(evidence, levels, top)) found.push_back(std::move(*finding));
+        if (auto finding = clipped_at(evidence, top)) found.push_back(std::move(*finding));
     return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/processing/scars.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -18,13 +19,21 @@ namespace {
 const processing::RemoveScars striking{.high = 2.0, .low = 2.0};
 
 /// Without the median of each scan line, so that lines offset as a whole are no strokes.
-topography::HeightMap aligned(topography::HeightMap map) {
-    for (Index j = 0; j < map.heights.cols(); ++j) {
-        std::vector<double> line;
+topography::HeightMap aligned(topography::HeightMap map, parallel::Threads threads) {
+    constexpr Index together = 16;  // lines lie across memory: neighbours are gathered side by side
+    const Index blocks = (map.heights.cols() + together - 1) / together;
+    parallel::for_each_index(static_cast<std::size_t>(blocks), threads, [&](std::size_t block) {
+        const Index first = static_cast<Index>(block) * together,
+                    count = std::min(together, map.heights.cols() - first);
+        std::vector<std::vector<double>> lines(static_cast<std::size_t>(count));
         for (Index i = 0; i < map.heights.rows(); ++i)
-            if (!std::isnan(map.heights(i, j))) line.push_back(map.heights(i, j));
-        map.heights.col(j) -= upper_median(std::move(line));
-    }
+            for (Index j = 0; j < count; ++j)
+                if (const double h = map.heights(i, first + j); !std::isnan(h))
+                    lines[static_cast<std::size_t>(j)].push_back(h);
+        Eigen::Array<double, 1, Eigen::Dynamic> medians(count);
+        for (Index j = 0; j < count; ++j) medians[j] = upper_median(std::move(lines[static_cast<std::size_t>(j)]));
+        map.heights.middleCols(first, count).rowwise() -= medians;
+    });
     return map;
 }
 
@@ -33,13 +42,14 @@ topography::HeightMap aligned(topography::HeightMap map) {
 std::optional<topography::Mask> scar_points(const topography::HeightMap& map, parallel::Threads threads) {
     constexpr Index fewest = 32;
     if (map.heights.rows() < fewest || map.heights.cols() < fewest) return {};
-    auto mask = processing::find_scars(striking, aligned(map), threads);
+    auto mask = processing::find_scars(striking, aligned(map, threads), threads);
     const Index points = mask.cast<Index>().sum();
     if (points == 0) return {};
     // ridges of the surface itself lie along y as often
     const topography::HeightMap turned{map.heights.transpose(), {map.size[1], map.size[0]}, map.periodic, {}};
     constexpr Index one_sided = 4;
-    if (points <= one_sided * processing::find_scars(striking, aligned(turned), threads).cast<Index>().sum()) return {};
+    if (points <= one_sided * processing::find_scars(striking, aligned(turned, threads), threads).cast<Index>().sum())
+        return {};
     return mask;
 }
 
