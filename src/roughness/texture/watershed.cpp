@@ -153,12 +153,11 @@ bool is_before(const Saddle& a, const Saddle& b) {
     return a.a != b.a ? a.a < b.a : a.b < b.b;
 }
 
-/// Every place where two basins touch.
-std::vector<Saddle> contacts_of(const Grid& grid, const Basins& basins, parallel::Threads threads) {
-    std::vector<std::vector<Saddle>> of_row(static_cast<std::size_t>(grid.nx()));
-    parallel::for_each_index(of_row.size(), threads, [&](std::size_t row) {
-        const auto i = static_cast<Index>(row);
-        auto& saddles = of_row[row];
+/// The highest saddle of each pair of neighbouring points, in the order of the points: where basins touch along a
+/// border, one contact follows the other and the highest of such a run is kept.
+std::vector<Saddle> contacts_of(const Grid& grid, const Basins& basins) {
+    std::vector<Saddle> contacts;
+    for (Index i = 0; i < grid.nx(); ++i)
         for (Index j = 0; j < grid.ny(); ++j) {
             const auto point = i * grid.ny() + j;
             const auto label = basins.of_point[static_cast<std::size_t>(point)];
@@ -167,24 +166,21 @@ std::vector<Saddle> contacts_of(const Grid& grid, const Basins& basins, parallel
                 if (other == none) return;
                 const auto beside = basins.of_point[static_cast<std::size_t>(other)];
                 if (beside == none || beside == label) return;
-                saddles.push_back(
-                    {std::min(grid.at(point), grid.at(other)), std::min(label, beside), std::max(label, beside)});
+                const Saddle found{std::min(grid.at(point), grid.at(other)), std::min(label, beside),
+                                   std::max(label, beside)};
+                if (contacts.empty() || contacts.back().a != found.a || contacts.back().b != found.b)
+                    contacts.push_back(found);
+                else contacts.back().height = std::max(contacts.back().height, found.height);
             });
         }
-    });
-    std::vector<Saddle> all;
-    for (auto& saddles : of_row) {
-        all.insert(all.end(), saddles.begin(), saddles.end());
-        saddles = {};
-    }
-    return all;
+    return contacts;
 }
 
 /// The saddles that connect basins not connected by higher ones, from the highest down: the maximum spanning forest,
 /// grown from all basins at once, so that only the saddles in it are sorted.
 /// Source: Borůvka 1926; Nešetřil, Milková, Nešetřilová, Discrete Math. 233 (2001) 3.
-std::vector<Saddle> saddles_of(const Grid& grid, const Basins& basins, parallel::Threads threads) {
-    auto contacts = contacts_of(grid, basins, threads);
+std::vector<Saddle> saddles_of(const Grid& grid, const Basins& basins) {
+    auto contacts = contacts_of(grid, basins);
     Sets connected(basins.peak.size());
     std::vector<Saddle> saddles;
     constexpr std::size_t no_contact = std::numeric_limits<std::size_t>::max();
@@ -225,7 +221,7 @@ std::vector<Peak> significant_peaks(const topography::HeightMap& map, Up up, dou
     // it, or stays a hill
     Sets lands(count), hills(count);
     const auto peak_height = [&](Label basin) { return grid.at(basins.peak[static_cast<std::size_t>(basin)]); };
-    for (const auto& saddle : saddles_of(grid, basins, threads)) {
+    for (const auto& saddle : saddles_of(grid, basins)) {
         auto higher = lands.find(saddle.a), lower = lands.find(saddle.b);
         if (higher == lower) continue;
         auto hill_beside = hills.find(saddle.a);

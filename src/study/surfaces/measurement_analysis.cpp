@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -78,12 +80,25 @@ std::optional<topography::Measurement> with_uncertain_tip(const topography::Meas
     return measurement;
 }
 
+/// Whether all of n heights are defined. A sum is NaN where one of them is.
+bool all_defined(const double* heights, Index n, parallel::Threads threads) {
+    constexpr Index block = 1 << 16;
+    std::vector<char> defined(static_cast<std::size_t>((n + block - 1) / block));
+    parallel::for_each_index(defined.size(), threads, [&](std::size_t b) {
+        const Index first = static_cast<Index>(b) * block;
+        const Eigen::Map<const Array1D> part(heights + first, std::min(block, n - first));
+        defined[b] = !std::isnan(part.sum()) || !part.isNaN().any() ? 1 : 0;
+    });
+    return std::all_of(defined.begin(), defined.end(), [](char all) { return all != 0; });
+}
+
 /// A copy with its undefined heights filled, where it has some.
 std::optional<topography::Measurement> without_gaps(const topography::Measurement& measurement,
                                                     parallel::Threads threads) {
-    if (const auto* map = std::get_if<topography::HeightMap>(&measurement); map && map->heights.isNaN().any())
+    const auto whole = [threads](const auto& m) { return all_defined(m.heights.data(), m.heights.size(), threads); };
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement); map && !whole(*map))
         return processing::filled(*map, threads);
-    if (const auto* scan = std::get_if<topography::LineScan>(&measurement); scan && scan->heights.isNaN().any())
+    if (const auto* scan = std::get_if<topography::LineScan>(&measurement); scan && !whole(*scan))
         return processing::filled(*scan);
     return std::nullopt;
 }
