@@ -77,16 +77,14 @@ Tilt median_tilt(const Field& field, Array2D& scratch, parallel::Threads threads
 }
 
 /// Points of a row whose medians are found side by side, so that comparisons become vector instructions.
-constexpr std::size_t together = 8;
-using Lanes = std::array<double, together>;
+constexpr Index together = 8;
+using Lanes = Eigen::Array<double, together, 1>;
 
 /// The smaller numbers of two to the first, the larger ones to the second.
 void order(Lanes& low, Lanes& high) {
-    for (std::size_t l = 0; l < together; ++l) {
-        const double a = low[l], b = high[l];
-        low[l] = b < a ? b : a;
-        high[l] = b < a ? a : b;
-    }
+    const Lanes a = low, b = high;
+    low = a.min(b);
+    high = a.max(b);
 }
 
 /// The numbers of a set that can still be in the middle: the smallest and the largest one of enough of them cannot be.
@@ -102,9 +100,7 @@ public:
     /// The median of an even number of them, after the last.
     [[nodiscard]] Lanes median() {
         while (size_ > 2) drop_ends();
-        Lanes result;
-        for (std::size_t l = 0; l < together; ++l) result[l] = 0.5 * (kept_[0][l] + kept_[1][l]);
-        return result;
+        return 0.5 * (kept_[0] + kept_[1]);
     }
 
 private:
@@ -130,9 +126,8 @@ Lanes medians_together(const Field& field, const Tilt& tilt, Index i, Index j, I
             if (a == 0 && b == 0) continue;
             const double* there = here + a * field.columns + b;
             const double down = static_cast<double>(a) * tilt.down, along = static_cast<double>(b) * tilt.along;
-            Lanes rise;
-            for (std::size_t l = 0; l < together; ++l) rise[l] = there[l] - here[l] - down - along;
-            middle.add(rise);
+            using View = Eigen::Map<const Lanes>;
+            middle.add(View(there) - View(here) - down - along);
         }
     return middle.median();
 }
@@ -142,7 +137,7 @@ bool defined_around(const Field& field, Index i, Index j, Index reach_i, Index r
     double sum = 0.0;
     for (Index a = i - reach_i; a <= i + reach_i; ++a) {
         const double* row = field.heights + a * field.columns + j;
-        for (Index b = -reach_j; b < static_cast<Index>(together) + reach_j; ++b) sum += row[b];
+        for (Index b = -reach_j; b < together + reach_j; ++b) sum += row[b];
     }
     return std::isfinite(sum);
 }
@@ -154,16 +149,14 @@ void find_differences(const Field& field, const Tilt& tilt, Index reach, paralle
         const auto one = [&](Index j) {
             r(i, j) = -local_median(field, tilt, i, j, reach_i, narrowed(reach, j, field.columns), nullptr, false);
         };
-        constexpr auto step = static_cast<Index>(together);
         Index j = 0;
         for (; j < std::min(reach, field.columns); ++j) one(j);
-        for (; j + step + reach <= field.columns; j += step) {
+        for (; j + together + reach <= field.columns; j += together) {
             if (!defined_around(field, i, j, reach_i, reach)) {
-                for (Index k = j; k < j + step; ++k) one(k);
+                for (Index k = j; k < j + together; ++k) one(k);
                 continue;
             }
-            const auto medians = medians_together(field, tilt, i, j, reach_i, reach);
-            for (Index k = 0; k < step; ++k) r(i, j + k) = -medians[static_cast<std::size_t>(k)];
+            Eigen::Map<Lanes>(&r(i, j)) = -medians_together(field, tilt, i, j, reach_i, reach);
         }
         for (; j < field.columns; ++j) one(j);
     });
