@@ -96,7 +96,10 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     const auto hybrid = hybrid_parameters(map, threads);
     const auto spatial = heights.Sq > 0.0 ? spatial_parameters(map, {.threshold = options.threshold}, threads)
                                           : no_spatial_parameters(map);
-    const auto functional = functional_parameters(view, options.ratios, options.between, threads);
+    auto ratios = options.ratios;
+    ratios.inverse = options.material_ratio;
+    ratios.height = heights.mean + options.material_height;
+    const auto functional = functional_parameters(view, ratios, options.between, threads);
 
     const double pixel = map.pixel_size()[0] * map.pixel_size()[1];
     const HeightErrors errors(spatial, pixel * static_cast<double>(heights.defined));
@@ -116,11 +119,8 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     rows.add("Sdr", {hybrid.Sdr});
     rows.add("Sdq_c", {hybrid.Sdq_central});
     rows.add("Sdr_c", {hybrid.Sdr_central});
-    rows.add("Smr(c)", {bearing_area(view, Array1D::Constant(1, heights.mean + options.material_height),
-                                     options.between, threads)[0]});
-    rows.add("Smc(p)",
-             {heights_at_ratio(view, Array1D::Constant(1, options.material_ratio), options.between, threads)[0] -
-              heights.mean});
+    rows.add("Smr(c)", {functional.Smr});
+    rows.add("Smc(p)", {functional.Smc - heights.mean});
     rows.add("Sdc", {functional.Sdc});
     rows.add("Sxp", {functional.Sxp});
     rows.add("Sk", {functional.Sk});

@@ -38,32 +38,30 @@ double squared(double x) { return x * x; }
 
 }  // namespace
 
-CurveInterpolant::CurveInterpolant(const MeasurementView& measurement, Between between, parallel::Threads threads) {
-    const Elements elements(measurement, between);
+CurveInterpolant::CurveInterpolant(const Elements& elements, parallel::Threads threads) {
     const auto range = elements.range();
     const double span = range.highest - range.lowest;
     constexpr int first_parts = 512, most_passes = 5;
-    std::vector<double> nodes;
-    for (int k = 0; k < first_parts && span > 0.0; ++k) nodes.push_back(range.lowest + span * k / first_parts);
-    nodes.push_back(range.highest);
+    for (int k = 0; k < first_parts && span > 0.0; ++k) nodes_.push_back(range.lowest + span * k / first_parts);
+    nodes_.push_back(range.highest);
     const auto sums_at = [&](const std::vector<double>& heights) {
         return sum_curve(elements,
                          HeightLocator(Eigen::Map<const Array1D>(heights.data(), static_cast<Index>(heights.size()))),
                          Volumes::yes, threads);
     };
-    auto sums = sums_at(nodes);
+    sums_ = sums_at(nodes_);
     for (int pass = 1; pass < most_passes; ++pass) {
-        auto more = refined(nodes, sums, 1e-9 * span);
-        if (more.size() == nodes.size()) break;
-        nodes = std::move(more);
-        sums = sums_at(nodes);
+        auto more = refined(nodes_, sums_, 1e-9 * span);
+        if (more.size() == nodes_.size()) break;
+        nodes_ = std::move(more);
+        sums_ = sums_at(nodes_);
     }
-    const double mean = nodes.front() + sums.moment / sums.weight;
-    const auto n = nodes.size();
+    const double mean = nodes_.front() + sums_.moment / sums_.weight;
+    const auto n = nodes_.size();
     for (std::size_t k = 0; k < n; ++k) {
-        heights_.push_back(nodes[k] - mean);
-        ratios_.push_back(sums.above[static_cast<Index>(k)] / sums.weight);
-        volumes_.push_back(sums.volume[static_cast<Index>(k)] / sums.weight);
+        heights_.push_back(nodes_[k] - mean);
+        ratios_.push_back(sums_.above[static_cast<Index>(k)] / sums_.weight);
+        volumes_.push_back(sums_.volume[static_cast<Index>(k)] / sums_.weight);
     }
     squares_.assign(n, 0.0);
     bulge_.assign(n, 0.0);

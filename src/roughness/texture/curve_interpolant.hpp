@@ -13,7 +13,11 @@ class CurveInterpolant {
 public:
     /// Nodes are added where the ratio falls by more than 1/1024 from one to the next: two or three passes over the
     /// measurement.
-    CurveInterpolant(const MeasurementView& measurement, Between between, parallel::Threads threads);
+    CurveInterpolant(const Elements& elements, parallel::Threads threads);
+
+    /// Nodes as heights of the measurement, and the sums at them.
+    [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
+    [[nodiscard]] const CurveSums& sums() const { return sums_; }
 
     [[nodiscard]] double lowest() const { return heights_.front(); }
     [[nodiscard]] double highest() const { return heights_.back(); }
@@ -34,6 +38,8 @@ private:
     /// ∫_s^1 of P or P² over an interval, in units of its width.
     [[nodiscard]] double ratio_in(std::size_t interval, double s) const;
 
+    std::vector<double> nodes_;
+    CurveSums sums_;
     std::vector<double> heights_, ratios_, volumes_, squares_;
     std::vector<double> bulge_;  ///< P(s) = (1 − s) P_k + s P_{k+1} + bulge s (1 − s)
 };

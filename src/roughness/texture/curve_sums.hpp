@@ -50,6 +50,11 @@ private:
     double weight_;
 };
 
+/// H(p) as heights_at_ratio() of material_ratio.hpp gives it, from sums at heights from end to end that were made
+/// already. One pass. @throws InvalidArgument for a ratio outside 0 … 1.
+[[nodiscard]] Array1D heights_at_ratio(const Elements& elements, const HeightLocator& locate, const CurveSums& sums,
+                                       const ArrayView1D& ratios, parallel::Threads threads);
+
 /// Share of a triangle or segment that lies at or above a height.
 [[nodiscard]] double share_above(const Triangle& triangle, double height);
 [[nodiscard]] double share_above(const Segment& segment, double height);

@@ -13,8 +13,9 @@
 namespace setae::texture {
 namespace {
 
-/// Volumes of material and void at ratios p [m³/m²].
+/// Volumes of material and void above and below heights [m³/m²], and the ratio at each.
 struct MaterialVolumes {
+    Array1D ratio;        ///< P(h)
     Array1D material;     ///< Vm(p)
     Array1D void_volume;  ///< Vv(p)
 };
@@ -75,7 +76,7 @@ void require_ratio(double ratio) {
 /// Volumes above and below heights, which may stand in any order.
 MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayView1D& heights, Between between,
                                parallel::Threads threads) {
-    MaterialVolumes volumes{Array1D(heights.size()), Array1D(heights.size())};
+    MaterialVolumes volumes{Array1D(heights.size()), Array1D(heights.size()), Array1D(heights.size())};
     std::vector<double> sorted(heights.begin(), heights.end());
     std::sort(sorted.begin(), sorted.end());
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
@@ -85,6 +86,7 @@ MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayVi
     for (Index k = 0; k < heights.size(); ++k) {
         const auto place =
             static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), heights[k]) - sorted.begin());
+        volumes.ratio[k] = curve.ratio[place];
         volumes.material[k] = curve.volume[place];
         volumes.void_volume[k] = std::max(0.0, curve.volume[place] + (heights[k] - curve.mean));
     }
@@ -95,13 +97,18 @@ MaterialVolumes volumes_beside(const MeasurementView& measurement, const ArrayVi
 
 FunctionalParameters functional_parameters(const MeasurementView& measurement, const MaterialRatios& ratios,
                                            Between between, parallel::Threads threads) {
-    for (const double ratio :
-         {ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference, ratios.upper, ratios.lower})
+    for (const double ratio : {ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference, ratios.upper,
+                               ratios.lower, ratios.inverse})
         require_ratio(ratio);
-    const CurveInterpolant curve(measurement, between, threads);
+    if (ratios.height && !std::isfinite(*ratios.height))
+        throw InvalidArgument(fmt::format("height of a material ratio is {}, expected a finite one", *ratios.height));
+    const Elements elements(measurement, between);
+    const CurveInterpolant curve(elements, threads);
     FunctionalParameters result;
     if (curve.highest() == curve.lowest()) {
         result.Smrk2 = 1.0;
+        result.Smc = curve.nodes().front();
+        if (ratios.height) result.Smr = *ratios.height <= curve.nodes().front() ? 1.0 : 0.0;
         return result;
     }
     const auto core = core_line(curve);
@@ -114,11 +121,15 @@ FunctionalParameters functional_parameters(const MeasurementView& measurement, c
     result.Svk = 1.0 - result.Smrk2 > rounding ? 2.0 * result.Sak2 / (1.0 - result.Smrk2) : 0.0;
     result.Spkx = std::max(0.0, curve.highest() - core.upper);
     result.Svkx = std::max(0.0, core.lower - curve.lowest());
-    const Array1D wanted = (Array1D(6) << ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference,
-                            ratios.upper, ratios.lower)
+    const Array1D wanted = (Array1D(7) << ratios.peaks, ratios.valleys, ratios.extreme, ratios.extreme_reference,
+                            ratios.upper, ratios.lower, ratios.inverse)
                                .finished();
-    const auto heights = heights_at_ratio(measurement, wanted, between, threads);
-    const auto volumes = volumes_beside(measurement, heights.head(2), between, threads);
+    const HeightLocator locate(Eigen::Map<const Array1D>(curve.nodes().data(), std::ssize(curve.nodes())));
+    const auto heights = heights_at_ratio(elements, locate, curve.sums(), wanted, threads);
+    const Array1D levels = (Array1D(3) << heights.head(2), ratios.height.value_or(heights[0])).finished();
+    const auto volumes = volumes_beside(measurement, levels, between, threads);
+    result.Smc = heights[6];
+    if (ratios.height) result.Smr = volumes.ratio[2];
     result.Vmp = volumes.material[0];
     result.Vmc = volumes.material[1] - result.Vmp;
     result.Vvv = volumes.void_volume[1];

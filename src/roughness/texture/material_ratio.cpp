@@ -85,16 +85,13 @@ MaterialRatioCurve material_ratio_curve(const MeasurementView& measurement, cons
             sums.highest};
 }
 
-Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& ratios, Between between,
-                         parallel::Threads threads) {
+Array1D heights_at_ratio(const Elements& elements, const HeightLocator& locate, const CurveSums& sums,
+                         const ArrayView1D& ratios, parallel::Threads threads) {
     for (Index k = 0; k < ratios.size(); ++k)
         if (!(ratios[k] >= 0.0 && ratios[k] <= 1.0))
             throw InvalidArgument(fmt::format("material ratio {} is {}, expected 0 … 1", k, ratios[k]));
-    const Elements elements(measurement, between);
-    const auto range = elements.range();
-    const Array1D grid = height_grid(range.lowest, range.highest);
-    const HeightLocator locate(grid);
-    const auto sums = sum_curve(elements, locate, Volumes::no, threads);
+    const double* grid = locate.heights();
+    const Index last = locate.count() - 1;
     Array1D heights(ratios.size());
     std::vector<Index> interval(static_cast<std::size_t>(ratios.size()), -1), wanted;
     for (Index k = 0; k < ratios.size(); ++k) {
@@ -102,7 +99,7 @@ Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& 
         if (ratios[k] == 0.0 || ratios[k] == 1.0) continue;
         const auto j = last_with(sums, ratios[k]);
         heights[k] = grid[j];
-        if (j == grid_intervals) continue;
+        if (j == last) continue;
         interval[static_cast<std::size_t>(k)] = j;
         wanted.push_back(j);
     }
@@ -117,6 +114,14 @@ Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& 
             crossing(grid[j], grid[j + 1], ratios[k], [&](double height) { return brackets.ratio(place, height); });
     }
     return heights;
+}
+
+Array1D heights_at_ratio(const MeasurementView& measurement, const ArrayView1D& ratios, Between between,
+                         parallel::Threads threads) {
+    const Elements elements(measurement, between);
+    const auto range = elements.range();
+    const HeightLocator locate(height_grid(range.lowest, range.highest));
+    return heights_at_ratio(elements, locate, sum_curve(elements, locate, Volumes::no, threads), ratios, threads);
 }
 
 double median_height(const MeasurementView& measurement, Between between, parallel::Threads threads) {

@@ -73,12 +73,12 @@ void add_autocorrelation_length(ParameterRows& rows, const MeasurementView& line
 /// Rows of the material ratio curve.
 void add_curve(ParameterRows& rows, const MeasurementView& line, const ProfileOptions& options, double mean_line,
                parallel::Threads threads) {
-    const auto curve = functional_parameters(line, options.ratios, options.between, threads);
-    rows.add("Rmr(c)", {bearing_area(line, Array1D::Constant(1, mean_line + options.material_height), options.between,
-                                     threads)[0]});
-    rows.add("Rmc(p)",
-             {heights_at_ratio(line, Array1D::Constant(1, options.material_ratio), options.between, threads)[0] -
-              mean_line});
+    auto ratios = options.ratios;
+    ratios.inverse = options.material_ratio;
+    ratios.height = mean_line + options.material_height;
+    const auto curve = functional_parameters(line, ratios, options.between, threads);
+    rows.add("Rmr(c)", {curve.Smr});
+    rows.add("Rmc(p)", {curve.Smc - mean_line});
     rows.add("Rdc", {curve.Sdc});
     rows.add("Rk", {curve.Sk});
     rows.add("Rpk", {curve.Spk});

@@ -105,6 +105,16 @@ TEST(FunctionalParameters, OfAPlateauWithFewHolesHaveAFlatCore) {
     EXPECT_NEAR(result.Sak2, 1.0 / 12.0, 1e-6);
 }
 
+TEST(FunctionalParameters, HaveTheRatioAtAHeightAndTheHeightAtARatio) {
+    const HeightMap map{tests::random_map(60, 50), {1.0, 1.0}};
+    const double height = 0.3;
+    const auto found = functional_parameters(map, {.inverse = 0.37, .height = height});
+    EXPECT_NEAR(found.Smr, bearing_area(map, Array1D::Constant(1, height))[0], 1e-12);
+    EXPECT_NEAR(found.Smc, heights_at_ratio(map, Array1D::Constant(1, 0.37))[0], 1e-13);
+    EXPECT_TRUE(std::isnan(functional_parameters(map).Smr));
+    EXPECT_THROW((void)functional_parameters(map, {.height = undefined}), InvalidArgument);
+}
+
 TEST(FunctionalParameters, DoNotDependOnOffsetAndScaleWithHeight) {
     HeightMap map{tests::random_map(60, 50), {1.0, 1.0}};
     const auto plain = functional_parameters(map);
