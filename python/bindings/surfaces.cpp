@@ -80,6 +80,7 @@ void bind_texture(nb::module_& module) {
     nb::class_<Request>(module, "TextureRequest")
         .def(nb::init<>())
         .def_rw("standard", &Request::standard)
+        .def_rw("only", &Request::only)
         .def_rw("s_filter", &Request::s_filter)
         .def_rw("l_filter", &Request::l_filter)
         .def_rw("section_length", &Request::section_length)

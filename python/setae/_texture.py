@@ -25,6 +25,7 @@ def texture(
     measurements: Measured,
     standard: str,
     *,
+    only: str | None = None,
     s_filter: Text | None = None,
     l_filter: Text | None = None,
     section_length: Text | None = None,
@@ -45,6 +46,7 @@ def texture(
 ) -> Texture:
     """Parameters of "iso25178" (maps) or "iso21920" (lines; of maps the mean over scan lines); docs/reference/parameters.md has their formulas.
 
+    only: symbols or names of the parameters wanted, "Sq, Sdr"; others are not computed.
     s_filter, l_filter: nesting indices of the Gaussian filters, "2.5 um", "0.8 mm".  profile: "primary", "waviness" or "roughness".
     averages: "evaluation_length" or "sections".  mean_line: "mean" or "zero".  between: "linear" or "nothing".
 
@@ -56,6 +58,7 @@ def texture(
     request = filled(
         _setae.TextureRequest(),
         standard=standard,
+        only=only,
         s_filter=s_filter,
         l_filter=l_filter,
         section_length=section_length,

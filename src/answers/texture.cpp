@@ -17,11 +17,11 @@ using texture::TextureParameter;
 bool TextureRequest::asked() const {
     if (!standard.empty()) return true;
     for (const auto& option :
-         {s_filter, l_filter, section_length, kind, averages, mean_line, between, format, material_height})
+         {s_filter, l_filter, section_length, kind, averages, mean_line, between, format, material_height, only})
         if (!option.empty() || material_ratio)
             throw InvalidArgument(
-                "--s-filter, --l-filter, --section-length, --profile, --averages, --mean-line, --between, --format, --material-height and "
-                "--material-ratio are of a standard's parameters; "
+                "--only, --s-filter, --l-filter, --section-length, --profile, --averages, --mean-line, --between, --format, "
+                "--material-height and --material-ratio are of a standard's parameters; "
                 "give --standard iso25178 or --standard iso21920");
     return false;
 }
@@ -48,7 +48,14 @@ texture::ProfileOptions TextureRequest::profile() const {
     if (!material_height.empty()) options.material_height = parse_quantity(material_height, dimension::length);
     options.material_ratio = material_ratio.value_or(0.5);
     options.between = between == "nothing" ? texture::Between::nothing : texture::Between::linear;
+    if (!only.empty()) options.only = chosen();
     return options;
+}
+
+std::vector<std::string> TextureRequest::chosen() const {
+    const char letter = kind == "primary" ? 'P' : kind == "waviness" ? 'W' : 'R';
+    return texture::chosen_parameters(
+        only, standard == "iso25178" ? texture::Standard::iso25178 : texture::Standard::iso21920, letter);
 }
 
 std::vector<TextureParameter> TextureRequest::parameters_of(const topography::Measurement& measurement,
@@ -59,7 +66,8 @@ std::vector<TextureParameter> TextureRequest::parameters_of(const topography::Me
                                          {.filters = of_lines.filters,
                                           .between = of_lines.between,
                                           .material_height = of_lines.material_height,
-                                          .material_ratio = of_lines.material_ratio},
+                                          .material_ratio = of_lines.material_ratio,
+                                          .only = of_lines.only},
                                          threads);
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
     return map ? texture::mean_profile_parameters(*map, of_lines, threads)
@@ -74,6 +82,7 @@ TextureAnswer texture_of(const study::SurfaceInput& surface, const TextureReques
     require_word("averages", request.averages, {"evaluation_length", "sections"});
     require_word("mean line", request.mean_line, {"mean", "zero"});
     require_word("between", request.between, {"linear", "nothing"});
+    if (!request.only.empty()) (void)request.chosen();
     TextureAnswer answer;
     for (const auto& input : surface.measurements) {
         try {

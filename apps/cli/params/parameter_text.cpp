@@ -158,6 +158,7 @@ std::string parameter_page() {
            "*Reference · [all documents](../README.md)*\n\n"
            "`setae params FILE --standard iso25178` prints the first table of a map, `--standard iso21920` the second of a line (of a map: mean over its\n"
            "scan lines). Every row has its filter, bandwidth, number of points and warnings; `--format md|tsv|latex|json` writes it for others.\n"
+           "`--only \"Sq, Sdr\"` computes the parameters named and nothing that they do not need.\n"
            "z is the height over the mean (the mean line), <…> the average over the area or the evaluation length, P(h) the share of it at or above\n"
            "h, H(p) its inverse, both exact on two triangles a pixel (segments of lines), or on points with `--between nothing`; c and p are --material-height\n"
            "and --material-ratio. P, W and R take the\n"

@@ -10,6 +10,7 @@ void TextureOptions::add_to(Options& options) {
         .add("--standard", standard,
              "parameters of a standard: iso25178 (maps) or iso21920 (lines; maps: mean over scan lines)")
         .one_of({"iso25178", "iso21920"});
+    options.add("--only", only, "these parameters of the standard only, by symbol or name, such as \"Sq, Sdr\"");
     options.add("--s-filter", s_filter, "nesting index of the Gaussian S-filter (λs), such as 2.5um")
         .quantity(positive(dimension::length));
     options

@@ -93,24 +93,31 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     const MeasurementView view = own ? MeasurementView(*own) : measurement;
     const auto& map = *view.as<topography::HeightMap>();
     const auto heights = height_parameters(view, threads);
-    const auto hybrid = hybrid_parameters(map, threads);
-    const auto spatial = heights.Sq > 0.0 ? spatial_parameters(map, {.threshold = options.threshold}, threads)
-                                          : no_spatial_parameters(map);
+    const auto& only = options.only;
+    const auto hybrid =
+        wants(only, {"Sdq", "Sdr", "Sdq_c", "Sdr_c"}) ? hybrid_parameters(map, threads) : HybridParameters{};
+    const bool correlated = wants(only, {"Sq", "Ssk", "Sku", "Sa", "Sal", "Str", "Std"});
+    const auto spatial = !correlated        ? SpatialParameters{}
+                         : heights.Sq > 0.0 ? spatial_parameters(map, {.threshold = options.threshold}, threads)
+                                            : no_spatial_parameters(map);
     auto ratios = options.ratios;
     ratios.inverse = options.material_ratio;
     ratios.height = heights.mean + options.material_height;
-    const auto functional = functional_parameters(view, ratios, options.between, threads);
+    const bool with_curve = wants(only, {"Smr(c)", "Smc(p)", "Sdc", "Sxp", "Sk", "Spk", "Svk", "Smrk1", "Smrk2", "Spkx",
+                                         "Svkx", "Sak1", "Sak2", "Vmp", "Vmc", "Vvc", "Vvv"});
+    const auto functional =
+        with_curve ? functional_parameters(view, ratios, options.between, threads) : FunctionalParameters{};
 
     const double pixel = map.pixel_size()[0] * map.pixel_size()[1];
     const HeightErrors errors(spatial, pixel * static_cast<double>(heights.defined));
     std::vector<Alert> few;
-    if (errors.patches() < fewest_patches)
+    if (correlated && errors.patches() < fewest_patches)
         few.push_back({"FEW_PATCHES", topography::label(map.metadata),
                        fmt::format("the map holds {:.1f} independent patches", errors.patches()),
                        "measure a larger map, or take out long waves with an L-filter"});
     ParameterRows rows(Standard::iso25178, description(options.filters, ProfileKind::roughness),
                        bandwidth(measurement, options.filters, ProfileKind::roughness, threads),
-                       undefined_alerts(measurement), heights.defined);
+                       undefined_alerts(measurement), heights.defined, only);
     add_heights(rows, heights, errors, few);
     rows.add("Sal", {spatial.Sal}, alerts_of(spatial, "SAL"));
     rows.add("Str", {spatial.Str}, alerts_of(spatial, "STR"));
@@ -136,7 +143,8 @@ std::vector<TextureParameter> areal_parameters(const MeasurementView& measuremen
     rows.add("Vmc", {functional.Vmc});
     rows.add("Vvc", {functional.Vvc});
     rows.add("Vvv", {functional.Vvv});
-    add_features(rows, feature_parameters(map, {}, threads));
+    if (wants(only, {"Spd", "Svd", "Spc", "Svc", "S5p", "S5v", "S10z"}))
+        add_features(rows, feature_parameters(map, {}, threads));
     return rows.take();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameter_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,16 +9,24 @@
 
 namespace setae::texture {
 
+bool wants(const std::vector<std::string>& only, std::initializer_list<std::string_view> symbols) {
+    return only.empty() || std::any_of(symbols.begin(), symbols.end(), [&only](std::string_view symbol) {
+               return std::find(only.begin(), only.end(), symbol) != only.end();
+           });
+}
+
 ParameterRows::ParameterRows(Standard standard, std::string filter, Bandwidth bandwidth, std::vector<Alert> alerts,
-                             Index points, char letter)
+                             Index points, std::vector<std::string> only, char letter)
     : standard_(standard),
       filter_(std::move(filter)),
       bandwidth_(std::move(bandwidth)),
       alerts_(std::move(alerts)),
       points_(points),
+      only_(std::move(only)),
       letter_(letter) {}
 
 void ParameterRows::add(std::string_view symbol, Estimate estimate, std::vector<Alert> alerts) {
+    if (!wants(only_, {symbol})) return;
     const auto& definition = parameter(symbol);
     Quantity quantity;
     quantity.quantity = definition.name;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -157,6 +159,36 @@ const ParameterDefinition& parameter(std::string_view symbol) {
     const auto nearest = nearest_match(symbol, symbols);
     throw InvalidArgument(fmt::format("no parameter is called \"{}\"{}", symbol,
                                       nearest.empty() ? std::string() : fmt::format(", did you mean {}", nearest)));
+}
+
+std::vector<std::string> chosen_parameters(std::string_view text, Standard standard, char letter) {
+    constexpr auto separators = ", \t";
+    std::vector<std::string> found;
+    for (auto begin = text.find_first_not_of(separators); begin != text.npos;) {
+        const auto end = std::min(text.find_first_of(separators, begin), text.size());
+        const auto word = text.substr(begin, end - begin);
+        std::vector<std::string> symbols;
+        const ParameterDefinition* definition = nullptr;
+        for (const auto& row : table) {
+            if (row.standard != standard) continue;
+            auto symbol = std::string(row.symbol);
+            if (standard == Standard::iso21920) symbol[0] = letter;
+            if (symbol == word || row.name == word) definition = &row;
+            symbols.push_back(std::move(symbol));
+        }
+        if (!definition) {
+            const auto nearest = nearest_match(word, symbols);
+            throw InvalidArgument(fmt::format("no parameter of {} is called \"{}\"; {}",
+                                              standard == Standard::iso25178 ? "iso25178" : "iso21920", word,
+                                              nearest.empty()
+                                                  ? fmt::format("expected some of {}", fmt::join(symbols, ", "))
+                                                  : fmt::format("did you mean {}", nearest)));
+        }
+        found.emplace_back(definition->symbol);
+        begin = text.find_first_not_of(separators, end);
+    }
+    if (found.empty()) throw InvalidArgument("no parameter is chosen; give symbols such as \"Sq, Sdr\"");
+    return found;
 }
 
 }  // namespace setae::texture

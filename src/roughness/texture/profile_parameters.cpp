@@ -145,7 +145,7 @@ std::vector<TextureParameter> profile_parameters(const MeasurementView& line, co
 
     ParameterRows rows(Standard::iso21920, description(options.filters, options.kind),
                        bandwidth(line, options.filters, options.kind, threads), undefined_alerts(line),
-                       whole.heights.defined, letter_of(options.kind));
+                       whole.heights.defined, options.only, letter_of(options.kind));
     const auto add = [&](std::string_view symbol, const std::function<double(const Stretch&)>& value) {
         rows.add(symbol, options.averages == Averages::sections ? mean_over_sections(values_of(parts, value))
                                                                 : Estimate{value(whole)});
@@ -169,8 +169,10 @@ std::vector<TextureParameter> profile_parameters(const MeasurementView& line, co
     rows.add("Rdt", {whole.slopes.Rdt});
     rows.add("Rdl", {(1.0 + whole.slopes.Rdr) * size});
     rows.add("Rdr", {whole.slopes.Rdr});
-    add_autocorrelation_length(rows, view, whole.heights.Sq);
-    add_curve(rows, view, options, mean_line, threads);
+    if (wants(options.only, {"Ral"})) add_autocorrelation_length(rows, view, whole.heights.Sq);
+    if (wants(options.only, {"Rmr(c)", "Rmc(p)", "Rdc", "Rk", "Rpk", "Rvk", "Rmrk1", "Rmrk2", "Rak1", "Rak2", "Rpkx",
+                             "Rvkx", "Rvmp", "Rvmc", "Rvvc", "Rvvv"}))
+        add_curve(rows, view, options, mean_line, threads);
     return rows.take();
 }
 

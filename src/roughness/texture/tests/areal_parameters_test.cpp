@@ -195,5 +195,27 @@ TEST(ArealParameters, AreTheSameForAnyNumberOfThreads) {
         }
 }
 
+TEST(ArealParameters, ChosenAreThoseOfTheWholeList) {
+    const topography::HeightMap map{tests::random_map(40, 50), {4.0, 5.0}};
+    const auto all = areal_parameters(map);
+    for (const auto& expected : all) {
+        const auto found =
+            areal_parameters(map, {.only = chosen_parameters(expected.quantity.symbol, Standard::iso25178)});
+        ASSERT_EQ(found.size(), 1u) << expected.quantity.symbol;
+        EXPECT_EQ(found[0].quantity.symbol, expected.quantity.symbol);
+        EXPECT_EQ(found[0].quantity.estimate.value, expected.quantity.estimate.value) << expected.quantity.symbol;
+        EXPECT_EQ(found[0].quantity.alerts, expected.quantity.alerts) << expected.quantity.symbol;
+    }
+}
+
+TEST(ChosenParameters, AreFoundBySymbolOrNameAndElseRefused) {
+    EXPECT_EQ(chosen_parameters("Sdr, root_mean_square_height", Standard::iso25178),
+              (std::vector<std::string>{"Sdr", "Sq"}));
+    EXPECT_EQ(chosen_parameters("Pq\tPk", Standard::iso21920, 'P'), (std::vector<std::string>{"Rq", "Rk"}));
+    EXPECT_THROW((void)chosen_parameters("Rq", Standard::iso25178), InvalidArgument);
+    EXPECT_THROW((void)chosen_parameters("Rq", Standard::iso21920, 'P'), InvalidArgument);
+    EXPECT_THROW((void)chosen_parameters(" ,", Standard::iso25178), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace setae::texture::areal_parameters_test

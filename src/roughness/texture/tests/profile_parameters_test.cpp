@@ -219,5 +219,18 @@ TEST(DefaultSetting, OfALineIsTheOneItsRoughnessAsksForItself) {
     EXPECT_THROW((void)default_setting(tests::random_profile(50)), InvalidArgument);
 }
 
+TEST(ProfileParameters, ChosenAreThoseOfTheWholeList) {
+    const topography::LineScan line{tests::random_map(300, 1).col(0), 3.0};
+    const auto all = profile_parameters(line, {.kind = ProfileKind::primary});
+    for (const auto& expected : all) {
+        const auto only = chosen_parameters(expected.quantity.symbol, Standard::iso21920, 'P');
+        const auto found = profile_parameters(line, {.kind = ProfileKind::primary, .only = only});
+        ASSERT_EQ(found.size(), 1u) << expected.quantity.symbol;
+        EXPECT_EQ(found[0].quantity.symbol, expected.quantity.symbol);
+        const double value = found[0].quantity.estimate.value, whole = expected.quantity.estimate.value;
+        EXPECT_TRUE(value == whole || (std::isnan(value) && std::isnan(whole))) << expected.quantity.symbol;
+    }
+}
+
 }  // namespace
 }  // namespace setae::texture::profile_parameters_test

@@ -15,7 +15,7 @@ namespace setae::answers {
 /// What `setae params --standard` is asked: which parameters, behind which filters, written how.
 struct TextureRequest {
     std::string standard, s_filter, l_filter, section_length, kind, averages, mean_line, between, format,
-        material_height;
+        material_height, only;
     std::optional<double> material_ratio;
 
     /// Whether a standard's parameters are asked for.
@@ -26,6 +26,9 @@ struct TextureRequest {
     /// their spread.
     [[nodiscard]] std::vector<texture::TextureParameter> parameters_of(const topography::Measurement& measurement,
                                                                        parallel::Threads threads) const;
+
+    /// Symbols of the table that `only` names. @throws InvalidArgument for others.
+    [[nodiscard]] std::vector<std::string> chosen() const;
 
 private:
     [[nodiscard]] texture::Filters filters() const;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "setae/texture/functional_parameters.hpp"
 #include "setae/texture/texture_parameter.hpp"
@@ -21,6 +23,7 @@ struct ArealOptions {
     double threshold = 0.2;             ///< s of Sal and Str
     double material_height = 0.0;       ///< c of Smr(c), over the mean [m]
     double material_ratio = 0.5;        ///< p of Smc(p)
+    std::vector<std::string> only;  ///< symbols of the table; what no other parameter needs is not computed; empty: all
 };
 
 /// All parameters of ISO 25178-2:2021 of a map: height, spatial, hybrid, functional, volume, feature.

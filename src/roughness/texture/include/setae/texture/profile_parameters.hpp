@@ -43,6 +43,8 @@ struct ProfileOptions {
     Between between = Between::linear;
     double material_height = 0.0;  ///< c of Rmr(c), over the mean line [m]
     double material_ratio = 0.5;   ///< p of Rmc(p)
+    std::vector<std::string>
+        only;  ///< symbols of the table, with R; what no other parameter needs is not computed; empty: all
 };
 
 /// Sections of equal length from the start of a line, as many as fit to 1 % of their length; polylines are cut between

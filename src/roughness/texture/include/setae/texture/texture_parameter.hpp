@@ -29,6 +29,11 @@ struct ParameterDefinition {
 /// @throws InvalidArgument for a symbol that is not in the table, with the nearest one.
 [[nodiscard]] const ParameterDefinition& parameter(std::string_view symbol);
 
+/// The table's symbols of parameters chosen by symbol or name, separated by commas or blanks, such as "Sq, Sdr".
+/// letter: P, W or R, with which symbols of lines begin; the table has R.
+/// @throws InvalidArgument for one that the standard does not have, with the nearest one.
+[[nodiscard]] std::vector<std::string> chosen_parameters(std::string_view text, Standard standard, char letter = 'R');
+
 /// A value of a parameter with the filters it stands behind.
 struct TextureParameter {
     Quantity quantity;  ///< its band is the bandwidth: 2π/(longest wavelength) … 2π/(shortest) [1/m]; its alerts are
