@@ -39,7 +39,7 @@ void transform_block(const SpectrumLine& load, const ComplexTransform& along_x, 
                 lines = std::min(lines_per_block, half.inner - first);
     const Index stride = (nx + 3) / 4 * 4 + 4;  // lines of a block must not fight for the same places of the cache
     thread_local Buffer<Complex> buffer;
-    buffer.resize(extent(lines_per_block * stride));
+    buffer.resize(extent(lines * stride));
     for (Index m = 0; m < lines; ++m) {
         load(1 + first + m, buffer.data() + m * stride);
         along_x.apply(buffer.data() + m * stride);

@@ -40,8 +40,9 @@ void transform_lines(const ArrayView2D& map, const std::function<void(Index, dou
     parallel::for_each_index(extent(block_count(ny)), threads, [&](std::size_t index) {
         thread_local Buffer<double> lines;
         thread_local Buffer<Complex> spectra;
-        lines.resize(extent(lines_per_block * stride));
-        spectra.resize(extent(lines_per_block * padded<Complex>(transform.modes())));
+        const Index count = std::min(lines_per_block, ny - static_cast<Index>(index) * lines_per_block);
+        lines.resize(extent(count * stride));
+        spectra.resize(extent(count * padded<Complex>(transform.modes())));
         const auto block = block_of(static_cast<Index>(index), ny, transform.modes(), spectra.data());
         for (Index i = 0; i < nx; ++i) {
             const double* row = map.data() + i * map.outerStride() + block.first;
@@ -75,7 +76,8 @@ void transform_map(Index nx, Index ny, const std::function<void(Index, double*)>
     });
     parallel::for_each_index(extent(block_count(modes)), threads, [&](std::size_t index) {
         thread_local Buffer<Complex> lines;
-        lines.resize(extent(lines_per_block * padded<Complex>(nx)));
+        const Index count = std::min(lines_per_block, modes - static_cast<Index>(index) * lines_per_block);
+        lines.resize(extent(count * padded<Complex>(nx)));
         const auto block = block_of(static_cast<Index>(index), modes, nx, lines.data());
         for (Index i = 0; i < nx; ++i) {
             const Complex* row = half.data() + i * modes + block.first;

@@ -112,9 +112,11 @@ struct PlacedMode {
 
 std::vector<PlacedMode> placed_modes(const spectra::MeasuredSpectrum& spectrum, const spectra::Spectrum& curve,
                                      Conversion conversion) {
+    const auto parts = mode_parts(curve, conversion);
     std::vector<PlacedMode> result;
+    result.reserve(parts.size());
     Index index = 0;
-    for (const auto& part : mode_parts(curve, conversion)) {
+    for (const auto& part : parts) {
         while (spectrum.wavevector[index] != part.wavevector) ++index;
         result.push_back({index, part});
     }

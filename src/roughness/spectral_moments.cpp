@@ -29,6 +29,7 @@ struct Piece {
 /// Cells of modes: each reaches half way to its neighbours, the outer ones to the ends of the band.
 std::vector<Piece> cells(const std::vector<double>& q, const std::vector<double>& c, const Band& band) {
     std::vector<Piece> result;
+    result.reserve(q.size());
     for (std::size_t i = 0; i < q.size(); ++i) {
         const double left = i == 0 ? band.lower : 0.5 * (q[i - 1] + q[i]);
         const double right = i + 1 == q.size() ? band.upper : 0.5 * (q[i] + q[i + 1]);
@@ -237,8 +238,10 @@ SpectralParameters spectral_parameters(const spectra::Spectrum& curve, Conversio
 }
 
 std::vector<ModePart> mode_parts(const spectra::Spectrum& modes, Conversion conversion) {
+    const auto parts = pieces(modes);
     std::vector<ModePart> result;
-    for (const auto& piece : pieces(modes))
+    result.reserve(parts.size());
+    for (const auto& piece : parts)
         result.push_back({piece.mode, piece.level, piece.left, piece.right, contribution(piece, modes, conversion)});
     return result;
 }
