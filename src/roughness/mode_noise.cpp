@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <boost/math/special_functions/digamma.hpp>
@@ -58,7 +60,7 @@ struct Drawn {
     double log_mean = 0.0, log_slope = 0.0, log_deviation = 0.0;
 };
 
-/// Modes first … last − 1 as one.
+/// The modes of a band as one.
 class Band {
 public:
     void add(const ModePart& part, double freedom, const PerDecade& shares) {
@@ -104,50 +106,56 @@ struct Noise {
     DecadeMeans measured = no_decades;  ///< decade means of the spectrum itself
 };
 
-/// A mode that integrals sum over, with its place in the spectrum.
-struct PlacedMode {
-    Index index;
-    ModePart part;
-};
+/// Collects modes in order: single ones as they come, those of a band until the band ends.
+class DrawnModes {
+public:
+    /// first: of each group of modes; see spectra::narrow_groups().
+    explicit DrawnModes(std::vector<Index> first) : first_(std::move(first)) {}
 
-std::vector<PlacedMode> placed_modes(const spectra::MeasuredSpectrum& spectrum, const spectra::Spectrum& curve,
-                                     Conversion conversion) {
-    const auto parts = mode_parts(curve, conversion);
-    std::vector<PlacedMode> result;
-    result.reserve(parts.size());
-    Index index = 0;
-    for (const auto& part : parts) {
-        while (spectrum.wavevector[index] != part.wavevector) ++index;
-        result.push_back({index, part});
+    void add(Index index, const ModePart& part, double freedom) {
+        if (index >= first_[group_ + 1]) end_band();
+        while (first_[group_ + 1] <= index) ++group_;
+        const auto shares = shares_of_decades(part);
+        if (first_[group_ + 1] - first_[group_] == 1) {
+            drawn_.push_back(
+                {.index = static_cast<std::uint64_t>(index), .shape = freedom, .adds = part.adds, .shares = shares});
+            return;
+        }
+        if (!band_) {
+            band_.emplace();
+            band_begin_ = index;
+        }
+        band_->add(part, freedom, shares);
     }
-    return result;
-}
+
+    [[nodiscard]] std::vector<Drawn> take() {
+        end_band();
+        return std::move(drawn_);
+    }
+
+private:
+    void end_band() {
+        if (band_) drawn_.push_back(band_->drawn(static_cast<std::uint64_t>(band_begin_)));
+        band_.reset();
+    }
+
+    std::vector<Index> first_;
+    std::size_t group_ = 0;
+    std::optional<Band> band_;
+    Index band_begin_ = 0;
+    std::vector<Drawn> drawn_;
+};
 
 Noise noise_of(const spectra::MeasuredSpectrum& spectrum, const ArrayView1D& freedom, const ModeNoiseOptions& options) {
     constexpr double band_ratio = 1.02;
     const auto curve = limited(spectra::within_band(spectrum), options.limits);
-    Noise noise;
-    if (curve.kind == spectra::Density::C1D) noise.measured = decade_means(curve);
-    const auto modes = placed_modes(spectrum, curve, options.conversion);
-    const auto first = spectra::narrow_groups(spectrum.wavevector, band_ratio);
-    std::size_t group = 0;
-    for (auto mode = modes.begin(); mode != modes.end();) {
-        while (first[group + 1] <= mode->index) ++group;
-        const auto end = std::find_if(mode, modes.end(), [&](const auto& m) { return m.index >= first[group + 1]; });
-        const auto index = static_cast<std::uint64_t>(mode->index);
-        if (first[group + 1] - first[group] == 1) {
-            noise.drawn.push_back({.index = index,
-                                   .shape = freedom[mode->index],
-                                   .adds = mode->part.adds,
-                                   .shares = shares_of_decades(mode->part)});
-        } else {
-            Band band;
-            for (auto m = mode; m != end; ++m) band.add(m->part, freedom[m->index], shares_of_decades(m->part));
-            noise.drawn.push_back(band.drawn(index));
-        }
-        mode = end;
+    DrawnModes drawn(spectra::narrow_groups(spectrum.wavevector, band_ratio));
+    Index index = 0;
+    for (const auto& part : mode_parts(curve, options.conversion)) {
+        while (spectrum.wavevector[index] != part.wavevector) ++index;
+        drawn.add(index, part, freedom[index]);
     }
-    return noise;
+    return {drawn.take(), curve.kind == spectra::Density::C1D ? decade_means(curve) : no_decades};
 }
 
 SpectralParameters replica_of(const Noise& noise, const spectra::NoiseNumbers& random) {

@@ -16,11 +16,11 @@ namespace {
 spectra::MeasuredSpectrum modes(Index n) {
     spectra::MeasuredSpectrum spectrum;
     spectrum.nodes = spectra::Nodes::modes;
-    spectrum.wavevector = Array1D::LinSpaced(n, 1e4, 1e4 * static_cast<double>(n));
+    spectrum.wavevector = Array1D::LinSpaced(n, 2e4, 2e4 * static_cast<double>(n));
     spectrum.density = 1e-12 * (spectrum.wavevector / 1e4).pow(-2.6);
     const spectra::NoiseNumbers random(9, 0);
     for (Index k = 0; k < n; ++k) spectrum.density[k] *= random.gamma(static_cast<std::uint64_t>(k), 1.0);
-    spectrum.band = {0.5e4, 1e4 * (static_cast<double>(n) + 0.5)};
+    spectrum.band = {1e4, 2e4 * (static_cast<double>(n) + 0.5)};
     spectrum.count = Array1D::Ones(n);
     spectrum.standard_error = Array1D::Constant(n, undefined);
     return spectrum;
@@ -76,18 +76,18 @@ double scatter(const std::vector<SpectralParameters>& replicas, const Value& val
     return std::sqrt(squares) / mean;
 }
 
-// 2000 replicas know a standard deviation to 1.6 %
+// 400 replicas know a standard deviation to 3.5 %
 TEST(ModeNoise, OfManyModesScattersAsTheModesDo) {
-    const auto spectrum = modes(20000);
-    const Array1D freedom = Array1D::Constant(20000, spectra::share_under_hann);
+    const auto spectrum = modes(6000);
+    const Array1D freedom = Array1D::Constant(6000, spectra::share_under_hann);
     for (const auto limits : {WavelengthLimits{}, WavelengthLimits{1e-7, {}}}) {  // the second: bands only
-        const ModeNoiseOptions options{.limits = limits, .count = 2000, .seed = 11, .threads = {2}};
+        const ModeNoiseOptions options{.limits = limits, .count = 400, .seed = 11, .threads = {2}};
         const auto found = parameters_of_noise(spectrum, freedom, options),
                    expected = one_by_one(spectrum, freedom, options);
         for (std::size_t v = 0; v < values().size(); ++v) {
             const double should = scatter(expected, values()[v]);
             if (std::isnan(should)) EXPECT_TRUE(std::isnan(values()[v](found[0]))) << v;
-            else EXPECT_NEAR(scatter(found, values()[v]) / should, 1.0, 0.08) << v;
+            else EXPECT_NEAR(scatter(found, values()[v]) / should, 1.0, 0.2) << v;
         }
     }
 }
