@@ -2,6 +2,7 @@
 #include "setae/diagnostics/diagnose.hpp"
 
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -25,21 +26,32 @@ void add(std::vector<Finding>& findings, std::vector<Finding> more) {
     for (auto& finding : more) findings.push_back(std::move(finding));
 }
 
+std::vector<Finding> as_list(Found finding) {
+    std::vector<Finding> findings;
+    add(findings, std::move(finding));
+    return findings;
+}
+
 std::vector<Finding> diagnosed(const Evidence& evidence, const topography::Measurement& measurement,
                                const DiagnosisOptions& options) {
     std::vector<Finding> findings;
     add(findings, undefined_heights(evidence));
     add(findings, quantised(evidence));
     if (evidence.flat) return findings;
-    add(findings, clipped(evidence));
-    add(findings, large_tilt(evidence));
-    add(findings, curvature_left(evidence));
-    add(findings, spikes(evidence, options.threads));
-    add(findings, scars(evidence));
-    add(findings, pixel_noise(evidence, options));
-    add(findings, tip_cutoff(measurement, options.threads));
-    add(findings, low_wavevector_gap(evidence, options));
-    add(findings, directions(evidence, options));
+    // in the order of the page of diagnostics; each looks at the same evidence by itself
+    const std::vector<std::function<std::vector<Finding>()>> tests{
+        [&] { return clipped(evidence); },
+        [&] { return as_list(large_tilt(evidence)); },
+        [&] { return as_list(curvature_left(evidence)); },
+        [&] { return as_list(spikes(evidence, options.threads)); },
+        [&] { return as_list(scars(evidence)); },
+        [&] { return as_list(pixel_noise(evidence, options)); },
+        [&] { return as_list(tip_cutoff(measurement, options.threads)); },
+        [&] { return as_list(low_wavevector_gap(evidence, options)); },
+        [&] { return directions(evidence, options); }};
+    std::vector<std::vector<Finding>> found(tests.size());
+    parallel::for_each_index(tests.size(), options.threads, [&](std::size_t i) { found[i] = tests[i](); });
+    for (auto& more : found) add(findings, std::move(more));
     return findings;
 }
 

@@ -83,41 +83,48 @@ bool constant(const Array2D& heights) {
     return true;
 }
 
+/// A map or line without its spikes.
+HeightMap despiked(const HeightMap& map, bool is_line, parallel::Threads threads) {
+    const processing::Despike despike;
+    if (!is_line) return std::get<HeightMap>(processing::apply(despike, map, threads).measurement);
+    HeightMap result = map;
+    result.heights.col(0) =
+        std::get<topography::LineScan>(processing::apply(despike, as_line(map), threads).measurement).heights;
+    return result;
+}
+
+/// What does not lower the slopes when it is taken out belongs to the surface, such as steps and grains.
+void take_out_spikes(Evidence& evidence, parallel::Threads threads) {
+    auto spikes = evidence.is_line ? processing::find_spikes(as_line(evidence.clean), {}, threads)
+                                   : processing::find_spikes(evidence.clean, {}, threads);
+    if (spikes.count == 0) return;
+    auto without = despiked(evidence.clean, evidence.is_line, threads);
+    const double step = evidence.clean.pixel_size()[0];
+    if (!(rms_slope_along_x(without.heights, step) < rms_slope_along_x(evidence.clean.heights, step))) return;
+    evidence.spikes = std::move(spikes);
+    evidence.clean = std::move(without);
+}
+
 Evidence evidence(HeightMap map, bool is_line, parallel::Threads threads) {
     Evidence result;
     result.subject = topography::label(map.metadata);
     result.is_line = is_line;
     result.defined = map.heights.size() - map.heights.isNaN().count();
     const bool flat = result.flat = constant(map.heights);
-    result.level = map;
     const Index coefficients = is_line ? 2 : 3;
-    if (!flat && result.defined > coefficients) {
-        if (is_line) result.level.heights.col(0) = topography::detrended(as_line(map), topography::Trend::tilt).heights;
-        else result.level = topography::detrended(map, topography::Trend::tilt);
+    if (flat || result.defined <= coefficients) {
+        result.level = map;
+    } else if (is_line) {
+        result.level = map;
+        result.level.heights.col(0) = topography::detrended(as_line(map), topography::Trend::tilt).heights;
+    } else {
+        result.level = topography::detrended(map, topography::Trend::tilt);
     }
     result.clean = result.level;
     if (!flat && !is_line) result.scars = scar_points(result.level, threads);
     if (result.scars) bridge_lines(result.clean.heights, *result.scars);
-    const topography::HeightMap unscarred = result.clean;
-    if (!flat && map.heights.rows() >= fewest_points && (is_line || map.heights.cols() >= fewest_points)) {
-        result.spikes = is_line ? processing::find_spikes(as_line(unscarred), {}, threads)
-                                : processing::find_spikes(unscarred, {}, threads);
-        if (result.spikes->count > 0) {
-            const processing::Despike despike;
-            if (is_line)
-                result.clean.heights.col(0) =
-                    std::get<topography::LineScan>(processing::apply(despike, as_line(unscarred), threads).measurement)
-                        .heights;
-            else result.clean = std::get<HeightMap>(processing::apply(despike, unscarred, threads).measurement);
-        }
-    }
-    // what does not lower the slopes when it is taken out belongs to the surface, such as steps and grains
-    const double step = map.pixel_size()[0];
-    if (result.spikes &&
-        !(rms_slope_along_x(result.clean.heights, step) < rms_slope_along_x(unscarred.heights, step))) {
-        result.spikes.reset();
-        result.clean = unscarred;
-    }
+    if (!flat && map.heights.rows() >= fewest_points && (is_line || map.heights.cols() >= fewest_points))
+        take_out_spikes(result, threads);
     fill_along_lines(result.clean.heights);
     result.map = std::move(map);
     return result;
