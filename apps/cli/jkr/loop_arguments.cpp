@@ -77,11 +77,14 @@ void LoopAnalysisArguments::add_to(Options& options) {
              "share of the record, from its start, that is free flight; default: found from the record")
         .within(domain::share);
     options
-        .add("--drift", drift,
-             "curve that the zero of force follows in time: auto (the line through the free flight before and after contact, a curve "
-             "where that does not fit), none, linear, quadratic, cubic, extrapolate (the free flight before contact only)")
+        .add(
+            "--drift", drift,
+            "curve that the zero of force follows in time: auto (the line through the free flight before and after contact, a curve "
+            "where that does not fit), none, linear, quadratic, cubic, extrapolate (the free flight before contact only)")
         .default_shown();
-    options.add("--force-zero", force_zero, "zero of force where no free flight shows it, such as \"0 N\"; no drift is removed")
+    options
+        .add("--force-zero", force_zero,
+             "zero of force where no free flight shows it, such as \"0 N\"; no drift is removed")
         .quantity(dimension::force);
     options.add("--displacement-drift", displacement_drift, "rate of it where known, such as \"0.1 nm/s\"")
         .quantity(dimension::length / dimension::time);
@@ -94,7 +97,8 @@ void LoopAnalysisArguments::add_to(Options& options) {
         "--relaxation", relaxation,
         "SHARE:TIME of E(t)/E∞ = 1 + Σ g e^(−t/τ), such as 0.1:20s; what the bulk relaxes is taken off the force first");
     options.flag("--unweighted", unweighted, "ordinary least squares in radius or depth, errors of force left out");
-    options.flag("--no-drift", no_drift, "the same as --drift none: one zero of force, from the free flight before contact");
+    options.flag("--no-drift", no_drift,
+                 "the same as --drift none: one zero of force, from the free flight before contact");
     options.flag("--whole-retraction", whole_retraction,
                  "fit the retraction from the largest force, its pinned stretch included");
     options.flag("--retraction-modulus-free", modulus_free, "fit E* in (S2) too");

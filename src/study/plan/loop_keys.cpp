@@ -102,7 +102,8 @@ Keys<ExperimentInput> keys_of_loops() {
         .by_default("3e-10")
         .add(
             "baseline_share", [](auto& e) -> auto& { return e.options.segments.baseline_share; },
-            {dimension::none, domain::share}, "share of the record, from its start, that is free flight; where it is missing, free flight is found")
+            {dimension::none, domain::share},
+            "share of the record, from its start, that is free flight; where it is missing, free flight is found")
         .add("contact_radius_noise", analysis(&Analysis::contact_radius_noise), positive(dimension::length),
              "of a radius; where it is missing, from the radii's second differences")
         .add({"machine_stiffness", "quantity ± error", si_unit(dimension::stiffness), "",

@@ -23,7 +23,9 @@ constexpr double group_end = 1.04;
 class Lines {
 public:
     Lines(const spectra::Spectrum& C_iso, const SurfaceAnalysisOptions& options)
-        : C_iso_(C_iso), C1D_(spectral_fit::line_spectrum(C_iso.wavevector, C_iso.density)), limits_(options.limits()) {}
+        : C_iso_(C_iso),
+          C1D_(spectral_fit::line_spectrum(C_iso.wavevector, C_iso.density)),
+          limits_(options.limits()) {}
 
     [[nodiscard]] roughness::DecadeMeans decade_means() const { return means_of(C1D_); }
 
@@ -104,10 +106,12 @@ void require_numbers(const spectral_fit::LikelihoodSpectrum& spectrum, const Spe
         return fmt::format("leaves {} between {} and {}", name, format_value(interval->lower, unit, 2),
                            format_value(interval->upper, unit, 2));
     };
-    auto reason = spectrum.converged
-                      ? known("h_rms", [](const auto& p) { return p.rms_height; }, "m")
-                      : fmt::format("stopped after {} steps short of its optimum", spectrum.iterations);
-    if (reason.empty()) reason = known("h'_rms", [](const auto& p) { return p.rms_slope; }, "1");
+    auto reason = spectrum.converged ? known(
+                                           "h_rms", [](const auto& p) { return p.rms_height; }, "m")
+                                     : fmt::format("stopped after {} steps short of its optimum", spectrum.iterations);
+    if (reason.empty())
+        reason = known(
+            "h'_rms", [](const auto& p) { return p.rms_slope; }, "1");
     if (reason.empty()) return;
     const auto names = without_tip(surface);
     throw UndefinedDataError(fmt::format(
