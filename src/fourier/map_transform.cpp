@@ -25,6 +25,10 @@ SpectrumBlock block_of(Index index, Index lines, Index modes, const Complex* val
     return {index, first, std::min(lines_per_block, lines - first), modes, padded<Complex>(modes), values};
 }
 
+bool are_zero(const Buffer<double>& line) {
+    return std::all_of(line.begin(), line.end(), [](double value) { return value == 0.0; });
+}
+
 void require_shape(Index nx, Index ny) {
     if (nx < 1 || ny < 1)
         throw InvalidArgument(fmt::format("a transform of {} x {} points; expected at least 1 x 1", nx, ny));
@@ -71,7 +75,9 @@ void transform_map(Index nx, Index ny, const std::function<void(Index, double*)>
         const Index first = static_cast<Index>(index) * lines_per_block;
         for (Index i = first; i < std::min(nx, first + lines_per_block); ++i) {
             load(i, line.data());
-            along_y.forward(line.data(), half.data() + i * modes);
+            Complex* spectrum = half.data() + i * modes;
+            if (are_zero(line)) std::fill_n(spectrum, modes, Complex{});  // a map within zeros has many such lines
+            else along_y.forward(line.data(), spectrum);
         }
     });
     parallel::for_each_index(extent(block_count(modes)), threads, [&](std::size_t index) {

@@ -6,6 +6,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/fourier/fast_length.hpp"
 #include "setae/fourier/inverse_map_transform.hpp"
 #include "setae/fourier/map_transform.hpp"
@@ -51,22 +52,25 @@ AutocorrelationOfProducts::AutocorrelationOfProducts(const topography::HeightMap
     values_ = products(grid_x, grid_y, load([mean](double h) { return h == h ? h - mean : 0.0; }), threads);
     const bool whole = (map.heights == map.heights).all();
     const auto lag = [](Index k, Index n) { return static_cast<double>(std::min(k, n - k)); };
-    if (whole && !map.periodic) {
-        for (Index i = 0; i < grid_x; ++i)
-            for (Index j = 0; j < grid_y; ++j) {
-                const double pairs =
-                    (static_cast<double>(nx) - lag(i, grid_x)) * (static_cast<double>(ny) - lag(j, grid_y));
-                values_(i, j) = pairs > 0.0 ? values_(i, j) / pairs : undefined;
-            }
-    } else if (!whole) {
-        const Array2D pairs = products(grid_x, grid_y, load([](double h) { return h == h ? 1.0 : 0.0; }), threads);
-        values_ = (pairs > 0.5).select(values_ / pairs.round(), undefined);
-    }
-    const double square = values_(0, 0);
+    const auto pairs_at = [&](Index i, Index j) {
+        return (static_cast<double>(nx) - lag(i, grid_x)) * (static_cast<double>(ny) - lag(j, grid_y));
+    };
+    Array2D counted;
+    if (!whole) counted = products(grid_x, grid_y, load([](double h) { return h == h ? 1.0 : 0.0; }), threads).round();
+    /// Mean product of the pairs at a lag, undefined where there are none.
+    const auto mean_at = [&](Index i, Index j) {
+        if (whole && map.periodic) return values_(i, j);
+        const double pairs = whole ? pairs_at(i, j) : counted(i, j);
+        return pairs > 0.0 ? values_(i, j) / pairs : undefined;
+    };
+    const double square = mean_at(0, 0);
     if (!(square > 0.0))
         throw UndefinedDataError(topography::label(map.metadata) +
                                  ": all heights are equal, so their autocorrelation is undefined");
-    values_ /= square;
+    parallel::for_each_index(extent(grid_x), threads, [&](std::size_t row) {
+        const auto i = static_cast<Index>(row);
+        for (Index j = 0; j < grid_y; ++j) values_(i, j) = mean_at(i, j) / square;
+    });
 }
 
 }  // namespace setae::texture
