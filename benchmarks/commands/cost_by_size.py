@@ -9,16 +9,13 @@ holds the least time on the clock, the least processor time and the most memory.
 `setae --version`, divided by the size of the file. With --beside a second program (an older build) runs in turn with the first, for sizes up to a
 tenth of the largest profile. The table replaces what stands between "<!-- sizes: begin -->" and "<!-- sizes: end -->" of the page.
 """
-import argparse
-import datetime
 import os
 import pathlib
 import random
-import re
 import subprocess
 import tempfile
 
-from time_commands import once, spelled
+from time_commands import compared, once, spelled, write_table
 
 MAPS = (512, 1024, 2048, 4096)
 PROFILES = (10_000, 100_000, 1_000_000, 2_000_000)
@@ -82,21 +79,13 @@ def table(programs, folder, repeat):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--beside")
-    parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--write")
-    arguments = parser.parse_args()
-    programs = [str(pathlib.Path(program).resolve()) for program in (arguments.program, arguments.beside) if program]
+    arguments, programs = compared(__doc__, 3)
     with tempfile.TemporaryDirectory() as name:
         lines = table(programs, pathlib.Path(name), arguments.repeat)
     if arguments.write:
-        page = pathlib.Path(arguments.write)
         beside = " --beside BEFORE" if arguments.beside else ""
         command = f"benchmarks/commands/cost_by_size.py build/bin/setae{beside} --write docs/measured/performance.md"
-        text = f"Measured on {datetime.date.today()} with `{command}` on {os.cpu_count()} cores.\n\n" + "\n".join(lines) + "\n"
-        page.write_text(re.sub(r"(?<=<!-- sizes: begin -->\n).*?(?=<!-- sizes: end -->)", lambda _: text, page.read_text(), flags=re.S))
+        write_table(arguments.write, "sizes", f"with `{command}` ", lines)
 
 
 if __name__ == "__main__":

@@ -101,23 +101,33 @@ def table(programs, folder, repeat):
     return lines
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def compared(description, repeat):
+    """What is asked for, and the programs to time: PROGRAM, and the one that --beside gives."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--beside")
-    parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--repeat", type=int, default=repeat)
     parser.add_argument("--write")
     arguments = parser.parse_args()
-    programs = [str(pathlib.Path(program).resolve()) for program in (arguments.program, arguments.beside) if program]
+    return arguments, [str(pathlib.Path(program).resolve()) for program in (arguments.program, arguments.beside) if program]
+
+
+def write_table(page, marker, measured, lines):
+    """Puts the lines, below how they were measured, between the markers of a page."""
+    page = pathlib.Path(page)
+    text = f"Measured on {datetime.date.today()} {measured}on {os.cpu_count()} cores.\n\n" + "\n".join(lines) + "\n"
+    page.write_text(re.sub(rf"(?<=<!-- {marker}: begin -->\n).*?(?=<!-- {marker}: end -->)", lambda _: text, page.read_text(), flags=re.S))
+
+
+def main():
+    arguments, programs = compared(__doc__, 5)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         make_inputs(programs[0], folder)
         lines = table(programs, folder, arguments.repeat)
     if arguments.write:
-        page = pathlib.Path(arguments.write)
-        text = f"Measured on {datetime.date.today()} on {os.cpu_count()} cores.\n\n" + "\n".join(lines) + "\n"
-        page.write_text(re.sub(r"(?<=<!-- commands: begin -->\n).*?(?=<!-- commands: end -->)", lambda _: text, page.read_text(), flags=re.S))
+        write_table(arguments.write, "commands", "", lines)
 
 
 if __name__ == "__main__":

@@ -33,8 +33,8 @@ const RecordKind& kind_named(const std::string& name) {
 
 /// Whether a record can be of both kinds. Free flight is cut at contact, which there must be.
 bool go_together(const RecordKind& a, const RecordKind& b) {
-    const auto cuts = [](const RecordKind& kind) { return kind.group == std::string("free flight"); };
-    const auto contactless = [](const RecordKind& kind) { return kind.name == std::string("no_contact"); };
+    const auto cuts = [](const RecordKind& kind) { return kind.group == "free flight"; };
+    const auto contactless = [](const RecordKind& kind) { return kind.name == "no_contact"; };
     return a.group != b.group && !(cuts(a) && contactless(b)) && !(cuts(b) && contactless(a));
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.hpp"
 #include "sample_files.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -36,12 +37,7 @@ HeightMap map_of(const std::string& text, const ReadOptions& options = microns) 
 }
 
 std::string refusal(const std::string& text, const ReadOptions& options = microns) {
-    try {
-        (void)channel_of(text, options).read();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return message_of([&] { (void)channel_of(text, options).read(); });
 }
 
 TEST(XyzText, NodesWithoutAPointAreUndefined) {  // the other reader refuses such a list and then takes it for a map of

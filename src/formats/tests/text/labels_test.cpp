@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.hpp"
 #include "sample_files.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 
 /// Labels beside and above the heights of a table.
@@ -48,12 +48,7 @@ Channel channel_of(const std::string& text, const ReadOptions& options = {.unit 
 }
 
 std::string refusal(const std::string& text, const ReadOptions& options = {.unit = "um"}) {
-    try {
-        (void)channel_of(text, options).read();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return message_of([&] { (void)channel_of(text, options).read(); });
 }
 
 bool tells_labels(const Channel& channel) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.hpp"
 #include "sample_files.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -25,12 +26,9 @@ HeightMap map_of(const std::string& text, const ReadOptions& options = {}, std::
 }
 
 std::string refusal(const std::string& text, const ReadOptions& options = {}) {
-    try {
+    return message_of([&] {
         for (const auto& channel : channels_of(text, options)) (void)channel.read();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    });
 }
 
 const ReadOptions given{{{4e-6, 2e-6}}, "nm"};

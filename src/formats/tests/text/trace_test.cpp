@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.hpp"
 #include "sample_files.hpp"
-#include "setae/core/errors.hpp"
 #include "setae/formats/format.hpp"
 #include "text/trace.hpp"
 
@@ -37,12 +37,9 @@ std::vector<std::string> codes(const topography::Measurement& measurement) {
 }
 
 std::string refusal(const std::string& text, const ReadOptions& options = {}) {
-    try {
+    return message_of([&] {
         for (const auto& channel : channels_of(text, options)) (void)channel.read();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    });
 }
 
 TEST(LastDigit, IsThatOfTheFileWhateverTheUnit) {

@@ -15,8 +15,8 @@ namespace setae::validation {
 /// One way in which a record differs from an ideal one, such as "drift_30": drift of the force by 30 % of the pull-off.
 struct RecordKind {
     std::string name;
-    std::string group;     ///< what it is a level of: kinds of one group are not combined
-    std::string meaning;   ///< for users
+    std::string group;    ///< what it is a level of: kinds of one group are not combined
+    std::string meaning;  ///< for users
     /// Codes of warnings that name the cause where the record cannot be analysed as it is; a refusal whose message has
     /// the text after "refused:" counts like them.
     std::vector<std::string> causes{};
