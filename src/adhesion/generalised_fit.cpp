@@ -56,16 +56,17 @@ public:
         : pairs_(pairs), inputs_(pairs), model_(pairs, {}), work_(least_squares(pairs).x) {}
 
     void find(bool with_scatter) {
-        constexpr int rounds = 100;
-        constexpr double settled = 1e-10;
-        for (int round = 0; round < rounds; ++round) {
+        constexpr int searches = 4;
+        for (int search = 0; search < searches; ++search) {
             at_ = inputs_.residuals_at(work_);
+            const double height = search == 0 || !with_scatter
+                                      ? -std::numeric_limits<double>::infinity()
+                                      : model_.restricted_log_likelihood(at_, scatter_);
             if (with_scatter) scatter_ = model_.most_likely(at_, scatter_);
-            const double before = work_,
-                         found = minimum_of(pairs_, factor_of(model_.covariance(at_, scatter_)), work_);
-            // halved steps where a pair at its floor would make W swing between two answers
-            work_ = round < rounds / 2 ? found : 0.5 * (before + found);
-            if (std::abs(work_ - before) <= settled * std::max(std::abs(work_), std::abs(before))) break;
+            constexpr double higher = 1e-6;
+            if (search > 0 && !(model_.restricted_log_likelihood(at_, scatter_) > height + higher)) break;
+            settle(with_scatter);
+            if (!with_scatter) break;
         }
         at_ = inputs_.residuals_at(work_);
     }
@@ -107,6 +108,21 @@ public:
     }
 
 private:
+    /// W, the scatter on the summit next to where it is, and V to a common answer.
+    void settle(bool with_scatter) {
+        constexpr int rounds = 100;
+        constexpr double settled = 1e-10;
+        for (int round = 0; round < rounds; ++round) {
+            at_ = inputs_.residuals_at(work_);
+            if (with_scatter) scatter_ = model_.nearest_summit(at_, scatter_);
+            const double before = work_,
+                         found = minimum_of(pairs_, factor_of(model_.covariance(at_, scatter_)), work_);
+            // halved steps where a pair at its floor would make W swing between two answers
+            work_ = round < rounds / 2 ? found : 0.5 * (before + found);
+            if (std::abs(work_ - before) <= settled * std::max(std::abs(work_), std::abs(before))) break;
+        }
+    }
+
     /// h = V⁻¹g/(gᵀV⁻¹g); 0 where no pair answers to W.
     [[nodiscard]] VectorXd weights() const {
         if (at_.design.cols() == 0) return VectorXd::Zero(at_.value.size());

@@ -2,6 +2,7 @@
 #include "model_scatter_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -122,12 +123,9 @@ double ScatterFit::log_likelihood(const PairResiduals& at, const ModelScatter& s
 
 bool ScatterFit::tells(double ModelScatter::*level) const { return std::ranges::find(levels_, level) != levels_.end(); }
 
-/// Each of the levels in turn, until none moves.
-ModelScatter ScatterFit::most_likely(const PairResiduals& at, ModelScatter scatter) const {
-    constexpr int sweeps = 30, bits = 26;
-    const double reach = 3.0 * std::sqrt(at.value.squaredNorm() / static_cast<double>(pairs_.size() - 1));
-    if (!(reach > 0.0)) return scatter;
-    Restricted restricted(*this, at);
+/// Each of the levels in turn, until none moves: a maximum that is one along every axis.
+ModelScatter ScatterFit::climbed(Restricted& restricted, ModelScatter scatter, double reach) const {
+    constexpr int sweeps = 60, bits = 20;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         double moved = 0.0;
         for (const auto level : levels_) {
@@ -136,14 +134,82 @@ ModelScatter ScatterFit::most_likely(const PairResiduals& at, ModelScatter scatt
                 tried.*level = value;
                 return -restricted.log_likelihood(tried);
             };
+            const double before = scatter.*level;
             auto best = boost::math::tools::brent_find_minima(loss, 0.0, reach, bits);
-            if (loss(0.0) <= best.second) best.first = 0.0;
-            moved = std::max(moved, std::abs(best.first - scatter.*level));
+            // Brent's rule looks into one valley: neither the end at 0 nor where it came from is to be lost
+            for (const double known : {0.0, before})
+                if (const double there = loss(known); there <= best.second) best = {known, there};
+            moved = std::max(moved, std::abs(best.first - before));
             scatter.*level = best.first;
         }
         if (moved < 1e-5 * reach) break;
     }
     return scatter;
+}
+
+/// Points of a grid of all levels that no neighbour exceeds: from each a climb may end on another summit.
+std::vector<ModelScatter> ScatterFit::summits_of_grid(Restricted& restricted, double reach) const {
+    static constexpr std::array steps{0.0, 0.06, 0.16, 0.4, 1.0};  // of the reach
+    constexpr Index side = steps.size();
+    const auto levels = static_cast<Index>(levels_.size());
+    const auto count = static_cast<Index>(std::llround(std::pow(side, levels)));
+    const auto place = [](Index point, Index level) {
+        for (Index k = 0; k < level; ++k) point /= side;
+        return point % side;
+    };
+    const auto at = [&](Index point) {
+        ModelScatter scatter;
+        for (Index k = 0; k < levels; ++k)
+            scatter.*levels_[static_cast<std::size_t>(k)] = steps[static_cast<std::size_t>(place(point, k))] * reach;
+        return scatter;
+    };
+    std::vector<double> heights;
+    for (Index point = 0; point < count; ++point) heights.push_back(restricted.log_likelihood(at(point)));
+    std::vector<ModelScatter> summits;
+    for (Index point = 0; point < count; ++point) {
+        bool highest = true;
+        for (Index k = 0, stride = 1; k < levels; ++k, stride *= side)
+            for (const Index step : {-stride, stride}) {
+                const Index along = place(point, k) + (step < 0 ? -1 : 1);
+                if (along < 0 || along >= side) continue;
+                highest = highest && heights[static_cast<std::size_t>(point)] >=
+                                         heights[static_cast<std::size_t>(point + step)];
+            }
+        if (highest) summits.push_back(at(point));
+    }
+    return summits;
+}
+
+double ScatterFit::reach_of(const PairResiduals& at) const {
+    return 3.0 * std::sqrt(at.value.squaredNorm() / static_cast<double>(pairs_.size() - 1));
+}
+
+ModelScatter ScatterFit::nearest_summit(const PairResiduals& at, const ModelScatter& scatter) const {
+    const double reach = reach_of(at);
+    if (!(reach > 0.0)) return scatter;
+    Restricted restricted(*this, at);
+    return climbed(restricted, scatter, reach);
+}
+
+ModelScatter ScatterFit::most_likely(const PairResiduals& at, ModelScatter scatter) const {
+    const double reach = reach_of(at);
+    if (!(reach > 0.0)) return scatter;
+    Restricted restricted(*this, at);
+    auto best = climbed(restricted, scatter, reach);
+    double highest = restricted.log_likelihood(best);
+    for (auto summit : summits_of_grid(restricted, reach)) {
+        // of levels that the pairs do not tell, the given ones
+        for (const auto level : {&ModelScatter::pair, &ModelScatter::surface, &ModelScatter::elastomer})
+            if (!tells(level)) summit.*level = scatter.*level;
+        const auto found = climbed(restricted, summit, reach);
+        // of two that are alike the one that is near
+        constexpr double alike = 1e-9;
+        if (const double there = restricted.log_likelihood(found); there > highest + alike) {
+            highest = there;
+            best = found;
+        }
+    }
+    return best;
 }
 
 Components ScatterFit::components(const PairResiduals& at, const std::vector<Components>& inputs,

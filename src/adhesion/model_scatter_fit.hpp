@@ -35,8 +35,11 @@ public:
     /// −½ (rᵀV⁻¹r + ln|V| + n ln 2π).
     [[nodiscard]] double log_likelihood(const PairResiduals& at, const ModelScatter& scatter) const;
     [[nodiscard]] bool tells(double ModelScatter::*level) const;
-    /// The most likely scatter, from one that is near; of a level that the pairs do not tell, that one's.
+    /// The most likely scatter: the highest of the summits that are reached from `scatter` and from a grid over all
+    /// levels. Of a level that the pairs do not tell, that of `scatter`.
     [[nodiscard]] ModelScatter most_likely(const PairResiduals& at, ModelScatter scatter) const;
+    /// The summit next to `scatter`: where the highest is known to be near.
+    [[nodiscard]] ModelScatter nearest_summit(const PairResiduals& at, const ModelScatter& scatter) const;
     /// Components of a parameter that moves with y − f by h: inputs, noise of every pair and the scatter.
     [[nodiscard]] Components components(const PairResiduals& at, const std::vector<Components>& inputs,
                                         const ModelScatter& scatter, const Eigen::VectorXd& h) const;
@@ -44,6 +47,10 @@ public:
 private:
     class Restricted;
 
+    [[nodiscard]] ModelScatter climbed(Restricted& restricted, ModelScatter scatter, double reach) const;
+    [[nodiscard]] std::vector<ModelScatter> summits_of_grid(Restricted& restricted, double reach) const;
+    /// The largest scatter that is looked for.
+    [[nodiscard]] double reach_of(const PairResiduals& at) const;
     void write_covariance(const PairResiduals& at, const ModelScatter& scatter, Eigen::MatrixXd& whole) const;
     void add_scatter(Components& result, const PairResiduals& at, const ModelScatter& scatter,
                      const Eigen::VectorXd& h) const;

@@ -1,63 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pair_inputs.hpp"
 
-#include <map>
-#include <string_view>
-
-#include <fmt/format.h>
-
-#include "setae/core/errors.hpp"
+#include "setae/core/component_rows.hpp"
 
 namespace setae::adhesion {
-namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Columns of every input, in the order of first mention.
-class Columns {
-public:
-    void add(const Components& inputs) {
-        for (const auto& [name, component] : inputs) {
-            const auto [at, fresh] = places_.try_emplace(name, Place{count_, component.directions.size()});
-            if (fresh) count_ += component.directions.size();
-            else if (at->second.size != component.directions.size())
-                throw InvalidArgument(fmt::format("input '{}' has {} directions in one value and {} in another", name,
-                                                  at->second.size, component.directions.size()));
-        }
-    }
-    [[nodiscard]] Index count() const { return count_; }
-
-    template <class Row>
-    void write(const Components& inputs, Row row) const {
-        for (const auto& [name, component] : inputs) {
-            const auto& place = places_.at(name);
-            row.segment(place.first, place.size) = component.directions.matrix().transpose();
-        }
-    }
-
-private:
-    struct Place {
-        Index first = 0, size = 0;
-    };
-    std::map<std::string_view, Place> places_;
-    Index count_ = 0;
-};
-
-}  // namespace
-
 PairInputs::PairInputs(const std::vector<PairPoint>& pairs) : pairs_(pairs), size_(static_cast<Index>(pairs.size())) {
-    const auto parts_of = [](const PairPoint& pair) {
-        return std::array{&pair.measured_inputs, &pair.measured_noise, &pair.slope_inputs, &pair.offset_inputs};
-    };
-    Columns columns;
-    for (const auto& pair : pairs)
-        for (const auto* inputs : parts_of(pair)) columns.add(*inputs);
-    MatrixXd rows = MatrixXd::Zero(parts * size_, columns.count());
-    for (Index i = 0; i < size_; ++i) {
-        const auto of_pair = parts_of(pairs[static_cast<std::size_t>(i)]);
-        for (Index part = 0; part < parts; ++part)
-            columns.write(*of_pair[static_cast<std::size_t>(part)], rows.row(part * size_ + i));
-    }
+    std::vector<const Components*> values;  // part by part
+    for (const auto part : {&PairPoint::measured_inputs, &PairPoint::measured_noise, &PairPoint::slope_inputs,
+                            &PairPoint::offset_inputs})
+        for (const auto& pair : pairs) values.push_back(&(pair.*part));
+    const MatrixXd rows = component_rows(values);
     products_.noalias() = rows * rows.transpose();
 }
 

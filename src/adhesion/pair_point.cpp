@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "setae/core/rectified.hpp"
+
 namespace setae::adhesion {
 
 std::string own_noise_name(const std::string& quantity, const std::string& surface, const std::string& elastomer) {
@@ -58,14 +60,12 @@ double predicted_over_measured(const PairPoint& pair, double work) {
 }
 
 double share_through_floor(const PairPoint& pair, double work) {
-    const bool whole = pair.raw_prediction(work) >= 0.0 || !pair.floored;
-    return whole ? 1.0 : share_through_floor(pair, work, pair.prediction_variance(work));
+    return pair.floored ? share_through_floor(pair, work, pair.prediction_variance(work)) : 1.0;
 }
 
 double share_through_floor(const PairPoint& pair, double work, double prediction_variance) {
-    const double raw = pair.raw_prediction(work);
-    if (raw >= 0.0 || !pair.floored) return 1.0;
-    return prediction_variance > 0.0 ? std::max(0.0, 1.0 + raw / std::sqrt(prediction_variance)) : 0.0;
+    if (!pair.floored) return 1.0;
+    return rectified_share(pair.raw_prediction(work), std::sqrt(prediction_variance));
 }
 
 }  // namespace setae::adhesion

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/adhesion/partial_contact.hpp"
 
+#include <math.h>  // pchip.hpp looks for isnan where C puts it
+
 #include <algorithm>
 #include <array>
 #include <cmath>

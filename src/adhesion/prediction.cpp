@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "setae/core/rectified.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/roughness/true_area.hpp"
 
@@ -64,7 +65,7 @@ Prediction predict(const RoughSide& rough, const SoftSide& soft, const TracedVal
     const ConformalState state{prediction.area_ratio, stored.value};
     const auto predicted = [&](const ApparentWork& apparent, const PairPoint& line) {
         auto traced = raw_prediction(line, work);
-        auto estimate = traced.estimate();
+        auto estimate = rectified(traced.estimate());
         return PredictedWork{apparent, std::move(traced), std::move(estimate)};
     };
     prediction.modified = predicted(modified_balance(work.value, soft.surface_energy.value, state),

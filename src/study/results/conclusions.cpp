@@ -14,6 +14,7 @@
 #include "setae/adhesion/unmeasured_waves.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/rectified.hpp"
 #include "setae/study/next_measurement.hpp"
 
 namespace setae::study {
@@ -372,7 +373,7 @@ void add_alerts(PairResult& pair) {
 void Concluding::add_departure(PairResult& pair) const {
     pair.line->departure = adhesion::departure_from(to_.modified->generalised, *pair.line, 1.0);
     pair.modified->traced = adhesion::raw_prediction(*pair.line, to_.traced_work_of_adhesion);
-    pair.modified->estimate = pair.modified->traced.estimate();
+    pair.modified->estimate = rectified(pair.modified->traced.estimate());
     pair.partial_contact->components = combined({{1.0, pair.partial_contact->components}, {1.0, pair.line->departure}});
 }
 

@@ -58,8 +58,8 @@ struct PairPoint {
 /// taken of the prediction: of the measured value itself, its noise would weigh pairs that came out small more.
 [[nodiscard]] Components residual_inputs(const PairPoint& pair, double work);
 
-/// Share of an error of slope · W − offset that the floor at 0 lets through: 1 above it, 0 a standard error and more
-/// below.
+/// Share of an error of slope · W − offset that the floor at 0 lets through: rectified_share() of its value and its
+/// standard error, W exact.
 [[nodiscard]] double share_through_floor(const PairPoint& pair, double work);
 /// The same where prediction_variance() is known.
 [[nodiscard]] double share_through_floor(const PairPoint& pair, double work, double prediction_variance);

@@ -41,7 +41,7 @@ struct SoftSide {
 struct PredictedWork {
     ApparentWork work;
     TracedValue traced;  ///< the raw value and every input it rests on, those of W_int among them
-    Estimate estimate;   ///< the raw value, all sources of its error together
+    Estimate estimate;   ///< max(0, raw value), all sources of its error together: rectified()
 };
 
 /// The standard error of a prediction by (7) if only one of these were uncertain [J/m²]; they add in squares where

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "setae/core/estimate.hpp"
+
+namespace setae {
+
+/// Standard deviation of max(0, X) over that of X, X normal with this mean and standard deviation.
+///
+///   √[(1 + z²) Φ(z) + z φ(z) − (z Φ(z) + φ(z))²],  z = mean/deviation
+///
+/// 1 far above 0, 0.58 at 0, 0.24 at z = −1.1, 0 far below. deviation 0: 1 for means above 0, ½ at 0, else 0.
+[[nodiscard]] double rectified_share(double mean, double deviation);
+
+/// max(0, X) of an estimate X: value and interval floored at 0, the standard error that of a rectified normal.
+[[nodiscard]] Estimate rectified(Estimate raw);
+
+}  // namespace setae
