@@ -36,6 +36,17 @@ public:
                 values_[place.first] = std::sqrt(12.0) * (normal_probability(values_[place.first]) - 0.5);
     }
 
+    /// Notes that inputs are to move by their components times a number; take_pulls() moves them, all at once.
+    void pull(const Components& inputs, double by) {
+        if (pulls_.size() != size_) pulls_ = Array1D::Zero(size_);
+        for (const auto& [name, component] : inputs)
+            pulls_.segment(places_.at(name).first, component.directions.size()) += by * component.directions;
+    }
+    void take_pulls() {
+        if (pulls_.size() == size_) values_ += pulls_;
+        pulls_.resize(0);
+    }
+
     /// How far the inputs drawn move a value.
     [[nodiscard]] double moved(const Components& inputs) const {
         double sum = 0.0;
@@ -51,7 +62,7 @@ private:
     };
     std::map<std::string, Place> places_;
     Index size_ = 0;
-    Array1D values_;
+    Array1D values_, pulls_;
 };
 
 /// Effects of the model's scatter, one of every pair, surface and elastomer.
@@ -63,10 +74,9 @@ public:
         key_ = key;
         known_.clear();
     }
-    /// share: of an error of the pair's balance that its floor lets through.
-    [[nodiscard]] double of(const PairPoint& pair, double share) {
+    [[nodiscard]] double of(const PairPoint& pair) {
         return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) +
-               share * (scatter_.surface * one("s" + pair.surface) + scatter_.elastomer * one("e" + pair.elastomer));
+               scatter_.surface * one("s" + pair.surface) + scatter_.elastomer * one("e" + pair.elastomer);
     }
 
 private:

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "generalised_weights.hpp"
 #include "model_scatter_fit.hpp"
 #include "pair_least_squares.hpp"
 
@@ -82,12 +81,10 @@ public:
         scatter_ = model_.most_likely(at_, scatter_);
     }
 
-    /// h at a W and a scatter.
-    [[nodiscard]] VectorXd weights_at(double work, const ModelScatter& scatter) {
+    void look_at(double work, const ModelScatter& scatter) {
         work_ = work;
         scatter_ = scatter;
         at_ = inputs_.residuals_at(work);
-        return weights();
     }
 
     [[nodiscard]] GeneralisedFit result() const {
@@ -139,23 +136,7 @@ private:
 
 }  // namespace
 
-Estimate GeneralisedFit::estimate() const {
-    auto result = work_of_adhesion.estimate("generalised least squares");
-    if (!drawn_interval) return result;
-    result.interval = drawn_interval;
-    result.method += ", interval by draws";
-    return result;
-}
-
-GeneralisedWeights::GeneralisedWeights(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit)
-    : weights_(Fit(pairs).weights_at(fit.work_of_adhesion.value, fit.scatter)), work_(fit.work_of_adhesion.value) {}
-
-double GeneralisedWeights::work_of(const std::vector<PairPoint>& pairs) const {
-    double work = work_;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        work += weights_[static_cast<Index>(i)] * (pairs[i].measured.value - pairs[i].prediction(work_));
-    return std::max(0.0, work);
-}
+Estimate GeneralisedFit::estimate() const { return work_of_adhesion.estimate("generalised least squares"); }
 
 GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs) {
     require_pairs(pairs);
@@ -180,6 +161,14 @@ GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelS
     Fit fit(pairs);
     fit.hold(scatter);
     fit.find(false);
+    return fit.result();
+}
+
+GeneralisedFit generalised_at(const std::vector<PairPoint>& pairs, double work_of_adhesion,
+                              const ModelScatter& scatter) {
+    require_pairs(pairs);
+    Fit fit(pairs);
+    fit.look_at(work_of_adhesion, scatter);
     return fit.result();
 }
 

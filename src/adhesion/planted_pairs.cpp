@@ -22,7 +22,7 @@ std::vector<double> planted_values(const std::vector<PairPoint>& pairs, double w
         const auto& pair = pairs[i];
         // inputs are off in what is predicted with them; the truth is where they are right
         const double truth = pair.raw_prediction(work) - deviates.moved(pair.prediction_inputs(work));
-        const double measured = (pair.floored ? std::max(0.0, truth) : truth) + effects.of(pair, 1.0) +
+        const double measured = (pair.floored ? std::max(0.0, truth) : truth) + effects.of(pair) +
                                 deviates.moved(pair.measured_inputs) + deviates.moved(pair.measured_noise);
         values.push_back(measured + std::sqrt(pair.own_variance()) * noise[static_cast<Index>(i)]);
     }

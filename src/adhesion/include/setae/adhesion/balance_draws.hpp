@@ -9,14 +9,11 @@
 
 namespace setae::adhesion {
 
-/// A number by draws of everything it rests on, beside its linear propagation.
+/// A number by draws of everything it rests on.
 struct DrawnValue {
     double value = 0.0;           ///< at the inputs as stated
-    double standard_error = 0.0;  ///< of the draws
+    double standard_error = 0.0;  ///< standard deviation of the draws
     Interval interval;            ///< between their 2.5 and 97.5 %
-    double linear_standard_error = 0.0;
-    Interval linear_interval;
-    bool parts = false;  ///< an end of the two intervals differs by more than a tenth of the linear one's width
 };
 
 /// W_int and what it predicts, by draws.
@@ -27,17 +24,15 @@ struct BalanceDraws {
     std::vector<DrawnValue> predictions;         ///< max(0, balance) of each line
 };
 
-/// Draws every direction of every input, the noise of every measured value and the scatter of the model; each draw has its
-/// W with the weights of the fit, W + hᵀ(y − f(W)) with the draw's y and f, and predicts with it through the floor at 0.
-/// Directions are normal, those
-/// of rectangular inputs uniform.
+/// @throws InvalidArgument for fewer than two draws.
+[[nodiscard]] DrawnValue drawn_value(double value, std::vector<double> draws);
+
+/// Draws every direction of every input of W and of the lines, and the scatter that lines depart by, and predicts
+/// through the floor at 0. Directions are normal, those of rectangular inputs uniform. Of a W that was fitted:
+/// WorkPosterior::draw().
 ///
-/// pairs, fit: what was measured and the fit to it; or no pairs and W as given, with its inputs.
-/// lines: balances to be predicted; one with a `departure` departs by effects of the scatter, too, those of its surface and
-/// elastomer being the ones that pairs have.
-/// Same numbers for a seed on any machine.
-/// Source: JCGM 101:2008.
-[[nodiscard]] BalanceDraws draw_balances(const std::vector<PairPoint>& pairs, const GeneralisedFit& fit,
+/// scatter: of the model. Same numbers for a seed on any machine. Source: JCGM 101:2008.
+[[nodiscard]] BalanceDraws draw_balances(const TracedValue& work_of_adhesion, const ModelScatter& scatter,
                                          const std::vector<PairPoint>& lines, int count, std::uint64_t seed);
 
 }  // namespace setae::adhesion

@@ -31,9 +31,8 @@ struct GeneralisedFit {
     double log_likelihood = 0.0;             ///< of the measured values at this W and scatter, normal: ln density [(J/m²)^−n]
     int n = 0;
     std::set<std::string> surfaces, elastomers;  ///< of the pairs; directions of their effects are in this order
-    std::optional<Interval> drawn_interval{};  ///< of W by draws, where linear propagation does not hold
 
-    /// W with its standard error, and its interval by draws where there is one.
+    /// W with its standard error.
     [[nodiscard]] Estimate estimate() const;
 };
 
@@ -58,6 +57,10 @@ struct GeneralisedFit {
 
 /// The same with the scatter held.
 [[nodiscard]] GeneralisedFit fit_generalised(const std::vector<PairPoint>& pairs, const ModelScatter& scatter);
+
+/// At a W and a scatter that are known from elsewhere: what W rests on with the weights that pairs have there.
+[[nodiscard]] GeneralisedFit generalised_at(const std::vector<PairPoint>& pairs, double work_of_adhesion,
+                                            const ModelScatter& scatter);
 
 /// The scatter with W held: for a law with nothing to fit.
 [[nodiscard]] GeneralisedFit fit_scatter(const std::vector<PairPoint>& pairs, double work_of_adhesion);
