@@ -75,8 +75,8 @@ public:
         known_.clear();
     }
     [[nodiscard]] double of(const PairPoint& pair) {
-        return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) +
-               scatter_.surface * one("s" + pair.surface) + scatter_.elastomer * one("e" + pair.elastomer);
+        return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) + scatter_.surface * one("s" + pair.surface) +
+               scatter_.elastomer * one("e" + pair.elastomer);
     }
 
 private:

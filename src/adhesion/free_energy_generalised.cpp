@@ -47,8 +47,8 @@ public:
             look();
             if (!told_apart()) return false;
             residuals_.design = columns_of(slopes_, free());
-            scatter_ = round == 0 ? model_.most_likely(residuals_, scatter_)
-                                  : model_.nearest_summit(residuals_, scatter_);
+            scatter_ =
+                round == 0 ? model_.most_likely(residuals_, scatter_) : model_.nearest_summit(residuals_, scatter_);
             const VectorXd before = at_, found = minimum();
             // shorter steps where a pair at its floor would make the answer swing
             at_ = round < rounds / 4 ? found : VectorXd(0.5 * (before + found));

@@ -58,9 +58,8 @@ public:
         constexpr int searches = 4;
         for (int search = 0; search < searches; ++search) {
             at_ = inputs_.residuals_at(work_);
-            const double height = search == 0 || !with_scatter
-                                      ? -std::numeric_limits<double>::infinity()
-                                      : model_.restricted_log_likelihood(at_, scatter_);
+            const double height = search == 0 || !with_scatter ? -std::numeric_limits<double>::infinity()
+                                                               : model_.restricted_log_likelihood(at_, scatter_);
             if (with_scatter) scatter_ = model_.most_likely(at_, scatter_);
             constexpr double higher = 1e-6;
             if (search > 0 && !(model_.restricted_log_likelihood(at_, scatter_) > height + higher)) break;
@@ -112,8 +111,7 @@ private:
         for (int round = 0; round < rounds; ++round) {
             at_ = inputs_.residuals_at(work_);
             if (with_scatter) scatter_ = model_.nearest_summit(at_, scatter_);
-            const double before = work_,
-                         found = minimum_of(pairs_, factor_of(model_.covariance(at_, scatter_)), work_);
+            const double before = work_, found = minimum_of(pairs_, factor_of(model_.covariance(at_, scatter_)), work_);
             // halved steps where a pair at its floor would make W swing between two answers
             work_ = round < rounds / 2 ? found : 0.5 * (before + found);
             if (std::abs(work_ - before) <= settled * std::max(std::abs(work_), std::abs(before))) break;

@@ -70,8 +70,8 @@ MatrixXd MarginalScatter::with(const MatrixXd& covariance, const ModelScatter& s
 }
 
 void MarginalScatter::visit(const MatrixXd& covariance, const std::function<void(const Node&)>& visitor) const {
-    const double weight = -std::log(
-        static_cast<double>(pair_levels_.size() * surface_levels_.size() * elastomer_levels_.size()));
+    const double weight =
+        -std::log(static_cast<double>(pair_levels_.size() * surface_levels_.size() * elastomer_levels_.size()));
     LLT<MatrixXd> factor(size());
     MatrixXd whole(size(), size());
     for (const double of_surfaces : surface_levels_)
@@ -93,8 +93,7 @@ VectorXd MarginalScatter::log_densities(const MatrixXd& covariance, const Matrix
     std::vector<LogSum> sums(static_cast<std::size_t>(residuals.cols()));
     visit(covariance, [&](const Node& node) {
         const VectorXd there = log_normal(node.factor, residuals);
-        for (Index k = 0; k < there.size(); ++k)
-            sums[static_cast<std::size_t>(k)].add(node.log_weight + there[k]);
+        for (Index k = 0; k < there.size(); ++k) sums[static_cast<std::size_t>(k)].add(node.log_weight + there[k]);
     });
     VectorXd result(residuals.cols());
     for (Index k = 0; k < result.size(); ++k) result[k] = sums[static_cast<std::size_t>(k)].value();

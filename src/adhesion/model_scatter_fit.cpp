@@ -70,10 +70,9 @@ MatrixXd ScatterFit::covariance(const PairResiduals& at, const ModelScatter& sca
 void ScatterFit::write_covariance(const PairResiduals& at, const ModelScatter& scatter, MatrixXd& whole) const {
     const double of_surfaces = scatter.surface * scatter.surface, of_elastomers = scatter.elastomer * scatter.elastomer;
     for (Index j = 0; j < whole.cols(); ++j)
-        whole.col(j).array() =
-            at.covariance.col(j).array() +
-            at.share[j] * at.share.array() *
-                (of_surfaces * same_surface_.col(j).array() + of_elastomers * same_elastomer_.col(j).array());
+        whole.col(j).array() = at.covariance.col(j).array() + at.share[j] * at.share.array() *
+                                                                  (of_surfaces * same_surface_.col(j).array() +
+                                                                   of_elastomers * same_elastomer_.col(j).array());
     const double least = 1e-9 * largest_;
     whole.diagonal().array() += std::max(scatter.pair * scatter.pair, least * least);
 }
@@ -172,8 +171,8 @@ std::vector<ModelScatter> ScatterFit::summits_of_grid(Restricted& restricted, do
             for (const Index step : {-stride, stride}) {
                 const Index along = place(point, k) + (step < 0 ? -1 : 1);
                 if (along < 0 || along >= side) continue;
-                highest = highest && heights[static_cast<std::size_t>(point)] >=
-                                         heights[static_cast<std::size_t>(point + step)];
+                highest = highest &&
+                          heights[static_cast<std::size_t>(point)] >= heights[static_cast<std::size_t>(point + step)];
             }
         if (highest) summits.push_back(at(point));
     }

@@ -15,6 +15,7 @@
 
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 #include "setae/numerics/bracketing.hpp"
 
 namespace setae::adhesion {
@@ -224,6 +225,9 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
     if (known_errors) {
         fit.weighted = estimate(
             pairs, [](const PairPoint& p) { return p.measured.variance(); }, 0.0);
+        constexpr double refused = 0.05;
+        if (chi_squared_exceedance(fit.weighted->chi_squared, fit.degrees_of_freedom) < refused)
+            fit.weighted->work_of_adhesion.standard_error = undefined;
         fit.with_extra_scatter = with_extra_scatter(pairs, fit.degrees_of_freedom);
         fit.errors_in_both = errors_in_both(pairs, fit.degrees_of_freedom, minimum.x);
         fit.likelihood = profile_likelihood(pairs, minimum.x);

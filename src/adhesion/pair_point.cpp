@@ -40,8 +40,9 @@ std::string PairPoint::scatter_between(const char* groups) const {
 }
 
 TracedValue raw_prediction(const PairPoint& pair, const TracedValue& work) {
-    return {pair.raw_prediction(work.value),
-            combined({{1.0, pair.prediction_inputs(work.value)}, {pair.slope, work.components}, {1.0, pair.departure}})};
+    return {
+        pair.raw_prediction(work.value),
+        combined({{1.0, pair.prediction_inputs(work.value)}, {pair.slope, work.components}, {1.0, pair.departure}})};
 }
 
 Component own_noise(const PairPoint& pair, double derivative) {

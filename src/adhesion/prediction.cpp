@@ -68,8 +68,8 @@ Prediction predict(const RoughSide& rough, const SoftSide& soft, const TracedVal
         auto estimate = rectified(traced.estimate());
         return PredictedWork{apparent, std::move(traced), std::move(estimate)};
     };
-    prediction.modified = predicted(modified_balance(work.value, soft.surface_energy.value, state),
-                                    modified_point(rough, soft));
+    prediction.modified =
+        predicted(modified_balance(work.value, soft.surface_energy.value, state), modified_point(rough, soft));
     prediction.persson_tosatti =
         predicted(persson_tosatti_balance(work.value, rough.parameters.rms_slope, state.stored_energy),
                   persson_tosatti_point(rough, soft));
@@ -86,9 +86,8 @@ Prediction predict(const RoughSide& rough, const SoftSide& soft, const TracedVal
 TracedValue predicted_loss(const RoughSide& rough, const TracedValue& work, const TracedValue& contact_area) {
     const auto ratio = rough.traced([](const SpectralParameters& p) { return p.area_ratio(); });
     const double w = work.value, r = ratio.value, area = contact_area.value;
-    return {w * r * area, combined({{w * area, ratio.components},
-                                    {r * area, work.components},
-                                    {w * r, contact_area.components}})};
+    return {w * r * area,
+            combined({{w * area, ratio.components}, {r * area, work.components}, {w * r, contact_area.components}})};
 }
 
 PredictionCurve prediction_curve(const RoughSide& rough, const TracedValue& surface_energy,
@@ -97,7 +96,8 @@ PredictionCurve prediction_curve(const RoughSide& rough, const TracedValue& surf
                           Array1D(contact_moduli.size())};
     const double reach = normal_quantile(0.975);
     for (Index i = 0; i < contact_moduli.size(); ++i) {
-        const auto at = raw_prediction(modified_point(rough, {"", contact_moduli[i], surface_energy}), work_of_adhesion);
+        const auto at =
+            raw_prediction(modified_point(rough, {"", contact_moduli[i], surface_energy}), work_of_adhesion);
         const double error = at.standard_error();
         curve.work_of_adhesion[i] = std::max(0.0, at.value);
         curve.lower[i] = std::max(0.0, at.value - reach * error);

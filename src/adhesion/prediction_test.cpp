@@ -86,8 +86,7 @@ PredictionTest test_predictions(const std::vector<PairPoint>& pairs, const Trace
         const double share = share_through_floor(pair, work.value);
         slopes[i] = pair.raw_prediction(work.value) > 0.0 ? pair.slope : 0.0;
         const Components none, &of_work = work_fitted ? none : work.components;
-        const auto predicted =
-            combined({{share, pair.prediction_inputs(work.value)}, {share * pair.slope, of_work}});
+        const auto predicted = combined({{share, pair.prediction_inputs(work.value)}, {share * pair.slope, of_work}});
         inputs.push_back(combined({{1.0, residual_inputs(pair, work.value)}, {-share * pair.slope, of_work}}));
         residuals.push_back({pair.surface,
                              pair.elastomer,

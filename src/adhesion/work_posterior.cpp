@@ -12,7 +12,10 @@
 #include "pair_least_squares.hpp"
 #include "setae/adhesion/marginal_scatter.hpp"
 #include "setae/core/component_rows.hpp"
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/rectified.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -59,7 +62,7 @@ double response(double value, double at) { return value > 0.0 ? at / value : 1.0
 /// Pairs with what their lines rest on, standardised: four numbers a pair, all pairs of one kind after the other.
 class WorkPosterior::Balance {
 public:
-    enum Part : Index { slope, offset, measured, noise, parts };
+    enum Part : Index { slope, offset, measured, fitted, parts };
 
     explicit Balance(const std::vector<PairPoint>& of)
         : pairs(of),
@@ -72,6 +75,11 @@ public:
             for (const auto& pair : pairs) values.push_back(&(pair.*part));
         const MatrixXd rows = component_rows(values);
         covariance.noalias() = rows * rows.transpose();
+        samples = rows * normal_matrix({sample_seed, 0}, rows.cols());
+        noise = normal_matrix({sample_seed, 1}, size);
+        of_pairs = normal_matrix({sample_seed, 2}, size);
+        of_surfaces = grouped(normal_matrix({sample_seed, 3}, size), &PairPoint::surface);
+        of_elastomers = grouped(normal_matrix({sample_seed, 4}, size), &PairPoint::elastomer);
         own.resize(size);
         const double least = 1e-9 * largest();
         for (Index i = 0; i < size; ++i) own[i] = pairs[to(i)].own_variance() + least * least;
@@ -84,12 +92,75 @@ public:
         return most;
     }
 
+    /// What is missing of the measured values at changes x, the scatter and the own noise left out.
+    [[nodiscard]] VectorXd residual_at(double work, const VectorXd& x) const {
+        VectorXd result(size);
+        for (Index i = 0; i < size; ++i) {
+            const auto& pair = pairs[to(i)];
+            const double raw = work * moved(pair.slope, x[slope * size + i]) - moved(pair.offset, x[offset * size + i]);
+            const double predicted = pair.floored ? std::max(0.0, raw) : raw;
+            const double relative = pair.measured.value > 0.0 ? predicted / pair.measured.value : 1.0;
+            result[i] = pair.measured.value - predicted - relative * x[measured * size + i] - x[fitted * size + i];
+        }
+        return result;
+    }
+
     std::vector<PairPoint> pairs;
     Index size;
     MarginalScatter scatter, coarse;
     MatrixXd covariance;  ///< of changes of slopes, offsets and measured values, [as these]
     VectorXd own;         ///< variance of each pair's own noise
+    /// Random numbers of the samples that correct the straight line, one column a sample: changes, and standard normal
+    /// noise and effects of the pairs. The same at every W, so that their noise moves no ratio of densities.
+    MatrixXd samples, noise, of_pairs, of_surfaces, of_elastomers;
+
+private:
+    static constexpr std::uint64_t sample_seed = 1;
+    static constexpr Index sample_count = 200;
+
+    static MatrixXd normal_matrix(numerics::RandomKey key, Index rows) {
+        return numerics::normal_numbers(key, 0, rows * sample_count).matrix().reshaped(rows, sample_count);
+    }
+    /// The number of the first pair of each group for all of it.
+    [[nodiscard]] MatrixXd grouped(MatrixXd numbers, std::string PairPoint::*label) const {
+        for (Index i = 0; i < size; ++i)
+            for (Index j = 0; j < i; ++j)
+                if (pairs[to(j)].*label == pairs[to(i)].*label) {
+                    numbers.row(i) = numbers.row(j);
+                    break;
+                }
+        return numbers;
+    }
 };
+
+namespace {
+
+/// Scatter at which a posterior has fallen below each of its nodes in turn, for draws.
+using CumulativeScatter = std::vector<std::pair<double, ModelScatter>>;
+
+const ModelScatter& drawn_scatter(const CumulativeScatter& cumulative, double uniform) {
+    for (const auto& [below, scatter] : cumulative)
+        if (uniform <= below) return scatter;
+    return cumulative.back().second;
+}
+
+CumulativeScatter cumulative_scatter(const MarginalScatter& scatter, const MatrixXd& covariance,
+                                     const VectorXd& residual) {
+    CumulativeScatter found;
+    LogSum all;
+    scatter.visit(covariance, [&](const MarginalScatter::Node& node) {
+        const VectorXd whitened = node.factor.matrixL().solve(residual);
+        const double log_density =
+            -0.5 * whitened.squaredNorm() - node.factor.matrixLLT().diagonal().array().log().sum();
+        all.add(log_density);
+        found.emplace_back(log_density, node.scatter);
+    });
+    double sum = 0.0;
+    for (auto& [density, at] : found) density = sum += std::exp(density - all.value());
+    return found;
+}
+
+}  // namespace
 
 /// The balance at one W, a straight line in the changes x of slopes, offsets and measured values about where the pairs
 /// put them:
@@ -98,16 +169,37 @@ public:
 struct WorkPosterior::At {
     MatrixXd jacobian;  ///< pairs × changes
     VectorXd residual;  ///< at x = 0
-    MatrixXd shared;    ///< J cov Jᵀ and the own noise
+    VectorXd left;      ///< variance of what the line leaves of max(0, …)
+    MatrixXd shared;    ///< J cov Jᵀ, the own noise and what the line leaves
+
+    /// ln of the density of the pairs over that by the straight line, at changes x and a scatter.
+    [[nodiscard]] double log_weight(const Balance& balance, double work, const VectorXd& x,
+                                    const ModelScatter& scatter) const {
+        const auto density = [&](const VectorXd& variances, const VectorXd& missing) {
+            const Eigen::LLT<MatrixXd> factor(balance.scatter.with(variances.asDiagonal(), scatter));
+            const VectorXd whitened = factor.matrixL().solve(missing);
+            return -0.5 * whitened.squaredNorm() - factor.matrixLLT().diagonal().array().log().sum();
+        };
+        return density(balance.own, balance.residual_at(work, x)) -
+               density(balance.own + left, residual - jacobian * x);
+    }
 };
 
 namespace {
 
-/// Share of a small change that the floor lets through, seen over one standard error to either side.
-double secant_share(double raw, double deviation, bool floored) {
-    if (!floored) return 1.0;
-    if (!(deviation > 0.0)) return raw > 0.0 ? 1.0 : 0.0;
-    return std::clamp(0.5 * (1.0 + raw / deviation), 0.0, 1.0);
+/// max(0, x) as a straight line in x, x normal: its mean, its slope, and the variance that the line leaves.
+struct StraightFloor {
+    double mean = 0.0, slope = 0.0, left = 0.0;
+};
+
+StraightFloor straight_floor(double raw, double deviation, bool floored) {
+    if (!floored) return {raw, 1.0, 0.0};
+    if (!(deviation > 0.0)) return {std::max(0.0, raw), raw > 0.0 ? 1.0 : 0.0, 0.0};
+    const double z = raw / deviation, above = normal_probability(z),
+                 density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * pi);
+    const double share = rectified_share(raw, deviation);
+    return {deviation * (z * above + density), above,
+            deviation * deviation * std::max(0.0, share * share - above * above)};
 }
 
 }  // namespace
@@ -117,43 +209,74 @@ WorkPosterior::At WorkPosterior::at(double work) const {
     const Index n = b.size;
     using B = Balance;
     VectorXd x = VectorXd::Zero(B::parts * n);
+    VectorXd variance;  // of slope · W − offset, as the pairs leave it
     At found;
     const auto look = [&] {
-        found.jacobian = MatrixXd::Zero(n, B::parts * n);
-        found.residual.resize(n);
+        MatrixXd raw_jacobian = MatrixXd::Zero(n, B::parts * n);
+        VectorXd raw(n);
         for (Index i = 0; i < n; ++i) {
             const auto& pair = b.pairs[B::to(i)];
-            const Index s = B::slope * n + i, o = B::offset * n + i, m = B::measured * n + i, e = B::noise * n + i;
+            const Index s = B::slope * n + i, o = B::offset * n + i;
             const double slope = moved(pair.slope, x[s]), offset = moved(pair.offset, x[o]);
-            const double raw = work * slope - offset;
-            const double by_slope = work * response(pair.slope, slope), by_offset = -response(pair.offset, offset);
-            const double variance = by_slope * by_slope * b.covariance(s, s) + by_offset * by_offset * b.covariance(o, o) +
-                                    2.0 * by_slope * by_offset * b.covariance(s, o);
-            const double share = secant_share(raw, std::sqrt(std::max(0.0, variance)), pair.floored);
-            const double predicted = pair.floored ? std::max(0.0, raw) : raw;
-            const double relative = pair.measured.value > 0.0 ? predicted / pair.measured.value : 1.0;
-            found.jacobian(i, s) = share * by_slope;
-            found.jacobian(i, o) = share * by_offset;
-            // measured = truth + its errors: they count on the side of the prediction
+            raw[i] = work * slope - offset;
+            raw_jacobian(i, s) = work * response(pair.slope, slope);
+            raw_jacobian(i, o) = -response(pair.offset, offset);
+        }
+        const MatrixXd shared_raw = b.covariance * raw_jacobian.transpose();
+        const VectorXd prior = (raw_jacobian * shared_raw).diagonal();
+        if (variance.size() == 0) variance = prior;
+        found.jacobian = MatrixXd::Zero(n, B::parts * n);
+        found.residual.resize(n);
+        found.left.resize(n);
+        for (Index i = 0; i < n; ++i) {
+            const auto& pair = b.pairs[B::to(i)];
+            const Index m = B::measured * n + i, e = B::fitted * n + i;
+            const auto line = straight_floor(raw[i], std::sqrt(std::max(0.0, variance[i])), pair.floored);
+            const double relative = pair.measured.value > 0.0 ? line.mean / pair.measured.value : 1.0;
+            found.jacobian.row(i) = line.slope * raw_jacobian.row(i);
+            // errors of what was measured count on the side of the prediction
             found.jacobian(i, m) = relative;
             found.jacobian(i, e) = 1.0;
             const double errors = relative * x[m] + x[e];
-            found.residual[i] = pair.measured.value - predicted - errors + (found.jacobian.row(i) * x)(0);
+            found.residual[i] = pair.measured.value - line.mean - errors + found.jacobian.row(i).dot(x);
+            found.left[i] = line.left;
         }
         found.shared = found.jacobian * b.covariance * found.jacobian.transpose();
-        found.shared.diagonal() += b.own;
-    };
-    constexpr int steps = 6;
-    constexpr double damping = 0.6;
-    for (int step = 0; step < steps; ++step) {
-        look();
+        found.shared.diagonal() += b.own + found.left;
         const auto scatter = b.coarse.posterior_scatter(found.shared, found.residual);
         const Eigen::LLT<MatrixXd> factor(b.coarse.with(found.shared, scatter));
-        const VectorXd there = b.covariance * (found.jacobian.transpose() * factor.solve(found.residual));
-        x += damping * (there - x);
-    }
-    look();
+        const MatrixXd known = factor.matrixL().solve(found.jacobian * shared_raw);
+        variance = prior - known.colwise().squaredNorm().transpose();
+        return VectorXd(b.covariance * (found.jacobian.transpose() * factor.solve(found.residual)));
+    };
+    constexpr int steps = 8;
+    constexpr double damping = 0.6;
+    for (int step = 0; step < steps; ++step) x += damping * (look() - x);
+    (void)look();
     return found;
+}
+
+/// ln of the density of the pairs at a W: of the straight line, scatter integrated out, times the mean weight of
+/// samples drawn from it.
+WorkPosterior::LogDensity WorkPosterior::log_density(double work) const {
+    const auto& b = *balance_;
+    const auto there = at(work);
+    const double straight = b.scatter.log_densities(there.shared, there.residual)[0];
+    const auto scatters = cumulative_scatter(b.coarse, there.shared, there.residual);
+    const MatrixXd gain = b.covariance * there.jacobian.transpose();
+    const auto count = b.samples.cols();
+    LogSum weights;
+    for (Index d = 0; d < count; ++d) {
+        const auto& scatter = drawn_scatter(scatters, (static_cast<double>(d) + 0.5) / static_cast<double>(count));
+        const VectorXd missing = there.residual - there.jacobian * b.samples.col(d) -
+                                 VectorXd(b.own + there.left).cwiseSqrt().cwiseProduct(b.noise.col(d)) -
+                                 scatter.pair * b.of_pairs.col(d) - scatter.surface * b.of_surfaces.col(d) -
+                                 scatter.elastomer * b.of_elastomers.col(d);
+        const VectorXd x =
+            b.samples.col(d) + gain * Eigen::LLT<MatrixXd>(b.scatter.with(there.shared, scatter)).solve(missing);
+        weights.add(there.log_weight(b, work, x, scatter));
+    }
+    return {straight, weights.value() - std::log(static_cast<double>(count))};
 }
 
 WorkPosterior::WorkPosterior(const std::vector<PairPoint>& pairs) {
@@ -198,9 +321,11 @@ void WorkPosterior::find_grid() {
     for (int zoom = 0; zoom < zooms; ++zoom) {
         grid_ = Array1D::LinSpaced(points, lower, upper);
         logarithms.resize(points);
+        correction_.resize(points);
         for (Index k = 0; k < points; ++k) {
-            const auto there = at(grid_[k]);
-            logarithms[k] = balance_->scatter.log_densities(there.shared, there.residual)[0];
+            const auto there = log_density(grid_[k]);
+            correction_[k] = there.correction;
+            logarithms[k] = there.straight + there.correction;
         }
         const double highest = logarithms.maxCoeff();
         Index first = 0, last = points - 1;
@@ -268,11 +393,19 @@ private:
     VectorXd pull_;
 };
 
-/// The scatter of a random node of the posterior.
-ModelScatter drawn_scatter(const std::vector<std::pair<double, ModelScatter>>& cumulative, double uniform) {
-    for (const auto& [below, scatter] : cumulative)
-        if (uniform <= below) return scatter;
-    return cumulative.back().second;
+/// Draws one of each `count` alike by weights: the systematic resample of them.
+std::vector<std::size_t> resampled(const std::vector<double>& log_weights) {
+    LogSum all;
+    for (const double weight : log_weights) all.add(weight);
+    std::vector<std::size_t> chosen;
+    const auto count = static_cast<double>(log_weights.size());
+    double sum = 0.0;
+    for (std::size_t d = 0; d < log_weights.size(); ++d) {
+        sum += std::exp(log_weights[d] - all.value());
+        while (static_cast<double>(chosen.size()) + 0.5 < sum * count) chosen.push_back(d);
+    }
+    while (chosen.size() < log_weights.size()) chosen.push_back(log_weights.size() - 1);
+    return chosen;
 }
 
 }  // namespace
@@ -285,36 +418,31 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
         for (const auto& pair : *list) deviates.add_inputs_of(pair);
     struct Place {
         At at;
-        std::vector<std::pair<double, ModelScatter>> scatters;
+        CumulativeScatter scatters;
     };
     std::vector<std::optional<Place>> places(static_cast<std::size_t>(grid_.size()));
     const auto place_at = [&](Index k) -> const Place& {
         auto& place = places[B::to(k)];
-        if (place) return *place;
-        place.emplace(Place{at(grid_[k]), {}});
-        LogSum all;
-        b.coarse.visit(place->at.shared, [&](const MarginalScatter::Node& node) {
-            const VectorXd whitened = node.factor.matrixL().solve(place->at.residual);
-            const double log_density =
-                -0.5 * whitened.squaredNorm() - node.factor.matrixLLT().diagonal().array().log().sum();
-            all.add(log_density);
-            place->scatters.emplace_back(log_density, node.scatter);
-        });
-        double sum = 0.0;
-        for (auto& [density, scatter] : place->scatters) density = sum += std::exp(density - all.value());
+        if (!place) {
+            auto there = at(grid_[k]);
+            auto scatters = cumulative_scatter(b.coarse, there.shared, there.residual);
+            place.emplace(Place{std::move(there), std::move(scatters)});
+        }
         return *place;
     };
-    std::vector<double> works;
+    std::vector<double> works, log_weights;
     std::vector<std::vector<double>> predictions(lines.size());
     for (int d = 0; d < count; ++d) {
         const numerics::RandomKey key{seed, static_cast<std::uint64_t>(d)};
         const double p = numerics::uniform_number(substream(key, 3), 0);
         const auto k = std::clamp<Index>(
             std::upper_bound(cumulative_.begin(), cumulative_.end(), p) - cumulative_.begin(), 1, grid_.size() - 1);
-        const double piece = cumulative_[k] - cumulative_[k - 1], way = piece > 0.0 ? (p - cumulative_[k - 1]) / piece : 0.0;
+        const double piece = cumulative_[k] - cumulative_[k - 1],
+                     way = piece > 0.0 ? (p - cumulative_[k - 1]) / piece : 0.0;
         const double work = grid_[k - 1] + way * (grid_[k] - grid_[k - 1]);
-        const auto& place = place_at(way < 0.5 ? k - 1 : k);
-        const auto scatter = drawn_scatter(place.scatters, numerics::uniform_number(substream(key, 3), 1));
+        const Index nearest = way < 0.5 ? k - 1 : k;
+        const auto& place = place_at(nearest);
+        const auto& scatter = drawn_scatter(place.scatters, numerics::uniform_number(substream(key, 3), 1));
         deviates.draw(substream(key, 0));
         DrawnEffects effects(b.pairs, scatter, substream(key, 1));
         const auto noise = numerics::normal_numbers(substream(key, 2), 0, b.size);
@@ -325,11 +453,11 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
             change[B::slope * b.size + i] = deviates.moved(pair.slope_inputs);
             change[B::offset * b.size + i] = deviates.moved(pair.offset_inputs);
             change[B::measured * b.size + i] = deviates.moved(pair.measured_inputs);
-            change[B::noise * b.size + i] = deviates.moved(pair.measured_noise);
+            change[B::fitted * b.size + i] = deviates.moved(pair.measured_noise);
         }
         VectorXd missing = place.at.residual - place.at.jacobian * change;
         for (Index i = 0; i < b.size; ++i)
-            missing[i] -= effects.prior(b.pairs[B::to(i)]) + std::sqrt(b.own[i]) * noise[i];
+            missing[i] -= effects.prior(b.pairs[B::to(i)]) + std::sqrt(b.own[i] + place.at.left[i]) * noise[i];
         const VectorXd pull = Eigen::LLT<MatrixXd>(b.scatter.with(place.at.shared, scatter)).solve(missing);
         effects.take(pull);
         const VectorXd by_change = place.at.jacobian.transpose() * pull;
@@ -338,10 +466,13 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
             deviates.pull(pair.slope_inputs, by_change[B::slope * b.size + i]);
             deviates.pull(pair.offset_inputs, by_change[B::offset * b.size + i]);
             deviates.pull(pair.measured_inputs, by_change[B::measured * b.size + i]);
-            deviates.pull(pair.measured_noise, by_change[B::noise * b.size + i]);
+            deviates.pull(pair.measured_noise, by_change[B::fitted * b.size + i]);
         }
         deviates.take_pulls();
         works.push_back(work);
+        // about its mean at this W, which the density of W has in it
+        log_weights.push_back(place.at.log_weight(b, work, change + b.covariance * by_change, scatter) -
+                              correction_[nearest]);
         for (std::size_t l = 0; l < lines.size(); ++l) {
             auto line = lines[l];
             line.slope = moved(line.slope, deviates.moved(line.slope_inputs));
@@ -351,10 +482,16 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
             predictions[l].push_back(line.floored ? std::max(0.0, predicted) : predicted);
         }
     }
+    const auto chosen = resampled(log_weights);
+    const auto value_of = [&](double value, const std::vector<double>& drawn) {
+        std::vector<double> kept;
+        for (const auto d : chosen) kept.push_back(drawn[d]);
+        return drawn_value(value, std::move(kept));
+    };
     BalanceDraws result{.count = count, .seed = seed};
-    result.work_of_adhesion = drawn_value(work_.value, std::move(works));
+    result.work_of_adhesion = value_of(work_.value, works);
     for (std::size_t l = 0; l < lines.size(); ++l)
-        result.predictions.push_back(drawn_value(lines[l].prediction(work_.value), std::move(predictions[l])));
+        result.predictions.push_back(value_of(lines[l].prediction(work_.value), predictions[l]));
     return result;
 }
 

@@ -77,6 +77,7 @@ std::vector<std::string> write_results(const study::StudyResult& result, ResultF
     write_table("surfaces.csv", surface_table(result));
     write_table("pairs.csv", pair_table(result));
     write_table("fits.csv", fit_table(result));
+    write_table("work_estimates.csv", work_estimate_table(result));
     write_table("replicates.csv", replicate_table(result));
     write_table("replicate_means.csv", replicate_mean_table(result));
     write_table("prediction_test.csv", prediction_test_table(result));

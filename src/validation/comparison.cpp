@@ -66,7 +66,7 @@ void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted
         add(rows, {run, "all", quantity, method, "J/m2", Deviation::absolute, planted, found});
     };
     const auto generalised = [](const adhesion::WorkFit& fit) {
-        return fit.generalised.estimate();
+        return fit.stated();
     };
     if (study.modified) add_work("work_of_adhesion", generalised(*study.modified));
     if (study.work_of_adhesion) add_work("work_of_predictions", *study.work_of_adhesion);

@@ -40,8 +40,8 @@ TEST(BalanceDraws, StopAtTheFloor) {
 }
 
 TEST(BalanceDraws, OfARectangularInputAreUniform) {
-    const auto draws = draw_balances(W, {}, {line_at(0.0, TracedValue({0.0, 0.002, "rectangular"}, "radius").components)},
-                                     20000, 3);
+    const auto draws =
+        draw_balances(W, {}, {line_at(0.0, TracedValue({0.0, 0.002, "rectangular"}, "radius").components)}, 20000, 3);
     // 95 % of a uniform distribution are 0.95 · √3 standard deviations either way
     EXPECT_NEAR((draws.predictions.front().interval.upper - W) / 0.002, 0.95 * std::sqrt(3.0), 0.02);
 }

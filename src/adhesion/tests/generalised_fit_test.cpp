@@ -201,8 +201,8 @@ TEST(GeneralisedFit, HasTheDerivativesOfFiniteDifferences) {
     }
 }
 
-// Slope 1, effects of n surfaces alone: W is their mean, so that W − (W_true + s_k) has the variance τ_s² (1 − 1/n) on a
-// surface of the fit and τ_s² (1 + 1/n) on another.
+// Slope 1, effects of n surfaces alone: W is their mean, so that W − (W_true + s_k) has the variance τ_s² (1 − 1/n) on
+// a surface of the fit and τ_s² (1 + 1/n) on another.
 TEST(Departure, KnowsTheEffectsThatTheFitRestsOn) {
     auto list = pairs(4, 3, 1e-9);
     for (auto& p : list) {
@@ -221,12 +221,11 @@ TEST(Departure, KnowsTheEffectsThatTheFitRestsOn) {
 }
 
 TEST(Departure, OfPairsAndOfWhatTheFitDoesNotKnowIsAnew) {
-    const auto fit = fit_generalised(pairs(4, 3, 0.001), ModelScatter{.pair = 0.001, .surface = 0.002, .elastomer = 0.003});
+    const auto fit =
+        fit_generalised(pairs(4, 3, 0.001), ModelScatter{.pair = 0.001, .surface = 0.002, .elastomer = 0.003});
     const PairPoint known{.surface = "s1", .elastomer = "e2", .slope = 1.0},
         other{.surface = "new", .elastomer = "new", .slope = 1.0};
-    const auto variance_of = [](const Components& c) {
-        return covariance(c, c);
-    };
+    const auto variance_of = [](const Components& c) { return covariance(c, c); };
     const auto of_known = departure_from(fit, known, 1.0), of_other = departure_from(fit, other, 1.0);
     EXPECT_NEAR(variance_of(of_known), 14e-6, 1e-15);
     EXPECT_NEAR(variance_of(of_other), 14e-6, 1e-15);

@@ -35,8 +35,7 @@ TEST(MarginalScatter, OfOnePairIsTheIntegralOverItsScatter) {
                 sum += std::exp(-0.5 * r * r / v) / std::sqrt(2.0 * pi * v);
             }
     const MarginalScatter scatter({{"s", "e"}}, 1.0, {40, 40, 40});
-    const auto found =
-        scatter.log_densities(MatrixXd::Constant(1, 1, 0.01), MatrixXd::Constant(1, 1, r));
+    const auto found = scatter.log_densities(MatrixXd::Constant(1, 1, 0.01), MatrixXd::Constant(1, 1, r));
     EXPECT_NEAR(found[0], std::log(sum / n / n / n), 0.01);
 }
 
@@ -51,8 +50,7 @@ TEST(MarginalScatter, ConvergesInItsNodes) {
         const double by[3] = {3.0 * k / 4.0, 2.0 * (k % 5), 6.0 * (k % 3)};
         double surface[4], elastomer[4];
         for (int i = 0; i < 4; ++i) surface[i] = by[1] * normal(random), elastomer[i] = by[2] * normal(random);
-        for (int i = 0; i < 16; ++i)
-            data(i, k) = (3.0 + by[0]) * normal(random) + surface[i / 4] + elastomer[i % 4];
+        for (int i = 0; i < 16; ++i) data(i, k) = (3.0 + by[0]) * normal(random) + surface[i / 4] + elastomer[i % 4];
     }
     const VectorXd one = few.log_densities(own, data), other = many.log_densities(own, data);
     for (int k = 0; k < 20; ++k) EXPECT_NEAR(one[k], other[k], 0.3) << k;
@@ -79,8 +77,8 @@ TEST(MarginalScatter, KnowsTheScatterThatWasPlanted) {
     double surface[8];
     for (double& s : surface) s = 10.0 * normal(random);
     for (int i = 0; i < 64; ++i) r[i] = surface[i / 8] + 4.0 * normal(random);
-    const auto found = MarginalScatter(labels, 8.0, {24, 14, 14})
-                           .posterior_scatter(MatrixXd::Identity(64, 64) * 1e-4, r);
+    const auto found =
+        MarginalScatter(labels, 8.0, {24, 14, 14}).posterior_scatter(MatrixXd::Identity(64, 64) * 1e-4, r);
     EXPECT_NEAR(found.pair, 4.0, 1.0);
     EXPECT_NEAR(found.surface, 10.0, 5.0);
     EXPECT_LT(found.elastomer, 3.0);

@@ -57,20 +57,23 @@ TEST(WorkFit, CoversTheTruthAsOftenAsItSays) {
     // 95 % of intervals W ± 2.13 SE (t, 15 degrees of freedom) hold the truth: 400 draws, 3σ = 3.3 %
     std::mt19937 random(11);
     std::normal_distribution<double> noise(0.0, 0.003);
-    int plain = 0, weighted = 0;
+    int plain = 0, weighted = 0, refused = 0;
     const int draws = 400;
     for (int i = 0; i < draws; ++i) {
         auto points = pairs(0.08, 0.003);
         for (auto& p : points) p.measured.value += noise(random);
         const auto fit = fit_work_of_adhesion(points);
         plain += std::abs(fit.work_of_adhesion.value - 0.08) < 2.131 * fit.work_of_adhesion.standard_error ? 1 : 0;
+        refused += fit.weighted->work_of_adhesion.uncertain() ? 0 : 1;
         weighted += std::abs(fit.weighted->work_of_adhesion.value - 0.08) <
                             1.960 * fit.weighted->work_of_adhesion.standard_error
                         ? 1
                         : 0;
     }
     EXPECT_NEAR(plain / double(draws), 0.95, 0.033);
-    EXPECT_NEAR(weighted / double(draws), 0.95, 0.033);
+    // χ² refuses one in twenty, which then state no error; of the others
+    EXPECT_NEAR(refused / double(draws), 0.05, 0.033);
+    EXPECT_NEAR(weighted / double(draws - refused), 0.95, 0.033);
 }
 
 TEST(WorkFit, ExtraScatterBringsChiSquaredToTheDegreesOfFreedom) {

@@ -44,10 +44,10 @@ public:
                 p.slope = ratio[i];
                 p.offset = gamma_1 * (ratio[i] - 1.0) + modulus[k] * energy[i];
                 p.slope_inputs = one("area of " + p.surface, ratio_error[i]);
-                p.offset_inputs = combined({{gamma_1, p.slope_inputs},
-                                            {1.0, one("gamma", 0.005 * (ratio[i] - 1.0))},
-                                            {1.0, one("energy of " + p.surface,
-                                                      energy_error[i] * modulus[k] * energy[i])}});
+                p.offset_inputs =
+                    combined({{gamma_1, p.slope_inputs},
+                              {1.0, one("gamma", 0.005 * (ratio[i] - 1.0))},
+                              {1.0, one("energy of " + p.surface, energy_error[i] * modulus[k] * energy[i])}});
                 list.push_back(std::move(p));
             }
         return list;
@@ -89,8 +89,9 @@ TEST(WorkPosterior, HasOneWidth) {
     const double half = 0.5 * (found.interval->upper - found.interval->lower) / found.standard_error;
     EXPECT_GT(half, 1.7);
     EXPECT_LT(half, 2.4);
-    const double total = (0.5 * (posterior.density().head(posterior.grid().size() - 1) +
-                                 posterior.density().tail(posterior.grid().size() - 1)) *
+    const double total = (0.5 *
+                          (posterior.density().head(posterior.grid().size() - 1) +
+                           posterior.density().tail(posterior.grid().size() - 1)) *
                           (posterior.grid()[1] - posterior.grid()[0]))
                              .sum();
     EXPECT_NEAR(total, 1.0, 1e-9);

@@ -129,6 +129,8 @@ Json fit_json(const adhesion::WorkFit& fit, const char* source, const char* unit
     add(json, quantity("clustered_standard_error", "SE", fit.clustered.standard_error, "J/m2"));
     json["clustered"] = to_json(quantity("work_of_adhesion", "W_int", fit.clustered, "J/m2"));
     json["generalised"] = generalised_json(fit.generalised, fit.generalised.estimate(), unit);
+    json["posterior"] =
+        fit.posterior ? to_json(quantity("work_of_adhesion", "W_int", *fit.posterior, "J/m2")) : Json(nullptr);
     json["likelihood"] =
         fit.likelihood ? to_json(quantity("work_of_adhesion", "W_int", *fit.likelihood, "J/m2")) : Json(nullptr);
     add(json, quantity("residual_standard_deviation", "s", fit.residual_standard_deviation, unit));
@@ -307,18 +309,6 @@ Quantity predicted_loss(const Estimate& loss) {
     return q;
 }
 
-/// max(0, (7)) with the interval of linear propagation, or that of draws where the two part.
-Estimate floored_estimate(const study::PairResult& pair) {
-    Estimate estimate{.value = pair.modified->work.floored};
-    if (!pair.drawn || !(pair.drawn->linear_standard_error > 0.0)) return estimate;
-    const auto& drawn = *pair.drawn;
-    estimate.standard_error = drawn.parts ? drawn.standard_error : pair.modified->estimate.standard_error;
-    estimate.method = drawn.parts ? "draws" : "delta";
-    estimate.interval = drawn.parts ? std::optional(drawn.interval) : interval_of(pair.modified->estimate);
-    if (estimate.interval) estimate.interval->lower = std::max(0.0, estimate.interval->lower);
-    return estimate;
-}
-
 Json drawn_json(const adhesion::DrawnValue& drawn, const adhesion::BalanceDraws& draws) {
     const auto interval = [](const Interval& i) {
         return Json{{"lower", number(i.lower)}, {"upper", number(i.upper)}, {"level", i.level}};
@@ -327,9 +317,6 @@ Json drawn_json(const adhesion::DrawnValue& drawn, const adhesion::BalanceDraws&
             {"seed", draws.seed},
             {"standard_error", number(drawn.standard_error)},
             {"interval", interval(drawn.interval)},
-            {"linear_standard_error", number(drawn.linear_standard_error)},
-            {"linear_interval", interval(drawn.linear_interval)},
-            {"parts_from_linear", drawn.parts},
             {"unit", "J/m2"}};
 }
 
@@ -369,7 +356,7 @@ Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draw
     if (pair.modified) {
         add(json, named("true_area_ratio", "A_true/A_app", pair.area_ratio, "1", "[D19] (9)"));
         add(json, quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
-        json["modified"] = predicted_json(*pair.modified, floored_estimate(pair), "[D19] (7)");
+        json["modified"] = predicted_json(*pair.modified, pair.modified->estimate, "[D19] (7)");
         if (pair.drawn) json["modified"]["draws"] = drawn_json(*pair.drawn, draws);
         json["modified"]["standard_error_budget"] = {{"spectrum", number(pair.budget->spectrum)},
                                                      {"modulus", number(pair.budget->modulus)},

@@ -92,9 +92,11 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
             if (!reported.empty()) items += fmt::format("<li>{}: no fit; {}.</li>", lead, reported);
             return;
         }
+        const auto stated = joined(place, entry(study, joined(place, "posterior")).is_object()
+                                              ? "posterior"
+                                              : "generalised/work_of_adhesion");
         items += fmt::format("<li>{}: <i>W</i><sub>int</sub> = {}, {}, from {} pairs{}.</li>", lead,
-                             quantity_html(study, joined(place, "generalised/work_of_adhesion")),
-                             r_squared(study, joined(place, "generalised")), number_html(study, joined(place, "n"), {}, 0),
+                             quantity_html(study, stated), r_squared(study, joined(place, "generalised")), number_html(study, joined(place, "n"), {}, 0),
                              reported.empty() ? "" : "; " + reported);
     };
     item("modified", "By approach, balance (7)");

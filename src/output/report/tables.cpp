@@ -330,8 +330,9 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
                               nested ? Cell(QuantityCell{joined(place, "chi_squared")}) : TextCell{"–"}, NumberCell{n},
                               cell(work), cell(r_squared)});
     };
-    static constexpr std::array<std::pair<const char*, const char*>, 7> variants{
-        {{"generalised", "all errors with their covariance"},
+    static constexpr std::array<std::pair<const char*, const char*>, 8> variants{
+        {{"posterior", "scatter integrated out"},
+         {"generalised", "all errors with their covariance"},
          {"", "least squares"},
          {"clustered", "errors clustered by surface and elastomer"},
          {"weighted", "weighted by the measured ±"},

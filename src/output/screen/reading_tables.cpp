@@ -52,15 +52,9 @@ std::string note_of(const study::PairResult& pair) {
 }
 
 /// A prediction that cannot be negative, with its error.
-Estimate floored(const adhesion::PredictedWork& predicted) {
-    auto estimate = predicted.estimate;
-    estimate.value = predicted.work.floored;
-    return estimate;
-}
-
 std::string work_by(const std::optional<adhesion::PredictedWork>& predicted) {
     if (!predicted) return "–";
-    return predicted->work.conforms ? uncertain_number(floored(*predicted), mJ_per_m2) : "0";
+    return uncertain_number(predicted->estimate, mJ_per_m2);
 }
 
 /// A fit's row by a balance's name.
@@ -214,7 +208,7 @@ tables::TidyTable all_pairs(const StudyResult& result) {
                                   optional_number(p.approach, mJ_per_m2), work_by(p.modified),
                                   p.modified ? exact(p.modified->work.raw, mJ_per_m2) : "–", work_by(p.persson_tosatti),
                                   p.modified && p.approach
-                                      ? uncertain_number(difference(*p.approach, floored(*p.modified)), mJ_per_m2)
+                                      ? uncertain_number(difference(*p.approach, p.modified->estimate), mJ_per_m2)
                                       : "–",
                                   note_of(p)});
         }

@@ -42,8 +42,15 @@ public:
         table_.rows.push_back(std::move(row));
     }
 
+    /// What is stated, and least squares as the paper has them.
     void add(const std::string& fit, const adhesion::WorkFit& f, const std::string& variant = "") {
+        const auto of = [&](const std::string& name) { return variant.empty() ? name : variant + ", " + name; };
+        if (f.posterior) add(fit, of("posterior"), *f.posterior, f.generalised.r_squared, undefined, undefined, f.n);
         add(fit, variant, f.work_of_adhesion, f.r_squared, undefined, undefined, f.n);
+    }
+
+    /// The same pairs by every other estimator.
+    void add_alternatives(const std::string& fit, const adhesion::WorkFit& f, const std::string& variant = "") {
         const auto joined = [&](const char* name) { return variant.empty() ? name : variant + ", " + name; };
         const auto& generalised = f.generalised;
         add(fit, joined("generalised least squares"), generalised.estimate(),
@@ -172,11 +179,37 @@ tables::TidyTable pair_table(const study::StudyResult& result) {
     return table;
 }
 
-tables::TidyTable fit_table(const study::StudyResult& result) {
+namespace {
+
+tables::TidyTable table_of_fits() {
     tables::TidyTable table{"", {"fit", "variant", "method", "W_int [J/m2]"}, {}};
     append(table.columns, uncertainty_columns("", "J/m2"));
     append(table.columns, {"R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]",
                            "reported standard_error [J/m2]", "reported R2"});
+    return table;
+}
+
+}  // namespace
+
+tables::TidyTable work_estimate_table(const study::StudyResult& result) {
+    auto table = table_of_fits();
+    for (const auto* conclusions : by_method(result)) {
+        FitRows rows(table, result, *conclusions);
+        if (conclusions->modified) rows.add_alternatives("modified", *conclusions->modified);
+        if (conclusions->persson_tosatti) rows.add_alternatives("persson_tosatti", *conclusions->persson_tosatti);
+        if (conclusions->without_area_change)
+            rows.add_alternatives("without_area_change", *conclusions->without_area_change);
+        if (conclusions->loop) {
+            rows.add_alternatives("loop", conclusions->loop->through_origin);
+            if (const auto& reduced = conclusions->loop->through_origin_without_ideal_loss)
+                rows.add_alternatives("loop", *reduced, "without the smooth sphere's loss");
+        }
+    }
+    return table;
+}
+
+tables::TidyTable fit_table(const study::StudyResult& result) {
+    auto table = table_of_fits();
     for (const auto* conclusions : by_method(result)) {
         FitRows rows(table, result, *conclusions);
         if (conclusions->modified) rows.add("modified", *conclusions->modified);

@@ -141,7 +141,7 @@ bool may_be_zero(const Estimate& difference) {
 }
 
 Estimate work_of(const adhesion::WorkFit& fit) {
-    return fit.generalised.estimate();
+    return fit.stated();
 }
 
 std::vector<std::string> answer_of(const StudyResult& result) {

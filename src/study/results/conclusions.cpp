@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "setae/adhesion/contact_scales.hpp"
 #include "setae/adhesion/partial_contact.hpp"
 #include "setae/adhesion/unmeasured_waves.hpp"
+#include "setae/adhesion/work_posterior.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/rectified.hpp"
@@ -82,6 +84,7 @@ private:
 
     const StudyResult& result_;
     Conclusions& to_;
+    std::optional<adhesion::WorkPosterior> posterior_;  ///< of W_int, where it was fitted
 };
 
 /// What each pair's contact sees of its surface: the waves shorter than its own diameter, unless the study says which
@@ -135,7 +138,9 @@ Outcome<adhesion::WorkFit> Concluding::fit_approach(Balance balance) const {
         return Outcome<adhesion::WorkFit>::missing(fmt::format(
             "{} pairs have both a measured work of adhesion and a predictable surface, a fit needs at least 2",
             found.size()));
-    return adhesion::fit_work_of_adhesion(found);
+    auto fit = adhesion::fit_work_of_adhesion(found);
+    fit.posterior = adhesion::WorkPosterior(found).work_of_adhesion();
+    return fit;
 }
 
 Outcome<adhesion::LossFits> Concluding::fit_losses() const {
@@ -164,7 +169,9 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
     if (whole.size() < 2)
         return Outcome<adhesion::LossFits>::missing(
             fmt::format("{} pairs have a loop energy and a contact radius, a fit needs at least 2", whole.size()));
-    return adhesion::fit_losses(whole, reduced);
+    auto fits = adhesion::fit_losses(whole, reduced);
+    fits.through_origin.posterior = adhesion::WorkPosterior(whole).work_of_adhesion();
+    return fits;
 }
 
 /// (7) of all pairs with what surfaces store left free; factor: on γ1.
@@ -319,8 +326,9 @@ void Concluding::fit() {
         to_.work_of_adhesion_source = "given in the study";
         to_.traced_work_of_adhesion = {*given, given->input.empty() ? "work_of_adhesion" : given->input};
     } else if (to_.modified) {
-        to_.traced_work_of_adhesion = to_.modified->generalised.work_of_adhesion;
-        to_.work_of_adhesion = to_.modified->generalised.estimate();
+        posterior_.emplace(to_.modified->pairs);
+        to_.traced_work_of_adhesion = adhesion::traced_work(*posterior_, to_.modified->pairs);
+        to_.work_of_adhesion = to_.modified->stated();
         to_.work_of_adhesion_source = "fit of (7) to the measured pairs";
     } else {
         to_.work_of_adhesion =
@@ -449,8 +457,7 @@ void Concluding::test() {
     }
 }
 
-/// Draws of everything W_int and the predictions rest on; where an interval of theirs parts from linear propagation, it
-/// takes that one's place.
+/// Draws of everything W_int and the predictions rest on, as the measured pairs leave it.
 void Concluding::draw() {
     constexpr int draws = 1000;
     if (!to_.work_of_adhesion) return;
@@ -461,21 +468,11 @@ void Concluding::draw() {
         lines.push_back(*pair.line);
         predicted.push_back(&pair);
     }
-    if (!to_.traced_work_of_adhesion.components.empty() || !lines.empty()) {
-        const bool fitted = !result_.study.work_of_adhesion;
-        const adhesion::GeneralisedFit given{.work_of_adhesion = to_.traced_work_of_adhesion};
-        const auto drawn = adhesion::draw_balances(fitted ? to_.modified->pairs : std::vector<PairPoint>{},
-                                                   fitted ? to_.modified->generalised : given, lines, draws,
-                                                   result_.study.analysis.seed);
-        for (std::size_t i = 0; i < predicted.size(); ++i) predicted[i]->drawn = drawn.predictions[i];
-        to_.draws = {.count = drawn.count, .seed = drawn.seed, .work_of_adhesion = drawn.work_of_adhesion};
-    }
-    if (to_.draws.work_of_adhesion && to_.draws.work_of_adhesion->parts) {
-        auto fit = *to_.modified;
-        fit.generalised.drawn_interval = to_.draws.work_of_adhesion->interval;
-        to_.work_of_adhesion = fit.generalised.estimate();
-        to_.modified = std::move(fit);
-    }
+    const auto seed = result_.study.analysis.seed;
+    to_.draws = posterior_ ? posterior_->draw(lines, draws, seed)
+                           : adhesion::draw_balances(to_.traced_work_of_adhesion, {}, lines, draws, seed);
+    for (std::size_t i = 0; i < predicted.size(); ++i) predicted[i]->drawn = to_.draws.predictions[i];
+    to_.draws.predictions.clear();
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct GeneralisedFit {
     ScatterFreedom freedom;                  ///< pairs, surfaces and elastomers less one
     double r_squared = 0.0;                  ///< 1 − SS_res/SS_tot at this W, every pair alike
     double restricted_log_likelihood = 0.0;  ///< of the scatter, without its constant
-    double log_likelihood = 0.0;             ///< of the measured values at this W and scatter, normal: ln density [(J/m²)^−n]
+    double log_likelihood = 0.0;  ///< of the measured values at this W and scatter, normal: ln density [(J/m²)^−n]
     int n = 0;
     std::set<std::string> surfaces, elastomers;  ///< of the pairs; directions of their effects are in this order
 
@@ -43,10 +43,10 @@ struct GeneralisedFit {
 ///
 /// c: what one input, one standard error off, does to y − f: through measured values and through predictions. Relative
 /// errors of measured values are taken of what is predicted, not of what was measured, which would pull W down where
-/// inputs are shared. Inputs of a prediction and effects of surfaces and elastomers are errors of the balance, of which a
-/// pair below its floor shows share_through_floor(); τ is one of pairs. τ, τ_s, τ_e by restricted maximum likelihood; τ_s (τ_e) needs three surfaces (elastomers), some
-/// of them with several pairs. W and V are iterated to a common answer. The components of W are hᵀ times those of y − f,
-/// h = V⁻¹g/(gᵀV⁻¹g), g = ∂f/∂W.
+/// inputs are shared. Inputs of a prediction and effects of surfaces and elastomers are errors of the balance, of which
+/// a pair below its floor shows share_through_floor(); τ is one of pairs. τ, τ_s, τ_e by restricted maximum likelihood;
+/// τ_s (τ_e) needs three surfaces (elastomers), some of them with several pairs. W and V are iterated to a common
+/// answer. The components of W are hᵀ times those of y − f, h = V⁻¹g/(gᵀV⁻¹g), g = ∂f/∂W.
 /// @throws InvalidArgument for fewer than two pairs.
 /// Source: Patterson, Thompson, Biometrika 58 (1971) 545; JCGM 102:2011; on relative errors: D'Agostini, Nucl. Instrum.
 /// Methods A 346 (1994) 306.
@@ -65,12 +65,12 @@ struct GeneralisedFit {
 /// The scatter with W held: for a law with nothing to fit.
 [[nodiscard]] GeneralisedFit fit_scatter(const std::vector<PairPoint>& pairs, double work_of_adhesion);
 
-/// What a pair that was not in the fit departs from its balance by: the scatter that the fit found. Effects of a surface
-/// (elastomer) that pairs of the fit have, too, are the ones W rests on; of another surface, and of the pair itself, they
-/// are drawn anew.
+/// What a pair that was not in the fit departs from its balance by: the scatter that the fit found. Effects of a
+/// surface (elastomer) that pairs of the fit have, too, are the ones W rests on; of another surface, and of the pair
+/// itself, they are drawn anew.
 ///
-///   variance of slope · W − offset − truth, one level of scatter, n surfaces alike, slope 1: τ_s² (1 − 1/n) on a surface
-///   of the fit, τ_s² (1 + 1/n) on another
+///   variance of slope · W − offset − truth, one level of scatter, n surfaces alike, slope 1: τ_s² (1 − 1/n) on a
+///   surface of the fit, τ_s² (1 + 1/n) on another
 ///
 /// share: of effects of surfaces and elastomers that is seen, share_through_floor().
 [[nodiscard]] Components departure_from(const GeneralisedFit& fit, const PairPoint& pair, double share);

@@ -18,9 +18,9 @@ struct Candidate {
         spectrum  ///< as many measurements of a surface again
     };
     Kind kind = Kind::input;
-    std::string name;              ///< of the input or the surface; of a loop its surface
-    std::string elastomer{};       ///< of a loop
-    int loops = 1;                 ///< that the pair has already
+    std::string name;               ///< of the input or the surface; of a loop its surface
+    std::string elastomer{};        ///< of a loop
+    int loops = 1;                  ///< that the pair has already
     std::optional<double> hours{};  ///< that it takes, where somebody says so
 };
 

@@ -29,12 +29,17 @@ struct WorkFit {
     int n = 0;
     int degrees_of_freedom = 0;
     std::vector<PairPoint> pairs;  ///< what was fitted; residual = measured − prediction(work_of_adhesion.value)
-    std::optional<WorkEstimate> weighted;  ///< by the measured ± alone; its χ² tests the model
+    /// By the measured ± alone; its χ² tests the model, and where it refuses it (p < 0.05) there is no standard error.
+    std::optional<WorkEstimate> weighted;
     std::optional<WorkEstimate>
         with_extra_scatter;  ///< measured ± and a scatter of the model that makes χ² = degrees of freedom
     std::optional<WorkEstimate> errors_in_both;  ///< measured and predicted ±, and the scatter still missing
     std::optional<Estimate> likelihood;          ///< 95 % profile likelihood over the extra scatter
     GeneralisedFit generalised;                  ///< by the covariance of everything that is known of the errors
+    std::optional<Estimate> posterior;           ///< WorkPosterior::work_of_adhesion(), where it was asked for
+
+    /// The one that is stated: the posterior where there is one, else generalised least squares.
+    [[nodiscard]] Estimate stated() const { return posterior ? *posterior : generalised.estimate(); }
 };
 
 /// Least squares in W >= 0; the global minimum, found exactly from the kinks of the floored predictions.

@@ -42,8 +42,8 @@ struct PairPoint {
     /// Components of slope · W − offset, W exact.
     [[nodiscard]] Components prediction_inputs(double work) const;
     [[nodiscard]] double prediction_variance(double work) const;
-    /// Names of the inputs that the pair's own noise is, and the scatter of all pairs' values between pairs, surfaces or
-    /// elastomers.
+    /// Names of the inputs that the pair's own noise is, and the scatter of all pairs' values between pairs, surfaces
+    /// or elastomers.
     [[nodiscard]] std::string own_noise() const;
     [[nodiscard]] std::string scatter_between(const char* groups) const;
 };

@@ -30,9 +30,9 @@ struct PredictedLoop {
 ///
 ///   E_loss = (W_ret − W_app) π a_max² + E_jump-in(W_app) + E_jump-out(W_ret),
 ///
-/// which is solved for W_ret. Every ± is over all inputs: derivatives by E*, γ1, W_int and R are central differences over
-/// their standard errors, those by the spectrum are of its spread. work_of_adhesion: W_int [J/m²], > 0.
-/// Nothing where (7) says that the surfaces do not conform.
+/// which is solved for W_ret. Every ± is over all inputs: derivatives by E*, γ1, W_int and R are central differences
+/// over their standard errors, those by the spectrum are of its spread. work_of_adhesion: W_int [J/m²], > 0. Nothing
+/// where (7) says that the surfaces do not conform.
 /// @throws InvalidArgument for R <= 0 or a preload < 0.
 /// Source: [D19] (1), (7), (10), (S1); jumps: setae/contact/jkr.hpp.
 [[nodiscard]] std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide& soft,

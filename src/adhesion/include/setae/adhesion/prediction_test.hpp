@@ -28,9 +28,9 @@ struct PredictionResidual {
 ///   χ² = rᵀC⁻¹r − (sᵀC⁻¹r)²/(sᵀC⁻¹s)
 ///
 /// r: residuals.  C: their covariance: measured variances on the diagonal, and what they share, such as the
-/// spectrum of a surface, the modulus and the surface energy of an elastomer, a lens, a given W_int.  s: ∂prediction/∂W_int, where W_int
-/// was fitted to the same values: the second term then takes the W_int that suits C best, to first order, at the cost
-/// of one degree of freedom.
+/// spectrum of a surface, the modulus and the surface energy of an elastomer, a lens, a given W_int.  s:
+/// ∂prediction/∂W_int, where W_int was fitted to the same values: the second term then takes the W_int that suits C
+/// best, to first order, at the cost of one degree of freedom.
 struct PredictionTest {
     std::vector<PredictionResidual> pairs;
     std::vector<std::string> left_out;  ///< "A × B: no standard error of the measured value"

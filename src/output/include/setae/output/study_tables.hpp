@@ -15,8 +15,10 @@ namespace setae::output {
 [[nodiscard]] tables::TidyTable surface_table(const study::StudyResult& result);
 /// One row a pair: measured and predicted values, SI.
 [[nodiscard]] tables::TidyTable pair_table(const study::StudyResult& result);
-/// One row a fit and variant, SI, with the reported value beside it where there is one.
+/// W_int as it is stated and by least squares, one row a fit, SI, with the reported value beside it where there is one.
 [[nodiscard]] tables::TidyTable fit_table(const study::StudyResult& result);
+/// W_int of the same pairs by every other estimator.
+[[nodiscard]] tables::TidyTable work_estimate_table(const study::StudyResult& result);
 /// One row a measurement: file, what was done, band, parameters or the error.
 [[nodiscard]] tables::TidyTable measurement_table(const study::StudyResult& result);
 /// One row a loop and quantity of elastomers whose loops name a lens, a spot or an exclusion; excluded ones with their
