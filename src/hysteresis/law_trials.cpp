@@ -3,31 +3,55 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "setae/adhesion/planted_pairs.hpp"
+#include "both_branches.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/random_numbers.hpp"
 
 namespace setae::hysteresis {
 namespace {
 
-/// What one run says of the law that was planted.
-struct TrialOutcome {
-    RetractionModel best;
-    bool not_told_apart = false;
+using adhesion::ModelScatter;
+using numerics::RandomKey;
+
+/// Effects of pairs, surfaces and elastomers on one branch.
+class DrawnEffects {
+public:
+    DrawnEffects(const ModelScatter& scatter, RandomKey key) : scatter_(scatter), key_(key) {}
+
+    [[nodiscard]] double of(const RankedPair& pair) {
+        const auto &surface = pair.pair.rough.name, &elastomer = pair.pair.soft.name;
+        return scatter_.pair * one(surface + '\n' + elastomer) + scatter_.surface * one("s" + surface) +
+               scatter_.elastomer * one("e" + elastomer);
+    }
+
+private:
+    double one(const std::string& name) {
+        const auto [at, fresh] = known_.try_emplace(name, 0.0);
+        if (fresh) at->second = numerics::normal_number(key_, known_.size());
+        return at->second;
+    }
+
+    ModelScatter scatter_;
+    RandomKey key_;
+    std::map<std::string, double> known_;
 };
 
-TrialOutcome trial(const std::vector<ModelPoints>& models, const ModelPoints& planted, double parameter,
-                   const adhesion::ModelScatter& scatter, std::uint64_t seed) {
-    const auto values = adhesion::planted_values(planted.points, parameter, scatter, seed);
-    auto measured = models;
-    for (auto& model : measured)
-        for (std::size_t i = 0; i < values.size(); ++i) model.points[i].measured.value = values[i];
-    const auto ranking = rank_models(measured, {1});
-    const auto alike = ranking.not_told_apart();
-    return {ranking.best()->fitted.model, std::any_of(alike.begin(), alike.end(), [&](const ModelScore* score) {
-                return score->fitted.model == planted.model;
+/// What one run says of the model that was planted.
+struct TrialOutcome {
+    RetractionModel best;
+    bool possible = false;
+};
+
+TrialOutcome outcome_of(const std::vector<RetractionModel>& models, const RetractionModel& planted,
+                        const std::vector<RankedPair>& pairs, const std::optional<Estimate>& known_work) {
+    const auto ranking = rank_models(models, pairs, known_work, {1});
+    const auto* best = ranking.best();
+    return {best ? best->fitted.model : planted, std::ranges::any_of(ranking.possible(), [&](const ModelScore* score) {
+                return score->fitted.model == planted;
             })};
 }
 
@@ -38,7 +62,7 @@ LawTrials summary(const RetractionModel& planted, const std::vector<TrialOutcome
         if (outcome.best == planted) ++result.found;
         else {
             ++taken[outcome.best.name()];
-            ++(outcome.not_told_apart ? result.not_told_apart : result.refused);
+            ++(outcome.possible ? result.possible : result.excluded);
         }
     }
     const auto most =
@@ -49,30 +73,64 @@ LawTrials summary(const RetractionModel& planted, const std::vector<TrialOutcome
 
 }  // namespace
 
-std::vector<LawTrials> law_trials(const std::vector<ModelPoints>& models, const Ranking& ranking,
-                                  const TrialOptions& options) {
-    if (options.runs < 1) throw InvalidArgument(fmt::format("{} trials of each law; expected 1 or more", options.runs));
-    if (!ranking.best()) return {};
+std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, const ModelScore& score,
+                                      std::uint64_t seed) {
+    const RandomKey key{seed};
+    const auto n = static_cast<Index>(pairs.size());
+    const auto noise = [&](std::uint64_t stream) {
+        return numerics::normal_numbers(numerics::substream(key, stream), 0, n);
+    };
+    const Array1D noise_of_approach = noise(0), noise_of_retraction = noise(1);
+    DrawnEffects on_approach(score.approach_scatter, numerics::substream(key, 2)),
+        on_retraction(score.fit.scatter, numerics::substream(key, 3));
+    const auto& model = score.fitted.model;
+    const BothBranches before(model, pairs, {});
+    Eigen::VectorXd truth = before.at(score.work_of_adhesion.value, score.fitted.parameter.value);
+    truth.tail(truth.size() - BothBranches::shared_count) =
+        before.drawn(numerics::normal_numbers(numerics::substream(key, 4), 0, before.directions()).matrix());
+    auto planted = pairs;
+    std::vector<double> errors;
+    for (Index i = 0; i < n; ++i) {
+        auto& pair = planted[static_cast<std::size_t>(i)];
+        const double work = before.predicted(Branch::approach, i, truth) + on_approach.of(pair);
+        errors.push_back(before.noise(Branch::approach)[i] * noise_of_approach[i]);
+        pair.pair.approach->value = std::max(0.0, work + errors.back());
+    }
+    const BothBranches after(model, planted, {});
+    for (Index i = 0; i < n; ++i) {
+        auto& pair = planted[static_cast<std::size_t>(i)];
+        pair.measured.value.value = after.predicted(Branch::retraction, i, truth, -errors[static_cast<std::size_t>(i)]) +
+                                    on_retraction.of(pair) +
+                                    after.noise(Branch::retraction)[i] * noise_of_retraction[i];
+    }
+    return planted;
+}
+
+std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
+                                  const std::optional<Estimate>& known_work, const TrialOptions& options) {
+    if (options.runs < 1)
+        throw InvalidArgument(fmt::format("{} trials of each model; expected 1 or more", options.runs));
+    const auto* best = ranking.best();
+    if (!best) return {};
     const auto runs = static_cast<std::size_t>(options.runs);
-    std::vector<const ModelScore*> planted;
-    for (const auto& score : ranking.models)
-        if (!score.fitted.model.fitted() || score.fitted.parameter.value > 0.0) planted.push_back(&score);
-    std::vector<ModelPoints> ranked;
-    for (const auto& model : models)
-        if (std::any_of(ranking.models.begin(), ranking.models.end(),
-                        [&](const ModelScore& score) { return score.fitted.model == model.model; }))
-            ranked.push_back(model);
+    std::vector<RetractionModel> models;
+    std::vector<ModelScore> planted;
+    for (const auto& score : ranking.models) {
+        models.push_back(score.fitted.model);
+        if (score.fitted.model.fitted() && !(score.fitted.parameter.value > 0.0)) continue;
+        planted.push_back(score);
+        planted.back().fit.scatter = best->fit.scatter;
+        planted.back().approach_scatter = best->approach_scatter;
+    }
     std::vector<std::vector<TrialOutcome>> outcomes(planted.size(), std::vector<TrialOutcome>(runs));
     parallel::for_each_index(planted.size() * runs, options.threads, [&](std::size_t i) {
-        if (options.cancelled && *options.cancelled) throw Cancelled("trials of laws were stopped");
-        const auto& score = *planted[i / runs];
-        const auto of = std::find_if(ranked.begin(), ranked.end(),
-                                     [&](const ModelPoints& model) { return model.model == score.fitted.model; });
-        outcomes[i / runs][i % runs] =
-            trial(ranked, *of, score.fitted.parameter.value, ranking.best()->fit.scatter, options.seed + i % runs);
+        if (options.cancelled && *options.cancelled) throw Cancelled("trials of models were stopped");
+        const auto& score = planted[i / runs];
+        outcomes[i / runs][i % runs] = outcome_of(
+            models, score.fitted.model, planted_pairs(pairs, score, options.seed + i % runs), known_work);
     });
     std::vector<LawTrials> result;
-    for (std::size_t k = 0; k < planted.size(); ++k) result.push_back(summary(planted[k]->fitted.model, outcomes[k]));
+    for (std::size_t k = 0; k < planted.size(); ++k) result.push_back(summary(planted[k].fitted.model, outcomes[k]));
     return result;
 }
 

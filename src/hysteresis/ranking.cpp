@@ -3,39 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <memory>
 #include <set>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "model_evidence.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/random_numbers.hpp"
 
 namespace setae::hysteresis {
 namespace {
 
 using adhesion::GeneralisedFit;
 using adhesion::PairPoint;
+using Eigen::MatrixXd, Eigen::VectorXd;
 
-GeneralisedFit fit_parameter(const std::vector<PairPoint>& pairs) {
+GeneralisedFit fit_of(const RetractionModel& model, const std::vector<PairPoint>& pairs) {
+    if (!model.fitted()) return adhesion::fit_scatter(pairs, 0.0);
     auto fit = adhesion::fit_generalised(pairs);
     return fit.work_of_adhesion.value > 0.0 ? fit : adhesion::fit_scatter(pairs, 0.0);
 }
 
-adhesion::PairFit fit_of(const RetractionModel& model) {
-    if (model.fitted()) return fit_parameter;
-    return [](const std::vector<PairPoint>& pairs) { return adhesion::fit_scatter(pairs, 0.0); };
-}
-
-/// @throws InvalidArgument where there are too few to judge by.
-void require_enough(const std::vector<PairPoint>& pairs) {
+/// Why there are too few pairs to judge by; empty where there are enough.
+std::string too_few(const std::vector<RankedPair>& pairs) {
     std::set<std::string> surfaces;
-    for (const auto& pair : pairs) surfaces.insert(pair.surface);
-    if (pairs.size() < fewest_ranked_pairs || surfaces.size() < fewest_ranked_surfaces)
-        throw InvalidArgument(fmt::format("{} pairs on {} surfaces have W_app and W_ret measured; expected {} on {}",
-                                          pairs.size(), surfaces.size(), fewest_ranked_pairs, fewest_ranked_surfaces));
+    for (const auto& pair : pairs) surfaces.insert(pair.pair.rough.name);
+    if (pairs.size() >= fewest_ranked_pairs && surfaces.size() >= fewest_ranked_surfaces) return "";
+    return fmt::format("{} pairs on {} surfaces have W_app and W_ret measured; {} on {} can tell models apart", pairs.size(),
+                       surfaces.size(), fewest_ranked_pairs, fewest_ranked_surfaces);
 }
 
 double rms_left_out(const std::vector<adhesion::LeftOutPrediction>& predictions, bool surfaces) {
@@ -58,75 +57,281 @@ Estimate scatter_of_next(const GeneralisedFit& fit) {
     return scatter;
 }
 
-ModelScore score(const ModelPoints& of) {
-    const auto fit = fit_of(of.model);
-    ModelScore score{.fitted = {.model = of.model}, .fit = fit(of.points)};
-    score.fitted.parameter = score.fit.work_of_adhesion;
-    score.fitted.scatter = scatter_of_next(score.fit);
-    for (const auto& point : of.points) {
-        const double residual = point.measured.value - point.prediction(score.fit.work_of_adhesion.value);
-        score.rms_residual += residual * residual;
+/// One model on its way to its score.
+struct Judged {
+    std::unique_ptr<BothBranches> model;
+    ModelScore score;
+    WholeEvidence whole;
+    VectorXd log_likelihood;  ///< of the data and of each draw
+    VectorXd approach;        ///< of approach alone
+    std::string reason;       ///< why it cannot be judged
+
+    [[nodiscard]] bool ok() const { return reason.empty(); }
+};
+
+class Judgement {
+public:
+    Judgement(const std::vector<RetractionModel>& models, const std::vector<RankedPair>& pairs,
+              const std::optional<Estimate>& known_work, parallel::Threads threads)
+        : pairs_(pairs), known_work_(known_work), threads_(threads), judged_(models.size()) {
+        for (std::size_t i = 0; i < models.size(); ++i) judged_[i].score.fitted.model = models[i];
     }
-    const auto n = static_cast<double>(of.points.size());
-    score.rms_residual = std::sqrt(score.rms_residual / n);
-    score.log_likelihood = score.fit.log_likelihood;
-    auto left_out = adhesion::leave_out(of.points, fit);
-    score.left_out = std::move(left_out.predictions);
-    score.left_out_log_likelihood = left_out.surface_log_density;
-    score.surface_left_out = rms_left_out(score.left_out, true);
-    score.elastomer_left_out = rms_left_out(score.left_out, false);
-    return score;
-}
+
+    [[nodiscard]] Ranking ranking() {
+        each([this](Judged& of) { fit(of); });
+        find_scales();
+        each([this](Judged& of) { leave_out(of); });
+        vary();
+        return sorted();
+    }
+
+private:
+    template <class Part>
+    void each(const Part& part) {
+        parallel::for_each_index(judged_.size(), threads_, [&](std::size_t i) {
+            auto& of = judged_[i];
+            if (!of.ok()) return;
+            try {
+                part(of);
+            } catch (const Cancelled&) {
+                throw;
+            } catch (const Error& error) {
+                of.reason = error.what();
+            }
+        });
+    }
+
+    void fit(Judged& of) {
+        auto& score = of.score;
+        const auto& model = score.fitted.model;
+        std::vector<PairPoint> points;
+        for (const auto& [pair, measured] : pairs_) {
+            if (auto reason = pair.lacks(model); !reason.empty()) {
+                of.reason = std::move(reason);
+                return;
+            }
+            points.push_back(retraction_point(model, pair, measured));
+        }
+        score.fit = fit_of(model, points);
+        score.fitted.parameter = score.fit.work_of_adhesion;
+        score.fitted.scatter = scatter_of_next(score.fit);
+        for (const auto& point : points)
+            score.rms_residual +=
+                std::pow(point.measured.value - point.prediction(score.fit.work_of_adhesion.value), 2);
+        score.rms_residual = std::sqrt(score.rms_residual / static_cast<double>(points.size()));
+        score.log_likelihood = score.fit.log_likelihood;
+        of.model = std::make_unique<BothBranches>(model, pairs_, known_work_);
+        of.whole = whole_evidence(*of.model, pairs_, widest_scales(), true);
+    }
+
+    /// Half-Cauchy scales of a fifth of the median measured work.
+    [[nodiscard]] ScatterScales widest_scales() const {
+        constexpr double of_median = 0.2;
+        std::vector<double> approach, retraction;
+        for (const auto& [pair, measured] : pairs_) {
+            approach.push_back(std::abs(pair.approach->value));
+            retraction.push_back(std::abs(measured.value.value));
+        }
+        const auto median = [](std::vector<double>& values) {
+            std::ranges::sort(values);
+            return std::max(values[values.size() / 2], 1e-6 * values.back());
+        };
+        return {of_median * median(approach), of_median * median(retraction)};
+    }
+
+    /// Where the best model misses less, twice what it misses by: the prior must have room for small scatter, too.
+    void find_scales() {
+        scales_ = widest_scales();
+        constexpr double of_residual = 2.0, least = 1e-5;
+        const auto widest = scales_;
+        double approach = std::numeric_limits<double>::infinity(), retraction = approach;
+        for (const auto& of : judged_) {
+            if (!of.ok()) continue;
+            approach = std::min(approach, of.whole.rms_approach);
+            retraction = std::min(retraction, of.score.rms_residual);
+        }
+        scales_.approach = std::max(least * widest.approach, std::min(widest.approach, of_residual * approach));
+        scales_.retraction = std::max(least * widest.retraction, std::min(widest.retraction, of_residual * retraction));
+    }
+
+    void leave_out(Judged& of) const {
+        auto& score = of.score;
+        const DrawnNoise none{MatrixXd(pairs_.size(), 0), MatrixXd(pairs_.size(), 0)};
+        auto surfaces = left_out_evidence(*of.model, pairs_, scales_, true, false, none);
+        const auto elastomers = left_out_evidence(*of.model, pairs_, scales_, false, false, none),
+                   with_constant = left_out_evidence(*of.model, pairs_, scales_, true, true, none);
+        of.log_likelihood = surfaces.both();
+        of.approach = surfaces.approach;
+        score.left_out_log_likelihood = of.log_likelihood[0];
+        score.left_out_approach = surfaces.approach[0];
+        score.left_out_retraction = surfaces.retraction[0];
+        score.left_out = std::move(surfaces.predictions);
+        score.left_out.insert(score.left_out.end(), elastomers.predictions.begin(), elastomers.predictions.end());
+        score.surface_left_out = rms_left_out(score.left_out, true);
+        score.elastomer_left_out = rms_left_out(score.left_out, false);
+        const auto whole = whole_evidence(*of.model, pairs_, scales_, false),
+                   biased = whole_evidence(*of.model, pairs_, scales_, true);
+        score.work_of_adhesion = whole.work_of_adhesion;
+        score.approach_scatter = whole.approach_scatter;
+        score.approach_work = whole.approach_work;
+        auto& bias = score.bias;
+        bias.value = biased.constant;
+        bias.probability = biased.constant_tail;
+        bias.odds_with_it = std::exp(with_constant.both()[0] - score.left_out_log_likelihood);
+        constexpr double surely = 0.005, likely = 0.05, odds = 10.0;
+        bias.refuses_model =
+            bias.probability < surely || (bias.odds_with_it > odds && bias.probability < likely);
+        if (pinned_on_approach_at_all(score.fitted.model))
+            score.fitted.work_of_adhesion =
+                TracedValue(score.work_of_adhesion, "W_int by " + score.fitted.model.name());
+    }
+
+    static bool pinned_on_approach_at_all(const RetractionModel& model) {
+        return model.law == Law::pinning || model.law == Law::pinning_by_bands || model.law == Law::fitted_pinning;
+    }
+
+    /// The same with noise added to the data, of models that are not far behind.
+    void vary() {
+        constexpr Index draws = 100;
+        constexpr double far = 25.0;  // in ln L: no noise brings them back
+        double most = -std::numeric_limits<double>::infinity();
+        for (const auto& of : judged_)
+            if (of.ok()) most = std::max(most, of.log_likelihood[0]);
+        const auto n = static_cast<Index>(pairs_.size());
+        const auto normal = [n](std::uint64_t stream) -> MatrixXd {
+            return numerics::normal_numbers({1, stream}, 0, n * draws).matrix().reshaped(n, draws);
+        };
+        each([&](Judged& of) {
+            const auto& model = of.score.fitted.model;
+            const bool compared = model.tip == Tip::none && (model.law == Law::reversible || model.law == Law::pinning);
+            if (of.log_likelihood[0] < most - far && !compared) return;  // against_pinning() compares these
+            const DrawnNoise noise{of.model->noise(Branch::approach).asDiagonal() * normal(0),
+                                   of.model->noise(Branch::retraction).asDiagonal() * normal(1)};
+            const auto varied = left_out_evidence(*of.model, pairs_, scales_, true, false, noise);
+            of.log_likelihood = varied.both();
+            of.approach = varied.approach;
+        });
+    }
+
+    /// 5 and 95 % points of exp(one − other).
+    static Odds odds_of(const VectorXd& one, const VectorXd& other) {
+        const auto number = [](double difference) { constexpr double most = 600.0;  // of a logarithm, for odds that are a number
+            return std::exp(std::clamp(difference, -most, most));
+        };
+        const double odds_of_data = number(one[0] - other[0]);
+        Odds odds{odds_of_data, odds_of_data, odds_of_data};
+        if (one.size() != other.size() || one.size() < 2) return odds;
+        VectorXd varied = one.tail(one.size() - 1) - other.tail(other.size() - 1);
+        std::ranges::sort(varied);
+        const auto at = [&](double p) {
+            return number(varied[std::min<Index>(varied.size() - 1, static_cast<Index>(p * static_cast<double>(varied.size())))]);
+        };
+        odds.lower = at(0.05);
+        odds.upper = at(0.95);
+        return odds;
+    }
+
+    [[nodiscard]] Ranking sorted() {
+        Ranking ranking;
+        std::vector<Judged*> ranked;
+        for (auto& of : judged_) {
+            if (of.ok() && std::isfinite(of.score.left_out_log_likelihood)) ranked.push_back(&of);
+            else ranking.unranked.push_back({of.score.fitted.model, of.ok() ? "its density is no number" : of.reason});
+        }
+        if (ranked.empty()) return ranking;
+        std::ranges::stable_sort(ranked, [](const Judged* a, const Judged* b) {
+            return a->score.left_out_log_likelihood > b->score.left_out_log_likelihood;
+        });
+        double sum = 0.0;
+        for (auto* of : ranked) {
+            of->score.weight = std::exp(of->log_likelihood[0] - ranked.front()->log_likelihood[0]);
+            sum += of->score.weight;
+        }
+        const auto reference = std::ranges::find_if(
+            ranked, [](const Judged* of) { return !of->score.bias.refuses_model; });
+        const auto& likeliest = reference == ranked.end() ? *ranked.front() : **reference;
+        for (auto* of : ranked) {
+            of->score.weight /= sum;
+            of->score.odds_against = odds_of(likeliest.log_likelihood, of->log_likelihood);
+        }
+        ranking.approach_against_pinning = against_pinning(ranked);
+        for (auto* of : ranked) ranking.models.push_back(std::move(of->score));
+        return ranking;
+    }
+
+    /// Of approach alone: `reversible` and `pinning` differ by what pins.
+    static std::optional<Odds> against_pinning(const std::vector<Judged*>& ranked) {
+        const auto find = [&](Law law) -> const Judged* {
+            for (const auto* of : ranked)
+                if (of->score.fitted.model == RetractionModel{law, Tip::none}) return of;
+            return nullptr;
+        };
+        const auto *without = find(Law::reversible), *with = find(Law::pinning);
+        if (!without || !with) return std::nullopt;
+        return odds_of(without->approach, with->approach);
+    }
+
+    const std::vector<RankedPair>& pairs_;
+    std::optional<Estimate> known_work_;
+    parallel::Threads threads_;
+    std::vector<Judged> judged_;
+    ScatterScales scales_;
+};
+
+/// What a fitted model is where its number is 0.
+RetractionModel parent_of(const RetractionModel& model) { return {Law::reversible, model.tip}; }
 
 }  // namespace
 
-std::vector<const ModelScore*> Ranking::not_told_apart() const {
-    std::vector<const ModelScore*> alike;
-    for (const auto& model : models)
-        if (model.weight * told_apart_odds >= models.front().weight) alike.push_back(&model);
-    return alike;
+const char* name_of(Distinction distinction) {
+    switch (distinction) {
+        case Distinction::cannot_be_distinguished: return "cannot be distinguished";
+        case Distinction::better: return "better";
+        case Distinction::clearly_better: return "clearly better";
+    }
+    throw InternalError("a distinction without a name");
+}
+
+Distinction Odds::distinction() const {
+    const double least = std::min(value, lower);
+    if (least > clearly_better_odds) return Distinction::clearly_better;
+    return least > better_odds ? Distinction::better : Distinction::cannot_be_distinguished;
+}
+
+bool Ranking::all_refused() const {
+    return std::ranges::all_of(models, [](const ModelScore& score) { return score.bias.refuses_model; });
+}
+
+std::vector<const ModelScore*> Ranking::possible() const {
+    std::vector<const ModelScore*> found;
+    for (const auto& score : models)
+        if ((all_refused() || !score.bias.refuses_model) &&
+            score.odds_against.distinction() != Distinction::clearly_better)
+            found.push_back(&score);
+    return found;
 }
 
 const ModelScore* Ranking::best() const {
-    const auto alike = not_told_apart();
-    constexpr double simpler = 1.25;  // so much more may be missed without a number
-    const auto missed = [](const ModelScore* score) {
-        return score->surface_left_out * (score->fitted.model.fitted() ? simpler : 1.0);
-    };
-    const auto least = std::min_element(
-        alike.begin(), alike.end(), [&](const ModelScore* a, const ModelScore* b) { return missed(a) < missed(b); });
-    return least == alike.end() ? nullptr : *least;
+    const auto likely = possible();
+    if (likely.empty()) return nullptr;
+    const auto* first = likely.front();
+    const auto& model = first->fitted.model;
+    if (model.law != Law::fitted_pinning && model.law != Law::fitted_conformal_loss) return first;
+    const auto interval = interval_of(first->fitted.parameter.estimate());
+    if (!interval || interval->lower > 0.0) return first;
+    for (const auto* score : likely)
+        if (score->fitted.model == parent_of(model)) return score;
+    return first;
 }
 
-Ranking rank_models(const std::vector<ModelPoints>& models, parallel::Threads threads) {
-    std::vector<std::optional<ModelScore>> scores(models.size());
-    std::vector<std::string> reasons(models.size());
-    parallel::for_each_index(models.size(), threads, [&](std::size_t i) {
-        try {
-            require_enough(models[i].points);
-            scores[i] = score(models[i]);
-        } catch (const Cancelled&) {
-            throw;
-        } catch (const Error& error) {
-            reasons[i] = error.what();
-        }
-    });
-    Ranking ranking;
-    for (std::size_t i = 0; i < models.size(); ++i) {
-        if (scores[i]) ranking.models.push_back(std::move(*scores[i]));
-        else ranking.unranked.push_back({models[i].model, reasons[i]});
+Ranking rank_models(const std::vector<RetractionModel>& models, const std::vector<RankedPair>& pairs,
+                    const std::optional<Estimate>& known_work, parallel::Threads threads) {
+    if (const auto reason = too_few(pairs); !reason.empty()) {
+        Ranking none;
+        for (const auto& model : models) none.unranked.push_back({model, reason});
+        return none;
     }
-    if (ranking.models.empty()) return ranking;
-    std::stable_sort(ranking.models.begin(), ranking.models.end(), [](const ModelScore& a, const ModelScore& b) {
-        return a.left_out_log_likelihood > b.left_out_log_likelihood;
-    });
-    double sum = 0.0;
-    for (auto& model : ranking.models) {
-        model.weight = std::exp(model.left_out_log_likelihood - ranking.models.front().left_out_log_likelihood);
-        sum += model.weight;
-    }
-    for (auto& model : ranking.models) model.weight /= sum;
-    return ranking;
+    return Judgement(models, pairs, known_work, threads).ranking();
 }
 
 }  // namespace setae::hysteresis

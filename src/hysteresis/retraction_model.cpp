@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/hysteresis/retraction_model.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -99,6 +100,20 @@ RetractionLine retraction_line(const RetractionModel& model, const PairState& st
         case Law::opening_work: return fits(state.true_contact(), 0.0);
     }
     throw InternalError("a law of retraction without a formula");
+}
+
+double pinned_on_approach(const RetractionModel& model, const PairState& state, const std::vector<double>& band_shares,
+                          double parameter) {
+    // the same k on both branches: half of what it adds between them
+    switch (model.law) {
+        case Law::pinning:
+            return state.pinning_factor * pinning_coefficient(state.energy_share()).value * state.stored_energy;
+        case Law::pinning_by_bands:
+            return 0.5 * state.pinning_factor *
+                   pinning_by_bands(state.stored_energy, band_shares, state.contact_fraction * state.conforming_gain());
+        case Law::fitted_pinning: return std::max(0.0, parameter) * state.stored_energy;
+        default: return 0.0;
+    }
 }
 
 }  // namespace setae::hysteresis

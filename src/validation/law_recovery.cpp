@@ -60,9 +60,9 @@ LawRecovery recovery_of(const study::StudyResult& result, const RetractionModel&
         throw UndefinedDataError(fmt::format("{} pairs with W_app and W_ret rank no law", hysteresis.measured_pairs));
     LawRecovery found{.planted = law.name(), .found = best->fitted.model.name(), .seed = made.seed};
     found.surface_left_out = best->surface_left_out;
-    const auto alike = ranking.not_told_apart();
-    found.not_told_apart =
-        !found.is_found() && std::ranges::any_of(alike, [&](const auto* score) { return score->fitted.model == law; });
+    const auto likely = ranking.possible();
+    found.possible =
+        !found.is_found() && std::ranges::any_of(likely, [&](const auto* score) { return score->fitted.model == law; });
     if (!law.fitted()) return found;
     found.parameter_planted = made.loops->opening_work;
     for (const auto& score : ranking.models)
@@ -85,9 +85,9 @@ LawSummary summary_of(const std::vector<const LawRecovery*>& list) {
     for (const auto* one : list) {
         if (one->is_found()) ++row.found;
         else ++others[one->found];
-        if (one->not_told_apart) ++row.not_told_apart;
+        if (one->possible) ++row.possible;
     }
-    row.refused = row.runs - row.found - row.not_told_apart;
+    row.excluded = row.runs - row.found - row.possible;
     row.parameter_planted = mean_of(list, &LawRecovery::parameter_planted);
     row.parameter = mean_of(list, &LawRecovery::parameter);
     row.parameter_standard_error = mean_of(list, &LawRecovery::parameter_standard_error);
@@ -188,12 +188,13 @@ std::vector<LawSummary> summary(const std::vector<LawRecovery>& recoveries) {
 TidyTable law_summary_table(const std::vector<LawSummary>& rows) {
     constexpr double milli = 1e-3;
     TidyTable table{"mechanisms planted in loops, and what studies of them find [mJ/m²]",
-                    {"planted", "found", "refused", "W_x", "planted", "off", "most often in its place"},
+                    {"planted", "found", "possible", "excluded", "W_x", "planted", "off", "most often in its place"},
                     {}};
     for (const auto& row : rows) {
         const bool fitted = std::isfinite(row.parameter);
         const Estimate work{.value = row.parameter, .standard_error = row.parameter_standard_error};
-        table.rows.push_back({row.planted, fmt::format("{} of {}", row.found, row.runs), fmt::format("{}", row.refused),
+        table.rows.push_back({row.planted, fmt::format("{} of {}", row.found, row.runs), fmt::format("{}", row.possible),
+                              fmt::format("{}", row.excluded),
                               fitted ? uncertain_number(work, milli) : std::string(),
                               fitted ? fmt::format("{:.4g}", row.parameter_planted / milli) : std::string(),
                               fmt::format("{:.2g}", row.surface_left_out / milli), row.most_taken});
@@ -203,12 +204,12 @@ TidyTable law_summary_table(const std::vector<LawSummary>& rows) {
 
 TidyTable law_recovery_table(const std::vector<LawRecovery>& recoveries) {
     TidyTable table{"",
-                    {"planted", "seed", "found", "not told apart", "parameter planted [J/m2]", "parameter [J/m2]",
+                    {"planted", "seed", "found", "possible", "parameter planted [J/m2]", "parameter [J/m2]",
                      "standard_error [J/m2]", "next surface off [J/m2]"},
                     {}};
     for (const auto& one : recoveries)
         table.rows.push_back({one.planted, static_cast<double>(one.seed), one.found,
-                              std::string(one.not_told_apart ? "yes" : "no"), one.parameter_planted, one.parameter,
+                              std::string(one.possible ? "yes" : "no"), one.parameter_planted, one.parameter,
                               one.parameter_standard_error, one.surface_left_out});
     return table;
 }

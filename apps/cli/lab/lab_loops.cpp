@@ -44,8 +44,8 @@ output::Json mechanism_json(const validation::LawSummary& row) {
         {"planted", row.planted},
         {"runs", row.runs},
         {"found", row.found},
-        {"not_told_apart", row.not_told_apart},
-        {"refused", row.refused},
+        {"possible", row.possible},
+        {"excluded", row.excluded},
         {"rms_residual_surface_left_out", {{"value", output::number(row.surface_left_out)}, {"unit", "J/m2"}}}};
     const bool fitted = std::isfinite(row.parameter);
     if (fitted) {

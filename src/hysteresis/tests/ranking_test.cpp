@@ -38,35 +38,28 @@ public:
             }
     }
 
-    /// W_ret by a model, with relative noise.
-    [[nodiscard]] std::vector<double> planted(const RetractionModel& model, double parameter, double noise,
-                                              unsigned seed) const {
+    /// Both works by a model, with relative noise.
+    [[nodiscard]] std::vector<RankedPair> planted(const RetractionModel& model, double parameter, double noise,
+                                                  unsigned seed) const {
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
-        std::vector<double> values;
-        for (const auto& pair : pairs_) {
-            const double exact =
-                predicted_retraction({.model = model, .parameter = parameter, .scatter = {}}, pair).value;
-            values.push_back(exact * (1.0 + noise * normal(random)));
+        std::vector<RankedPair> planted;
+        for (auto pair : pairs_) {
+            const FittedModel fitted{.model = model, .parameter = parameter, .scatter = {}};
+            const double approach = predicted_approach(fitted, pair).value,
+                         retraction = predicted_retraction(fitted, pair).value;
+            const auto measured = [&](double exact) {
+                return Estimate{.value = exact * (1.0 + noise * normal(random)), .standard_error = noise * exact};
+            };
+            pair.approach = TracedValue(measured(approach),
+                                        adhesion::own_noise_name("W_app", pair.rough.name, pair.soft.name));
+            planted.push_back({pair, {measured(retraction), {}}});
         }
-        return values;
+        return planted;
     }
 
-    [[nodiscard]] Ranking ranked(const std::vector<double>& measured, double noise) const {
-        return rank_models(models(measured, noise));
-    }
-
-    [[nodiscard]] std::vector<ModelPoints> models(const std::vector<double>& measured, double noise) const {
-        std::vector<ModelPoints> models;
-        for (const auto& model : retraction_models()) {
-            ModelPoints points{model, {}};
-            for (std::size_t i = 0; i < pairs_.size(); ++i) {
-                const Estimate value{.value = measured[i], .standard_error = noise * measured[i]};
-                points.points.push_back(retraction_point(model, pairs_[i], {value, {}}));
-            }
-            models.push_back(std::move(points));
-        }
-        return models;
+    [[nodiscard]] static Ranking ranked(const std::vector<RankedPair>& pairs) {
+        return rank_models(retraction_models(), pairs);
     }
 
     [[nodiscard]] const std::vector<RetractionPair>& pairs() const { return pairs_; }
@@ -77,64 +70,93 @@ private:
     std::vector<RetractionPair> pairs_;
 };
 
-TEST(Ranking, PlantedLawComesOutFirstWithItsParameter) {
+TEST(Ranking, PlantedModelIsPossibleWithItsNumber) {
     const Study study;
     for (const auto& model : retraction_models()) {
         const double parameter = model.law == Law::fitted_pinning ? 0.9 : 0.06;
-        const auto ranking = study.ranked(study.planted(model, parameter, 0.01, 7), 0.01);
+        const auto ranking = study.ranked(study.planted(model, parameter, 0.01, 7));
         ASSERT_EQ(ranking.models.size(), retraction_models().size()) << model.name();
-        EXPECT_EQ(ranking.best()->fitted.model.name(), model.name());
+        const auto possible = ranking.possible();
+        const auto own = std::ranges::find_if(
+            possible, [&](const ModelScore* score) { return score->fitted.model == model; });
+        ASSERT_NE(own, possible.end()) << model.name() << " excluded, " << ranking.best()->fitted.model.name();
         if (model.fitted()) {
-            EXPECT_NEAR(ranking.best()->fitted.parameter.value / parameter, 1.0, 0.03) << model.name();
+            EXPECT_NEAR((*own)->fitted.parameter.value / parameter, 1.0, 0.05) << model.name();
         }
+        // what carries over from approach: W_int that went in
+        EXPECT_NEAR((*own)->work_of_adhesion.value, 0.037, 3.0 * (*own)->work_of_adhesion.standard_error + 0.0004)
+            << model.name();
         double sum = 0.0;
         for (const auto& score : ranking.models) sum += score.weight;
         EXPECT_NEAR(sum, 1.0, 1e-12);
     }
 }
 
-TEST(Ranking, WithMuchNoiseSeveralAreNotToldApart) {
+TEST(Ranking, RefusesAModelThatIsOffByAConstant) {
     const Study study;
-    const auto ranking = study.ranked(study.planted({Law::opening_work, Tip::none}, 0.06, 0.4, 3), 0.4);
-    EXPECT_GT(ranking.not_told_apart().size(), 1U);
-    EXPECT_EQ(ranking.not_told_apart().front(), &ranking.models.front());
-    for (const auto* score : ranking.not_told_apart())
-        EXPECT_GE(1.25 * score->surface_left_out, ranking.best()->surface_left_out);
+    auto pairs = study.planted({Law::reversible, Tip::none}, 0.0, 0.03, 9);
+    for (auto& pair : pairs) pair.measured.value.value += 0.06;
+    const auto ranking = rank_models({{Law::reversible, Tip::none}}, pairs);
+    ASSERT_EQ(ranking.models.size(), 1U);
+    EXPECT_TRUE(ranking.models[0].bias.refuses_model);
+    EXPECT_NEAR(ranking.models[0].bias.value.value, 0.06, 3.0 * ranking.models[0].bias.value.standard_error);
+    EXPECT_TRUE(ranking.all_refused());
 }
 
-TEST(LawTrials, PlantedLawsAreFoundOrNotToldApart) {
+TEST(Ranking, WithMuchNoiseSeveralCannotBeDistinguished) {
     const Study study;
-    constexpr double noise = 0.03;
-    auto models = study.models(study.planted({Law::opening_work, Tip::none}, 0.06, noise, 3), noise);
-    std::erase_if(models, [](const ModelPoints& of) {
-        return of.model.tip == Tip::reference || of.model.law == Law::pinning_by_bands ||
-               of.model.law == Law::fitted_pinning;
-    });
-    const auto ranking = rank_models(models);
-    const auto trials = law_trials(models, ranking, {.runs = 4, .seed = 5, .threads = {1}, .cancelled = nullptr});
-    ASSERT_FALSE(trials.empty());
-    int runs = 0, refused = 0;
-    for (const auto& law : trials) {
-        EXPECT_EQ(law.runs, 4);
-        EXPECT_EQ(law.found + law.not_told_apart + law.refused, law.runs) << law.planted.name();
-        runs += law.runs;
-        refused += law.refused;
+    const auto ranking = study.ranked(study.planted({Law::opening_work, Tip::none}, 0.06, 0.4, 3));
+    EXPECT_GT(ranking.possible().size(), 1U);
+}
+
+TEST(Ranking, IsTheSameForAnyNumberOfThreads) {
+    const Study study;
+    const auto pairs = study.planted({Law::opening_work, Tip::none}, 0.06, 0.05, 3);
+    const auto one = rank_models(retraction_models(), pairs, {}, {1}), two = rank_models(retraction_models(), pairs, {}, {2});
+    for (std::size_t i = 0; i < one.models.size(); ++i) {
+        EXPECT_EQ(one.models[i].fitted.model.name(), two.models[i].fitted.model.name());
+        EXPECT_EQ(one.models[i].odds_against.lower, two.models[i].odds_against.lower);
     }
-    EXPECT_LE(refused, runs / 10);
-    const auto again = law_trials(models, ranking, {.runs = 4, .seed = 5, .threads = {2}, .cancelled = nullptr});
+}
+
+TEST(Odds, AreClassedByTheirFivePerCentPoint) {
+    EXPECT_EQ((Odds{1000.0, 21.0, 1e6}.distinction()), Distinction::clearly_better);
+    EXPECT_EQ((Odds{1000.0, 19.0, 1e6}.distinction()), Distinction::better);
+    EXPECT_EQ((Odds{1000.0, 2.0, 1e6}.distinction()), Distinction::cannot_be_distinguished);
+    EXPECT_EQ((Odds{15.0, 21.0, 1e6}.distinction()), Distinction::better);
+    EXPECT_STREQ(name_of(Distinction::clearly_better), "clearly better");
+}
+
+TEST(LawTrials, PlantedModelsAreFoundOrPossible) {
+    const Study study;
+    const auto pairs = study.planted({Law::opening_work, Tip::none}, 0.06, 0.03, 3);
+    const std::vector<RetractionModel> models{{Law::reversible, Tip::none},
+                                              {Law::pinning, Tip::none},
+                                              {Law::conformal_loss, Tip::none},
+                                              {Law::opening_work, Tip::none}};
+    const auto ranking = rank_models(models, pairs);
+    const auto trials = law_trials(pairs, ranking, {}, {.runs = 2, .seed = 5, .threads = {1}, .cancelled = nullptr});
+    ASSERT_FALSE(trials.empty());
+    int runs = 0, excluded = 0;
+    for (const auto& law : trials) {
+        EXPECT_EQ(law.runs, 2);
+        EXPECT_EQ(law.found + law.possible + law.excluded, law.runs) << law.planted.name();
+        runs += law.runs;
+        excluded += law.excluded;
+    }
+    EXPECT_LE(excluded, runs / 10);
+    const auto again = law_trials(pairs, ranking, {}, {.runs = 2, .seed = 5, .threads = {2}, .cancelled = nullptr});
     for (std::size_t i = 0; i < trials.size(); ++i) EXPECT_EQ(trials[i].found, again[i].found);
 }
 
 TEST(Ranking, OfTooFewPairsSaysSo) {
     const Study study;
-    ModelPoints few{{Law::reversible, Tip::none}, {}};
-    for (std::size_t i = 0; i < 5; ++i)
-        few.points.push_back(
-            retraction_point(few.model, study.pairs()[i], {{.value = 0.05, .standard_error = 0.001}, {}}));
-    const auto ranking = rank_models({few});
+    auto pairs = study.planted({Law::reversible, Tip::none}, 0.0, 0.01, 1);
+    while (pairs.size() > 12) pairs.pop_back();  // of three surfaces
+    const auto ranking = rank_models({{Law::reversible, Tip::none}}, pairs);
     EXPECT_EQ(ranking.best(), nullptr);
     ASSERT_EQ(ranking.unranked.size(), 1U);
-    EXPECT_NE(ranking.unranked[0].reason.find("5 pairs on 2 surfaces"), std::string::npos)
+    EXPECT_NE(ranking.unranked[0].reason.find("12 pairs on 3 surfaces"), std::string::npos)
         << ranking.unranked[0].reason;
 }
 
@@ -212,7 +234,7 @@ TEST(RetractionPair, OfPartialContactIsThatOfTheContactThereIs) {
     EXPECT_NEAR(retraction_by(Law::reversible, 0.0, pair) / gain, 0.1985, 1e-9);
     EXPECT_NEAR(retraction_by(Law::opening_work, 0.08, pair), 0.08 * 0.56 * r, 1e-9);
     EXPECT_NEAR(retraction_by(Law::conformal_loss, 0.0, pair), 0.1985 * gain + 0.037 * 0.56 * r, 1e-9);
-    EXPECT_NEAR(retraction_by(Law::fitted_pinning, 0.7, pair), (0.1985 + 1.4 * (0.56 - 0.1985)) * gain, 1e-9);
+    EXPECT_NEAR(retraction_by(Law::fitted_pinning, 0.25, pair), (0.1985 + 0.25 * (0.56 - 0.1985)) * gain, 1e-9);
     // of patches the area is known to 0.0255: W_ret by the opening work to that share of it
     const auto opening =
         predicted_retraction({.model = {Law::opening_work, Tip::none}, .parameter = 0.08, .scatter = {}}, pair);
@@ -225,7 +247,7 @@ TEST(RetractionPair, OfFullContactIsThatOfTheSurface) {
         const double r = pair.rough.parameters.area_ratio(), gain = 0.037 * r - 0.025 * (r - 1.0);
         EXPECT_NEAR(retraction_by(Law::reversible, 0.0, pair), (1.0 - share) * gain, 1e-12) << share;
         EXPECT_NEAR(retraction_by(Law::opening_work, 0.08, pair), 0.08 * r, 1e-12) << share;
-        EXPECT_NEAR(retraction_by(Law::fitted_pinning, 0.7, pair), (1.0 - share + 1.4 * share) * gain, 1e-12) << share;
+        EXPECT_NEAR(retraction_by(Law::fitted_pinning, 0.7, pair), (1.0 - share + 0.7 * share) * gain, 1e-12) << share;
     }
 }
 

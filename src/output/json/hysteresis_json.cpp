@@ -8,6 +8,15 @@ namespace {
 using hysteresis::EnergyShares;
 using hysteresis::ModelScore;
 
+/// Odds for the likeliest model, with their 5 and 95 % points as data vary within their ±.
+Json odds_json(const hysteresis::Odds& odds) {
+    return {{"value", number(odds.value)},
+            {"lower", number(odds.lower)},
+            {"upper", number(odds.upper)},
+            {"level", 0.9},
+            {"distinction", hysteresis::name_of(odds.distinction())}};
+}
+
 Json scores_json(const hysteresis::Ranking& ranking) {
     Json models = Json::array(), unranked = Json::array();
     for (const auto& s : ranking.models) {
@@ -26,12 +35,28 @@ Json scores_json(const hysteresis::Ranking& ranking) {
         in_work("scatter", s.fitted.scatter.standard_error);
         json["log_likelihood"] = number(s.log_likelihood);
         json["log_likelihood_surface_left_out"] = number(s.left_out_log_likelihood);
+        json["log_likelihood_approach"] = number(s.left_out_approach);
+        json["log_likelihood_retraction"] = number(s.left_out_retraction);
         json["weight"] = number(s.weight);
+        json["odds_against"] = odds_json(s.odds_against);
+        json["constant"] = to_json(quantity("constant", "b", s.bias.value, "J/m2"));
+        json["constant_probability"] = number(s.bias.probability);
+        json["constant_odds"] = number(s.bias.odds_with_it);
+        json["refused"] = s.bias.refuses_model;
+        add(json, quantity("work_of_adhesion", "W_int", s.work_of_adhesion, "J/m2"));
         models.push_back(std::move(json));
     }
     for (const auto& u : ranking.unranked)
         unranked.push_back({{"model", u.model.name()}, {"formula", u.model.formula()}, {"reason", u.reason}});
-    return {{"models", std::move(models)}, {"unranked", std::move(unranked)}};
+    Json possible = Json::array();
+    for (const auto* score : ranking.possible()) possible.push_back(score->fitted.model.name());
+    const auto* best = ranking.best();
+    return {{"best", best ? Json(best->fitted.model.name()) : Json(nullptr)},
+            {"possible", std::move(possible)},
+            {"approach_without_pinning",
+             ranking.approach_against_pinning ? odds_json(*ranking.approach_against_pinning) : Json(nullptr)},
+            {"models", std::move(models)},
+            {"unranked", std::move(unranked)}};
 }
 
 Json shares_json(const EnergyShares& shares) {
@@ -162,8 +187,8 @@ Json to_json(const study::Hysteresis& h) {
             json["trials"].push_back({{"planted", law.planted.name()},
                                       {"runs", law.runs},
                                       {"found", law.found},
-                                      {"not_told_apart", law.not_told_apart},
-                                      {"refused", law.refused}});
+                                      {"possible", law.possible},
+                                      {"excluded", law.excluded}});
     }
     json["pairs"] = Json::array();
     for (const auto& p : h.pairs) json["pairs"].push_back(pair_json(p));

@@ -69,19 +69,30 @@ std::string parameter_text(const ModelScore& score) {
     return fmt::format("{} = {}", parameter.symbol, fitted_number(score));
 }
 
+/// "opening_work (21 mJ/m² off)"
+std::string with_miss(const ModelScore& score) {
+    return fmt::format("{} ({} off)", score.fitted.model.name(), work(score.surface_left_out));
+}
+
+/// What is left of a ranking: the likeliest model, those that cannot be excluded beside it, and those that a constant
+/// refuses.
 std::string best_sentence(const NamedRanking& of) {
     const auto& best = *of.ranking.best();
     const auto parameter = parameter_text(best);
-    auto text = fmt::format(
-        "W_ret of {}: {} says it best, W_ret = {}{}, {} rms off, {} on a surface that was not fitted", of.words,
-        best.fitted.model.name(), best.fitted.model.formula(), parameter.empty() ? "" : " with " + parameter,
-        work(best.rms_residual), work(best.surface_left_out));
-    std::vector<std::string> alike;
-    for (const auto* score : of.ranking.not_told_apart())
-        if (score != &best)
-            alike.push_back(fmt::format("{} ({} off)", score->fitted.model.name(), work(score->surface_left_out)));
-    return text + (alike.empty() ? "; every other law is told apart from it"
-                                 : fmt::format("; not told apart from it: {}", fmt::join(alike, ", ")));
+    auto text = fmt::format("W_ret of {}: {}{}, W_ret = {}{}, misses a surface that was not fitted by {}", of.words,
+                            of.ranking.all_refused() ? "every model is off by a constant, least so " : "likeliest is ",
+                            best.fitted.model.name(), best.fitted.model.formula(),
+                            parameter.empty() ? "" : " with " + parameter, work(best.surface_left_out));
+    std::vector<std::string> possible, refused;
+    for (const auto* score : of.ranking.possible())
+        if (score != &best) possible.push_back(with_miss(*score));
+    for (const auto& score : of.ranking.models)
+        if (score.bias.refuses_model) refused.push_back(score.fitted.model.name());
+    text += possible.empty() ? "; it is clearly better than every other model"
+                             : fmt::format("; not excluded beside it: {}", fmt::join(possible, ", "));
+    if (!refused.empty() && !of.ranking.all_refused())
+        text += fmt::format("; off by a constant on all pairs, and refused: {}", fmt::join(refused, ", "));
+    return text;
 }
 
 std::string deciding_sentence(const study::DecidingPair& pair) {
@@ -97,20 +108,40 @@ std::string deciding_sentence(const study::DecidingPair& pair) {
                        there, rests);
 }
 
-std::string odds_text(const Ranking& ranking, const ModelScore& score) {
-    const double odds = ranking.models.front().weight / score.weight;
-    return odds < 1e4 ? fmt::format("{:.2g} : 1", odds) : std::string("> 10⁴ : 1");
+/// One digit, at most "> 10⁴": no more is known of odds.
+std::string odds_number(double odds) {
+    if (odds > 1e4) return "> 10⁴";
+    if (odds < 1.0) return "< 1";
+    const double unit = std::pow(10.0, std::floor(std::log10(odds)));
+    return fmt::format("{:.0f}", std::round(odds / unit) * unit);
+}
+
+std::string odds_text(const hysteresis::Odds& odds) {
+    return fmt::format("{} [{}, {}]", odds_number(odds.value), odds_number(odds.lower), odds_number(odds.upper));
+}
+
+/// What the ranking says of a model against the likeliest.
+std::string verdict_cell(const Ranking& ranking, const ModelScore& score) {
+    if (score.bias.refuses_model)
+        return fmt::format("off by {}", uncertain_number(score.bias.value, milli));
+    if (&score == ranking.best()) return "likeliest";
+    switch (score.odds_against.distinction()) {
+        case hysteresis::Distinction::clearly_better: return "clearly worse";
+        case hysteresis::Distinction::better: return "worse";
+        case hysteresis::Distinction::cannot_be_distinguished: return "as good";
+    }
+    return "";
 }
 
 /// Models for a reader, what cannot be judged below the others.
 TidyTable shown_models(const NamedRanking& of) {
-    TidyTable table{fmt::format("laws of W_ret, {}", of.words),
-                    {"law", "fitted [mJ/m²]", "off [mJ/m²]", "next surface", "odds against"},
+    TidyTable table{fmt::format("models of W_ret, {}", of.words),
+                    {"model", "fitted [mJ/m²]", "off [mJ/m²]", "odds against", "which is"},
                     {}};
     const auto in_milli = [](double value) { return fmt::format("{:.1f}", value / milli); };
     for (const auto& s : of.ranking.models)
-        table.rows.push_back({s.fitted.model.name(), parameter_cell(s), in_milli(s.rms_residual),
-                              in_milli(s.surface_left_out), odds_text(of.ranking, s)});
+        table.rows.push_back({s.fitted.model.name(), parameter_cell(s), in_milli(s.surface_left_out),
+                              odds_text(s.odds_against), verdict_cell(of.ranking, s)});
     for (const auto& u : of.ranking.unranked)
         table.rows.push_back({u.model.name(), u.reason, std::string(), std::string(), std::string()});
     return table;
@@ -188,11 +219,11 @@ TidyTable shown_trials(const study::Hysteresis& h) {
     TidyTable table{
         fmt::format("each law planted {} times with every ± as it is: what measurements like these would say",
                     h.trials.front().runs),
-        {"planted", "found", "not told apart", "refused", "most often in its place"},
+        {"planted", "found", "possible", "excluded", "most often in its place"},
         {}};
     for (const auto& law : h.trials)
-        table.rows.push_back({law.planted.name(), fmt::format("{}", law.found), fmt::format("{}", law.not_told_apart),
-                              fmt::format("{}", law.refused), law.most_taken});
+        table.rows.push_back({law.planted.name(), fmt::format("{}", law.found), fmt::format("{}", law.possible),
+                              fmt::format("{}", law.excluded), law.most_taken});
     return table;
 }
 
@@ -328,7 +359,9 @@ TidyTable model_table(const study::Hysteresis& h) {
         "",
         {"ranking", "model", "formula", "parameter", "unit", "value", "standard_error", "rms residual [J/m2]",
          "rms residual surface left out [J/m2]", "rms residual elastomer left out [J/m2]", "log_likelihood",
-         "log_likelihood surface left out", "weight"},
+         "log_likelihood surface left out", "weight", "odds against", "odds against 5 %", "odds against 95 %",
+         "distinction", "constant [J/m2]", "standard_error constant [J/m2]", "p constant", "refused",
+         "W_int [J/m2]", "standard_error W_int [J/m2]"},
         {}};
     for (const auto& of : rankings_of(h))
         for (const auto& s : of.ranking.models) {
@@ -339,18 +372,24 @@ TidyTable model_table(const study::Hysteresis& h) {
                                              parameter.unit};
             add_value(row, fitted ? s.fitted.parameter.estimate() : unknown);
             for (const double value : {s.rms_residual, s.surface_left_out, s.elastomer_left_out, s.log_likelihood,
-                                       s.left_out_log_likelihood, s.weight})
+                                       s.left_out_log_likelihood, s.weight, s.odds_against.value,
+                                       s.odds_against.lower, s.odds_against.upper})
                 row.emplace_back(value);
+            row.emplace_back(std::string(hysteresis::name_of(s.odds_against.distinction())));
+            add_value(row, s.bias.value);
+            row.emplace_back(s.bias.probability);
+            row.emplace_back(std::string(s.bias.refuses_model ? "yes" : "no"));
+            add_value(row, s.work_of_adhesion);
             table.rows.push_back(std::move(row));
         }
     return table;
 }
 
 TidyTable trial_table(const study::Hysteresis& h) {
-    TidyTable table{"", {"planted", "runs", "found", "not told apart", "refused", "most often in its place"}, {}};
+    TidyTable table{"", {"planted", "runs", "found", "possible", "excluded", "most often in its place"}, {}};
     for (const auto& law : h.trials)
-        table.rows.push_back({law.planted.name(), double(law.runs), double(law.found), double(law.not_told_apart),
-                              double(law.refused), law.most_taken});
+        table.rows.push_back({law.planted.name(), double(law.runs), double(law.found), double(law.possible),
+                              double(law.excluded), law.most_taken});
     return table;
 }
 

@@ -38,18 +38,21 @@ std::string sentence_of_loss(const StudyResult& result) {
                        may_be_zero(apart) ? "consistent" : fmt::format("{} apart", format_uncertain(apart, "J/m2")));
 }
 
-/// The law that says W_ret of all measured pairs best; empty where none was ranked.
+/// The model that is likeliest by all measured pairs; empty where none was ranked.
 std::string sentence_of_way_back(const study::Hysteresis& h) {
     const auto* best = h.all.best();
     if (!best) return "";
     const auto& model = best->fitted.model;
     const auto fitted =
         model.fitted() ? fmt::format(", {} {}", model.parameter().symbol, fitted_number(*best)) : std::string();
-    const auto alike = h.all.not_told_apart().size() - 1;
-    return fmt::format(
-        "On the way back W_ret = {}{}: {} off on surfaces not fitted ({}, {}).", model.formula(), fitted,
-        format_value(best->surface_left_out, "J/m2", 2), pairs_text(h.measured_pairs),
-        alike > 0 ? fmt::format("{} not told apart", counted(alike, "other law", "other laws")) : "no other law does as well");
+    const auto others = h.all.possible().size() - 1;
+    const std::string beside =
+        h.all.all_refused() ? "every model is off by a constant"
+        : others > 0        ? fmt::format("{} not excluded", counted(others, "other model", "other models"))
+                            : "clearly better than every other model";
+    return fmt::format("On the way back the likeliest model is W_ret = {}{}: {} off on surfaces not fitted ({}, {}).",
+                       model.formula(), fitted, format_value(best->surface_left_out, "J/m2", 2),
+                       pairs_text(h.measured_pairs), beside);
 }
 
 /// What measured and predicted works of adhesion say together; empty where nothing was measured.

@@ -21,8 +21,8 @@ namespace {
 
 using hysteresis::FittedModel;
 using hysteresis::Law;
-using hysteresis::ModelPoints;
 using hysteresis::ModelScore;
+using hysteresis::RankedPair;
 using hysteresis::Ranking;
 using hysteresis::RetractionModel;
 using hysteresis::RetractionPair;
@@ -57,25 +57,17 @@ public:
         decide();
         if (trials) {
             const bool conforming = found_.conforming.best() != nullptr;
-            found_.trials = hysteresis::law_trials(models_of(by_last_points(conforming)).points,
-                                                   conforming ? found_.conforming : found_.all, *trials);
+            found_.trials = hysteresis::law_trials(seen_by(by_last_points(conforming)),
+                                                   conforming ? found_.conforming : found_.all,
+                                                   result_.study.work_of_adhesion, *trials);
         }
         return std::move(found_);
     }
 
 private:
-    /// Laws with the pairs they are ranked by; those that lack something, and what.
-    struct Models {
-        std::vector<ModelPoints> points;
-        std::vector<hysteresis::UnrankedModel> lacking;
-    };
-    /// A pair as a ranking sees it, and what was measured; nothing of pairs that it leaves out.
-    struct Seen {
-        const RetractionPair* pair = nullptr;
-        hysteresis::MeasuredRetraction measured;
-    };
-    using View = std::function<std::optional<Seen>(const PreparedPair&)>;
-    [[nodiscard]] Models models_of(const View& view) const;
+    /// A pair as a ranking sees it; nothing of pairs that it leaves out.
+    using View = std::function<std::optional<RankedPair>(const PreparedPair&)>;
+    [[nodiscard]] std::vector<RankedPair> seen_by(const View& view) const;
     [[nodiscard]] Ranking ranking(const View& view) const;
     /// Pairs by the last points of their retraction, all or those that conform.
     [[nodiscard]] static View by_last_points(bool conforming_alone);
@@ -84,7 +76,7 @@ private:
     [[nodiscard]] PairHysteresis of(const PreparedPair& pair);
     [[nodiscard]] std::vector<ModelWork> works_of(const PreparedPair& pair, const Ranking& ranking) const;
     void decompose();
-    [[nodiscard]] bool told_apart_by_all(const ModelScore& best, const ModelScore& other) const;
+    [[nodiscard]] bool excluded_by_all(const ModelScore& best, const ModelScore& other) const;
     void decide();
 
     const StudyResult& result_;
@@ -95,46 +87,33 @@ private:
     Hysteresis found_;
 };
 
-HysteresisOf::Models HysteresisOf::models_of(const View& view) const {
-    std::vector<Tip> tips{Tip::none, Tip::reference};
-    if (std::ranges::any_of(found_.elastomers, [](const auto& times) { return static_cast<bool>(times.edge); }))
-        tips.push_back(Tip::speed);
-    Models models;
-    for (const auto& model : hysteresis::retraction_models(tips)) {
-        ModelPoints points{model, {}};
-        std::string reason;
-        for (const auto& pair : pairs_) {
-            const auto seen = view(pair);
-            if (!seen) continue;
-            if (reason.empty()) reason = seen->pair->lacks(model);
-            if (reason.empty())
-                points.points.push_back(hysteresis::retraction_point(model, *seen->pair, seen->measured));
-        }
-        if (reason.empty()) models.points.push_back(std::move(points));
-        else models.lacking.push_back({model, reason});
-    }
-    return models;
+std::vector<RankedPair> HysteresisOf::seen_by(const View& view) const {
+    std::vector<RankedPair> seen;
+    for (const auto& pair : pairs_)
+        if (auto ranked = view(pair)) seen.push_back(std::move(*ranked));
+    return seen;
 }
 
 Ranking HysteresisOf::ranking(const View& view) const {
-    const auto models = models_of(view);
-    auto ranking = hysteresis::rank_models(models.points, threads_);
-    ranking.unranked.insert(ranking.unranked.end(), models.lacking.begin(), models.lacking.end());
-    return ranking;
+    std::vector<Tip> tips{Tip::none, Tip::reference};
+    if (std::ranges::any_of(found_.elastomers, [](const auto& times) { return static_cast<bool>(times.edge); }))
+        tips.push_back(Tip::speed);
+    return hysteresis::rank_models(hysteresis::retraction_models(tips), seen_by(view), result_.study.work_of_adhesion,
+                                   threads_);
 }
 
 HysteresisOf::View HysteresisOf::by_last_points(bool conforming_alone) {
-    return [=](const PreparedPair& pair) -> std::optional<Seen> {
+    return [=](const PreparedPair& pair) -> std::optional<RankedPair> {
         if (!pair.ranked() || (conforming_alone && !pair.conforms())) return std::nullopt;
-        return Seen{&*pair.as_measured, {*pair.retraction(), pair.retraction_inputs()}};
+        return RankedPair{*pair.as_measured, {*pair.retraction(), pair.retraction_inputs()}};
     };
 }
 
 void HysteresisOf::rank_by_area() {
     for (const auto& pair : pairs_) found_.pairs_by_area += pair.of_area ? 1 : 0;
-    found_.by_area = ranking([](const PreparedPair& pair) -> std::optional<Seen> {
+    found_.by_area = ranking([](const PreparedPair& pair) -> std::optional<RankedPair> {
         if (!pair.of_area) return std::nullopt;
-        return Seen{&*pair.by_area, *pair.of_area};
+        return RankedPair{*pair.by_area, *pair.of_area};
     });
 }
 
@@ -182,7 +161,8 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     laws_.push_back({pair, fitted, scatter, found.choice != ModelChoice::assumed});
     found.model = fitted.model;
     found.contact_fraction = pair.measured.contact.area_fraction;
-    found.work_approach = *pair.measured.partial_contact;
+    found.work_approach = fitted.work_of_adhesion ? hysteresis::predicted_approach(fitted, roughness)
+                                                  : *pair.measured.partial_contact;
     found.work_retraction = hysteresis::predicted_retraction(fitted, roughness);
     if (roughness.radius)
         found.pull_off_force = setae::propagated([](const std::vector<double>& in) { return 1.5 * pi * in[0] * in[1]; },
@@ -214,22 +194,22 @@ TracedValue difference_of(FittedModel one, FittedModel other, const RetractionPa
     return {first.value - second.value, combined({{1.0, first.components}, {-1.0, second.components}})};
 }
 
-/// Whether the ranking of all pairs has the same best law and tells the other from it.
-bool HysteresisOf::told_apart_by_all(const ModelScore& best, const ModelScore& other) const {
+/// Whether the ranking of all pairs has the same best model and excludes the other.
+bool HysteresisOf::excluded_by_all(const ModelScore& best, const ModelScore& other) const {
     const auto* of_all = found_.all.best();
     if (!of_all || of_all->fitted.model != best.fitted.model) return false;
-    return std::ranges::none_of(found_.all.not_told_apart(),
+    return std::ranges::none_of(found_.all.possible(),
                                 [&](const ModelScore* score) { return score->fitted.model == other.fitted.model; });
 }
 
-/// Of the best law and the likeliest that is not told apart from it, the pair on which they differ most, in standard
+/// Of the best model and the likeliest other that is possible, the pair on which they differ most, in standard
 /// errors of what is predicted there.
 void HysteresisOf::decide() {
     const bool by_conforming = found_.conforming.best() != nullptr;
     const auto& ranking = by_conforming ? found_.conforming : found_.all;
     const ModelScore *best = ranking.best(), *other_law = nullptr;
-    for (const auto* score : ranking.not_told_apart())
-        if (score != best && !other_law && !told_apart_by_all(*best, *score)) other_law = score;
+    for (const auto* score : ranking.possible())
+        if (score != best && !other_law && !excluded_by_all(*best, *score)) other_law = score;
     if (!best || !other_law) return;
     const auto &first = *best, &second = *other_law;
     for (const auto& pair : pairs_) {

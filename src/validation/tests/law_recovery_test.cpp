@@ -71,17 +71,17 @@ TEST(LawRecovery, CountsWhatBecameOfALaw) {
     for (auto& one : list) one.planted = "pinning";
     list[0].found = "pinning";
     list[1].found = list[2].found = "reversible";
-    list[1].not_told_apart = true;
+    list[1].possible = true;
     list[3].planted = list[3].found = "reversible";
     const auto rows = summary(list);
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].runs, 3);
     EXPECT_EQ(rows[0].found, 1);
-    EXPECT_EQ(rows[0].not_told_apart, 1);
-    EXPECT_EQ(rows[0].refused, 1);
+    EXPECT_EQ(rows[0].possible, 1);
+    EXPECT_EQ(rows[0].excluded, 1);
     EXPECT_EQ(rows[0].most_taken, "reversible");
     EXPECT_TRUE(std::isnan(rows[0].parameter));
-    EXPECT_EQ(rows[1].refused, 0);
+    EXPECT_EQ(rows[1].excluded, 0);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,23 +19,29 @@ struct TrialOptions {
     const std::atomic<bool>* cancelled = nullptr;
 };
 
-/// What became of a law that was planted.
+/// What became of a model that was planted.
 struct LawTrials {
     RetractionModel planted;
     int runs = 0;
     int found = 0;           ///< it is Ranking::best()
-    int not_told_apart = 0;  ///< it is not, but is not told apart from the likeliest
-    int refused = 0;         ///< it is told apart as wrong
-    std::string most_taken;  ///< the other law that was best most often; empty where there was none
+    int possible = 0;        ///< it is not, but is not excluded
+    int excluded = 0;        ///< another is clearly better, or a constant refuses it
+    std::string most_taken;  ///< the other model that was best most often; empty where there was none
 };
 
-/// Whether measurements like these could tell the laws apart.
+/// Both works of adhesion of pairs as a model would have them measured: inputs drawn within their ±, scatter of pairs,
+/// surfaces and elastomers of both branches, own noise.
+[[nodiscard]] std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, const ModelScore& score,
+                                                    std::uint64_t seed);
+
+/// Whether measurements like these could tell the models apart.
 ///
-/// Every law of a ranking is planted on its pairs with its θ, the scatter of the best law, and everything else drawn
-/// with the ± it has; then all laws are ranked by what would have been measured. A law whose θ is 0 is another one, and
-/// left out. Same numbers for a seed and any number of threads.
+/// Every model of a ranking is planted on its pairs with its θ and its W_int, the scatter of the best one, and
+/// everything else drawn with the ± it has; then all are ranked by what would have been measured. A model whose θ is 0
+/// is another one, and left out. Same numbers for a seed and any number of threads.
 /// @throws InvalidArgument for runs < 1; Cancelled where the options say so.
-[[nodiscard]] std::vector<LawTrials> law_trials(const std::vector<ModelPoints>& models, const Ranking& ranking,
+[[nodiscard]] std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
+                                                const std::optional<Estimate>& known_work,
                                                 const TrialOptions& options);
 
 }  // namespace setae::hysteresis

@@ -11,22 +11,52 @@
 
 namespace setae::hysteresis {
 
-/// A model and all pairs as it sees them.
-struct ModelPoints {
-    RetractionModel model;
-    std::vector<adhesion::PairPoint> points;
+/// A pair with both works of adhesion measured: W_app is its `approach`.
+struct RankedPair {
+    RetractionPair pair;
+    MeasuredRetraction measured;
 };
 
-/// How well a model says what was measured.
+/// How surely one model is likelier than another, by the 5 % point of their odds (the odds themselves where they are
+/// lower): above 20, above 3, or neither.
+enum class Distinction { cannot_be_distinguished, better, clearly_better };
+
+/// "clearly better", "better", "cannot be distinguished".
+[[nodiscard]] const char* name_of(Distinction distinction);
+
+/// The odds for one model against another.
+struct Odds {
+    double value = 1.0;               ///< exp of the difference of ln L, which may be infinite
+    double lower = 1.0, upper = 1.0;  ///< 5 and 95 % points as the data vary within their own ±
+
+    [[nodiscard]] Distinction distinction() const;
+};
+inline constexpr double clearly_better_odds = 20.0, better_odds = 3.0;
+
+/// A constant that W_ret of all pairs is off by, beside the scatter of pairs, surfaces and elastomers.
+struct ConstantBias {
+    Estimate value;                ///< [J/m²]
+    double probability = 1.0;      ///< of one at least as far from 0 where there is none
+    double odds_with_it = 1.0;     ///< for the model with a free constant, on surfaces left out
+    bool refuses_model = false;    ///< probability < 0.005; or odds above 10 and probability < 0.05
+};
+
+/// How well a model says what was measured on both branches.
 struct ModelScore {
     FittedModel fitted;
-    adhesion::GeneralisedFit fit;
-    double rms_residual = 0.0;    ///< measured − model, every pair alike [J/m²]
-    double log_likelihood = 0.0;  ///< of all measured values together, at θ and the scatter: ln density [(J/m²)^−n]
-    double left_out_log_likelihood = 0.0;  ///< of each surface by the fit to the others: adhesion::leave_out()
-    double weight = 0.0;                   ///< ∝ exp(left_out_log_likelihood), over all ranked models
-    double surface_left_out = 0.0, elastomer_left_out = 0.0;  ///< rms residual of those that the fit has not seen
-                                                              ///< [J/m²]; NaN where there is but one
+    adhesion::GeneralisedFit fit;  ///< of the model's number to W_ret
+    double rms_residual = 0.0;     ///< of W_ret, measured − model, every pair alike [J/m²]
+    double log_likelihood = 0.0;   ///< of all measured W_ret together, at θ and the scatter: ln density [(J/m²)^−n]
+    /// Of each surface by the fit to the others, both branches and each alone: ln density [(J/m²)^−n].
+    double left_out_log_likelihood = 0.0, left_out_approach = 0.0, left_out_retraction = 0.0;
+    double weight = 0.0;           ///< ∝ exp(left_out_log_likelihood), over all ranked models
+    Odds odds_against;             ///< for the likeliest model that no constant refuses
+    ConstantBias bias;
+    Estimate work_of_adhesion;     ///< W_int by both branches [J/m²]
+    Estimate approach_work;        ///< W_int by approach alone [J/m²]
+    adhesion::ModelScatter approach_scatter;  ///< of W_app, as the posterior has it
+    double surface_left_out = 0.0, elastomer_left_out = 0.0;  ///< rms residual of W_ret of those that the fit has not
+                                                              ///< seen [J/m²]; NaN where there is but one
     std::vector<adhesion::LeftOutPrediction> left_out;
 };
 
@@ -36,31 +66,37 @@ struct UnrankedModel {
     std::string reason;
 };
 
-/// Odds above which a model is told apart as wrong. With four surfaces one in ten laws that were planted is refused at
-/// 20 : 1; docs/measured/laws.md.
-inline constexpr double told_apart_odds = 50.0;
-
 /// Models, that first which says best of each surface what the others let expect.
 struct Ranking {
     std::vector<ModelScore> models;
     std::vector<UnrankedModel> unranked;
+    /// For a common W_app = g W without what pins an edge, against the same with it, on approach of surfaces left out.
+    std::optional<Odds> approach_against_pinning;
 
-    /// Of the models that are not told apart, the one that misses a surface it has not seen least, one without θ before
-    /// one with it unless it misses by a quarter more; nothing without models.
+    /// The likeliest model that no constant refuses. A fitted model whose number may be 0 gives way to the one that it
+    /// then is. The likeliest of all where every model is refused; nothing without models.
     [[nodiscard]] const ModelScore* best() const;
-    /// Models against which the odds for the likeliest are at most told_apart_odds : 1, the likeliest first.
-    [[nodiscard]] std::vector<const ModelScore*> not_told_apart() const;
+    /// Models that are not excluded: no constant refuses them, and the likeliest of these is not clearly better. The
+    /// likeliest first; all of them where every model is refused.
+    [[nodiscard]] std::vector<const ModelScore*> possible() const;
+    /// Whether a constant refuses every model.
+    [[nodiscard]] bool all_refused() const;
 };
 
-/// Pairs and surfaces below which no model is judged.
-inline constexpr std::size_t fewest_ranked_pairs = 6, fewest_ranked_surfaces = 3;
+/// Pairs and surfaces below which no model is judged: of three surfaces two remain where one is left out, and their
+/// scatter hides anything.
+inline constexpr std::size_t fewest_ranked_pairs = 6, fewest_ranked_surfaces = 4;
 
-/// θ by generalised least squares with the scatter of pairs, surfaces and elastomers (adhesion::fit_generalised(); the
-/// scatter alone where there is no θ, or where θ would be below 0), then every surface and every elastomer predicted by
-/// the others. A law with a parameter pays for it there: what it is fitted to is not what it is judged by.
+/// Both branches of every surface predicted by the others. W_int, the model's number and all inputs are fitted anew
+/// without the surface, scatter of pairs, surfaces and elastomers is integrated out with a half-Cauchy prior
+/// (adhesion::MarginalScatter), and a model with a number pays for it there: what it is fitted to is not what it is
+/// judged by. The model's number as it is used is that of generalised least squares of W_ret.
 ///
-/// All models are to have the same pairs. Same numbers for any number of threads. Source: Geisser, Eddy, J. Am. Stat.
-/// Assoc. 74 (1979) 153; Yao, Vehtari, Simpson, Gelman, Bayesian Anal. 13 (2018) 917 (weights).
-[[nodiscard]] Ranking rank_models(const std::vector<ModelPoints>& models, parallel::Threads threads = {});
+/// known_work: W_int where the study states it; else it is found with each model.
+/// Models that lack something of a pair are unranked. Same numbers for any number of threads. Calibration:
+/// docs/measured/ranking.md. Source: Geisser, Eddy, J. Am. Stat. Assoc. 74 (1979) 153; Gelman, Bayesian Anal. 1 (2006)
+/// 515 (scatter); Yao, Vehtari, Simpson, Gelman, Bayesian Anal. 13 (2018) 917 (weights).
+[[nodiscard]] Ranking rank_models(const std::vector<RetractionModel>& models, const std::vector<RankedPair>& pairs,
+                                  const std::optional<Estimate>& known_work = {}, parallel::Threads threads = {});
 
 }  // namespace setae::hysteresis

@@ -86,4 +86,13 @@ struct RetractionLine {
 [[nodiscard]] RetractionLine retraction_line(const RetractionModel& model, const PairState& state,
                                              const std::vector<double>& band_shares);
 
+/// What the model takes off W_app [J/m²]: an edge that roughness holds is held on its way in, too.
+///
+///   W_app = g W − k U_el/A
+///
+/// 0 of models without pinning. parameter: θ, of fitted_pinning k. Source: simulated fronts,
+/// docs/measured/crack-front.md.
+[[nodiscard]] double pinned_on_approach(const RetractionModel& model, const PairState& state,
+                                        const std::vector<double>& band_shares, double parameter);
+
 }  // namespace setae::hysteresis

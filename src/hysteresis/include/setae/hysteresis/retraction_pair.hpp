@@ -61,8 +61,13 @@ struct FittedModel {
     TracedValue parameter;  ///< θ; 0 without one
     Estimate scatter;       ///< of the next pair on a new surface and elastomer: value 0, ± [J/m²]
     std::optional<TracedValue>
+        work_of_adhesion{};  ///< W_int by a model with a part in W_app; without it the pair's [J/m²]
+    std::optional<TracedValue>
         shared_scatter{};  ///< in its place: effects of the pair, its surface and elastomer [J/m²]
 };
+
+/// W_app [J/m²] of a pair by a model, from roughness alone: of the contact that there is, what pins the edge taken off.
+[[nodiscard]] TracedValue predicted_approach(const FittedModel& fitted, const RetractionPair& pair);
 
 /// W_ret [J/m²] of a pair by a model, at least W_app, the scatter among its errors.
 [[nodiscard]] TracedValue predicted_retraction(const FittedModel& fitted, const RetractionPair& pair);

@@ -27,7 +27,7 @@ struct LawRecoveryOptions {
 struct LawRecovery {
     std::string planted, found;  ///< names of laws; `found` is what the ranking takes
     std::uint64_t seed = 0;
-    bool not_told_apart = false;  ///< another was found, from which the planted one is not told apart
+    bool possible = false;  ///< another was found, and the planted one is not excluded
     double parameter_planted = std::numeric_limits<double>::quiet_NaN();  ///< W_x [J/m²], of laws that have it
     double parameter = std::numeric_limits<double>::quiet_NaN();          ///< of the planted law, as it was fitted
     double parameter_standard_error = std::numeric_limits<double>::quiet_NaN();
@@ -63,7 +63,7 @@ struct LawRecoveries {
 /// Of one law over its runs.
 struct LawSummary {
     std::string planted;
-    int runs = 0, found = 0, not_told_apart = 0, refused = 0;
+    int runs = 0, found = 0, possible = 0, excluded = 0;
     double parameter_planted = 0.0, parameter = 0.0, parameter_standard_error = 0.0;  ///< means [J/m²]; NaN without one
     double surface_left_out = 0.0;                                                    ///< mean [J/m²]
     std::string most_taken;  ///< of others that were found; empty where none was

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pair_functions.hpp"
+#include "setae/hysteresis/ranking.hpp"
+
+namespace setae::hysteresis {
+
+enum class Branch { approach, retraction };
+
+/// What is known of everything that a model's predictions rest on: mean and covariance, in standard errors.
+struct Knowledge {
+    Eigen::VectorXd mean;
+    Eigen::MatrixXd covariance;
+};
+
+/// measured − predicted of one branch, a straight line in the inputs x about where they are:
+///
+///   y − f = residual − J (x − mean)
+struct BranchLines {
+    Eigen::VectorXd residual;         ///< at the mean of what is known [J/m²]
+    Eigen::MatrixXd jacobian;         ///< pairs × inputs [J/m²]
+    Eigen::VectorXd own_variance;     ///< of noise that no other value shares [J²/m⁴]
+    Eigen::VectorXd by_approach;      ///< ∂ predicted/∂ W_app as measured
+    Eigen::MatrixXd covariance_with;  ///< of all inputs with J x: K Jᵀ
+    Eigen::MatrixXd covariance;       ///< J K Jᵀ and the own noise
+};
+
+/// Both works of adhesion of all pairs by one model, as functions of W_int, of the model's number and of all inputs.
+///
+///   W_app = g W − K,   W_ret = φ (W_app as measured + x), or φ W_x α r
+///
+/// Numbers above 0 vary in their logarithms. Retraction is told W_app as it was measured, so that an error of the
+/// balance of approach does not count twice.
+class BothBranches {
+public:
+    /// Before the inputs of the pairs: ln W_int, the model's number, and a constant beside W_ret.
+    enum Shared : Index { work, number, constant, shared_count };
+
+    /// known_work: W_int where it is not to be found from the pairs.
+    BothBranches(const RetractionModel& model, const std::vector<RankedPair>& pairs,
+                 const std::optional<Estimate>& known_work);
+
+    [[nodiscard]] Index size() const { return static_cast<Index>(pairs_.size()); }
+    /// Before any pair has been measured. with_constant: whether W_ret may be off by one constant of all pairs.
+    [[nodiscard]] Knowledge prior(bool with_constant) const;
+    /// Of the pairs' branch about x. own_variance has that of W_app in that of W_ret.
+    [[nodiscard]] BranchLines lines_at(Branch branch, const Eigen::VectorXd& x, const Knowledge& known) const;
+    /// approach_error: of W_app as measured [J/m²], which retraction is told.
+    [[nodiscard]] double predicted(Branch branch, Index pair, const Eigen::VectorXd& x,
+                                   double approach_error = 0.0) const;
+    [[nodiscard]] const Eigen::VectorXd& measured(Branch branch) const {
+        return branch == Branch::approach ? approach_ : retraction_;
+    }
+    /// Standard errors of the own noise [J/m²].
+    [[nodiscard]] const Eigen::VectorXd& noise(Branch branch) const {
+        return branch == Branch::approach ? approach_noise_ : retraction_noise_;
+    }
+    /// Of what is known of the shared ones: W_int [J/m²], the model's number [its unit], the constant [J/m²].
+    [[nodiscard]] Estimate value_of(Shared input, const Knowledge& known) const;
+    /// Where a number of the model and W_int are what they are said to be.
+    [[nodiscard]] Eigen::VectorXd at(double work_of_adhesion, double parameter) const;
+    /// The same inputs drawn by standard normal numbers, one a direction that they have.
+    [[nodiscard]] Eigen::VectorXd drawn(const Eigen::VectorXd& normal) const { return factor_ * normal; }
+    [[nodiscard]] Index directions() const { return factor_.cols(); }
+
+private:
+    /// Numbers of one pair that its predictions rest on, in their order.
+    enum Number : Index {
+        area_ratio,
+        energy,
+        modulus,
+        surface_energy,
+        measured_approach,
+        measured_retraction,
+        tip,
+        pinning,
+        patches,
+        radius,
+        contact_area,
+        stiffness,
+        number_count
+    };
+    struct Pair {
+        PairFunctions by_roughness;  ///< without W_app as measured
+        PairFunctions functions;
+        PairFunctions::Inputs values;
+        Roughness rough;
+        double deviations[number_count];
+    };
+    [[nodiscard]] Index first_of(Index pair) const { return shared_count + pair * number_count; }
+    [[nodiscard]] double moved(Index pair, Number number, double value, const Eigen::VectorXd& x) const;
+
+    RetractionModel model_;
+    std::vector<RetractionPair> without_approach_;
+    std::vector<Pair> pairs_;
+    Eigen::VectorXd approach_, retraction_, approach_noise_, retraction_noise_;
+    Eigen::MatrixXd factor_;  ///< of the covariance of all inputs, the shared ones left out
+    Estimate work_, number_;  ///< priors
+    double constant_ = 0.0;   ///< standard error of the prior
+};
+
+}  // namespace setae::hysteresis

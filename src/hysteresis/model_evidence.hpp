@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "both_branches.hpp"
+#include "setae/adhesion/left_out.hpp"
+
+namespace setae::hysteresis {
+
+/// Half-Cauchy scales of the scatter of both branches [J/m²], the same for all models that are compared.
+struct ScatterScales {
+    double approach = 0.0, retraction = 0.0;
+};
+
+/// What one model says of pairs that it has not seen.
+struct LeftOutEvidence {
+    /// ln density of what was measured on each surface, by all others, summed over surfaces [(J/m²)^−n]: of both
+    /// branches. First of the data, then of the data with each column of noise added.
+    Eigen::VectorXd approach, retraction;
+    std::vector<adhesion::LeftOutPrediction> predictions;  ///< of W_ret
+
+    [[nodiscard]] Eigen::VectorXd both() const { return approach + retraction; }
+};
+
+/// What all pairs together say of a model.
+struct WholeEvidence {
+    Estimate work_of_adhesion;    ///< W_int by both branches [J/m²]
+    Estimate approach_work;       ///< W_int by approach alone [J/m²]
+    adhesion::ModelScatter approach_scatter;
+    Estimate constant;            ///< what W_ret is off by on all pairs alike [J/m²], where it is free
+    double constant_tail = 1.0;   ///< probability of a constant at least as far from 0 if there were none
+    double rms_approach = 0.0, rms_retraction = 0.0;  ///< measured − predicted there, every pair alike [J/m²]
+};
+
+/// Noise that measured values might have had besides, one column a draw: of W_app and of W_ret [J/m²].
+struct DrawnNoise {
+    Eigen::MatrixXd approach, retraction;
+};
+
+/// Leaves out every surface (group = surface) or every elastomer, and predicts both branches of its pairs by a fit of
+/// W_int, of the model's number and of all inputs to the others, scatter integrated out.
+///
+///   ln L = Σ_surfaces Σ_branches ln m(all) − ln m(others)
+///
+/// m: marginal density of the residuals by adhesion::MarginalScatter, at inputs where the others put them.
+[[nodiscard]] LeftOutEvidence left_out_evidence(const BothBranches& model, const std::vector<RankedPair>& pairs,
+                                                const ScatterScales& scales, bool by_surface, bool with_constant,
+                                                const DrawnNoise& noise);
+
+[[nodiscard]] WholeEvidence whole_evidence(const BothBranches& model, const std::vector<RankedPair>& pairs,
+                                           const ScatterScales& scales, bool with_constant);
+
+}  // namespace setae::hysteresis

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pair_functions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "setae/core/constants.hpp"
+#include "setae/hysteresis/pinning_law.hpp"
+#include "setae/numerics/bracketing.hpp"
+
+namespace setae::hysteresis {
+namespace {
+
+/// Of the area, so that laws have a contact to speak of where simulated patches have next to none.
+constexpr double least_contact = 1e-6;
+
+}  // namespace
+
+ViscousBody viscous_body(const RetractionModel& model, const EdgeSpeed& edge, std::span<const double> terms) {
+    ViscousBody body;
+    if (model.tip == Tip::speed) body.edge = edge;
+    for (std::size_t i = 0; i < terms.size(); i += 2)
+        body.relaxation.push_back({std::max(0.0, terms[i]), terms[i + 1]});
+    return body;
+}
+
+PairFunctions::PairFunctions(const RetractionPair& pair) : pair_(pair) {
+    const auto or_zero = [](const std::optional<TracedValue>& value) { return value.value_or(TracedValue()); };
+    inputs_.resize(input_count);
+    inputs_[contact_modulus] = pair.soft.contact_modulus;
+    inputs_[surface_energy] = pair.soft.surface_energy;
+    inputs_[work_of_adhesion] = pair.work_of_adhesion;
+    inputs_[approach] = or_zero(pair.approach);
+    inputs_[tip_factor] = pair.tip_factor.value_or(TracedValue(1.0));
+    inputs_[radius] = or_zero(pair.radius);
+    inputs_[contact_area] = or_zero(pair.contact_area);
+    inputs_[machine_stiffness] = or_zero(pair.machine_stiffness);
+    inputs_[speed_factor_input] = pair.speed_factor ? pair.speed_factor->factor : TracedValue(1.0);
+    if (pair.edge_speed) {
+        inputs_[reference_speed] = pair.edge_speed->reference_speed;
+        inputs_[exponent] = pair.edge_speed->exponent;
+        inputs_[rest_factor] = pair.edge_speed->rest_factor;
+    }
+    for (const auto& term : pair.relaxation) {
+        inputs_.push_back(term.share);
+        inputs_.push_back(term.time);
+    }
+    const Estimate factor{.value = 1.0, .standard_error = pinning_uncertainty(pair.energy_share())};
+    inputs_[pinning_factor] = {factor, simulated_pinning_input};
+    inputs_[patches] = {Estimate{.value = 0.0, .standard_error = 1.0}, adhesion::simulated_patches_input};
+}
+
+void PairFunctions::set(const FittedModel& fitted) {
+    inputs_[parameter] = fitted.parameter;
+    if (fitted.work_of_adhesion) inputs_[work_of_adhesion] = *fitted.work_of_adhesion;
+    inputs_[scatter] = fitted.shared_scatter.value_or(TracedValue(
+        fitted.scatter,
+        adhesion::own_noise_name("pairs about " + fitted.model.name(), pair_.rough.name, pair_.soft.name)));
+}
+
+PairFunctions::Inputs PairFunctions::values() const {
+    Inputs values;
+    for (const auto& input : inputs_) values.push_back(input.value);
+    return values;
+}
+
+PairState PairFunctions::contact_state(const Roughness& rough, const Inputs& in) const {
+    PairState state{.area_ratio = rough.area_ratio,
+                    .stored_energy = in[contact_modulus] * rough.elastic_energy_per_modulus,
+                    .work_of_adhesion = in[work_of_adhesion],
+                    .surface_energy = in[surface_energy],
+                    .work_approach = 0.0,
+                    .tip_factor = 1.0,
+                    .pinning_factor = in[pinning_factor],
+                    .jumps_per_area = 0.0};
+    const double gain = state.conforming_gain();
+    const auto contact = adhesion::unloaded_contact(state.stored_energy / gain);
+    const double gained = contact.gain + in[patches] * contact.gain_error;
+    state.contact_fraction = std::clamp(contact.area_fraction + in[patches] * contact.area_error, least_contact, 1.0);
+    // a contact gains its share of W less what it stores
+    state.stored_energy = std::max(0.0, state.contact_fraction - gained) * gain;
+    state.work_approach = gained * gain;
+    return state;
+}
+
+double PairFunctions::predicted_approach(const RetractionModel& model, const Roughness& rough,
+                                         const Inputs& in) const {
+    const auto at = contact_state(rough, in);
+    return std::max(0.0, at.work_approach - pinned_on_approach(model, at, pair_.band_shares, in[parameter]));
+}
+
+PairState PairFunctions::state(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
+    auto at = contact_state(rough, in);
+    at.work_approach =
+        pair_.approach ? std::max(0.0, in[approach]) : predicted_approach(model, rough, in);
+    if (model.tip != Tip::none) at.tip_factor = in[model.tip == Tip::speed ? speed_factor_input : tip_factor];
+    const bool counts_jumps = model.law == Law::conformal_loss || model.law == Law::fitted_conformal_loss;
+    if (counts_jumps) at.jumps_per_area = jumps_per_area(at, in);
+    return at;
+}
+
+RetractionLine PairFunctions::line(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
+    auto at = state(model, rough, in);
+    if (model.tip == Tip::speed) at.tip_factor = pair_.speed_factor->at_reading(at.tip_factor);
+    return retraction_line(model, at, pair_.band_shares);
+}
+
+double PairFunctions::work_retraction(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
+    const auto at = state(model, rough, in);
+    const auto line = retraction_line(model, at, pair_.band_shares);
+    double work = line.slope * in[parameter] + line.constant;
+    if (model.tip == Tip::speed) work = at_speed(work / at.tip_factor, at.tip_factor);
+    return std::max(at.work_approach, work + in[scatter]);
+}
+
+/// What roughness asks for times the factor of the speed at which the edge then recedes.
+double PairFunctions::at_speed(double of_roughness, double factor_as_read) const {
+    return of_roughness * pair_.speed_factor->at(factor_as_read, of_roughness);
+}
+
+double PairFunctions::work_at_rest(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
+    const double work = work_retraction(model, rough, in);
+    if (model.tip != Tip::speed) return work;
+    const auto at = state(model, rough, in);
+    const auto line = retraction_line(model, at, pair_.band_shares);
+    const double of_roughness = (line.slope * in[parameter] + line.constant) / at.tip_factor;
+    return in[rest_factor] * work / pair_.speed_factor->at(at.tip_factor, of_roughness);
+}
+
+HystereticSphere PairFunctions::sphere(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
+    const double least = 1e-6 * in[work_of_adhesion];  // of W_app, for derivatives of a pair that hardly conforms
+    HystereticSphere sphere{in[radius], in[contact_modulus], std::max(least, state(model, rough, in).work_approach),
+                            0.0};
+    sphere.work_retraction = std::max(sphere.work_approach, work_at_rest(model, rough, in));
+    return sphere;
+}
+
+ViscousBody PairFunctions::body(const RetractionModel& model) const {
+    const auto in = values();
+    const auto terms = pair_.drive ? std::span(in).subspan(input_count) : std::span<const double>();
+    return viscous_body(model, {in[reference_speed], in[exponent]}, terms);
+}
+
+/// Of (10): the edge loses W_int A_true/A of the contact less these, which depend on W_ret themselves.
+double PairFunctions::jumps_per_area(const PairState& state, const Inputs& in) const {
+    const bool known = pair_.radius && (pair_.contact_area || pair_.pressing);
+    if (!known || !(state.work_approach > 0.0)) return 0.0;
+    HystereticSphere sphere{in[radius], in[contact_modulus], state.work_approach, 0.0};
+    const auto pressed = pressing(sphere.approach(), in);
+    const double lost = state.work_of_adhesion * state.true_contact();
+    const double largest = contact::jkr::contact_radius_at_force(pressed.maximum_force, sphere.approach()),
+                 area = pi * largest * largest;
+    const auto jumps_at = [&](double edge_loss) {
+        sphere.work_retraction = state.work_approach + edge_loss;
+        return jump_loss(sphere, pressed) / area;
+    };
+    if (jumps_at(0.0) >= lost) return lost;
+    constexpr int bits = 30;
+    return lost - numerics::bracketed_root([&](double edge_loss) { return edge_loss + jumps_at(edge_loss) - lost; },
+                                           0.0, lost, bits);
+}
+
+/// Of both jumps [J]: closed forms under fixed grips.
+double PairFunctions::jump_loss(const HystereticSphere& sphere, const Pressing& pressing) {
+    if (std::isinf(pressing.machine_stiffness))
+        return contact::jkr::ideal_loop_loss(sphere.approach()).jump_in +
+               contact::jkr::ideal_loop_loss(sphere.retraction()).jump_out;
+    const auto loop = sphere_loop(sphere, pressing);
+    return loop.jump_in_loss + loop.jump_out_loss;
+}
+
+}  // namespace setae::hysteresis

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "setae/adhesion/partial_contact.hpp"
+#include "setae/contact/jkr.hpp"
+#include "setae/hysteresis/retraction_pair.hpp"
+
+namespace setae::hysteresis {
+
+/// What a surface is to a contact: true area and energy in full contact.
+struct Roughness {
+    double area_ratio = 1.0;                  ///< r
+    double elastic_energy_per_modulus = 0.0;  ///< U_el/(A E*) [m]
+
+    Roughness(double ratio, double energy) : area_ratio(ratio), elastic_energy_per_modulus(energy) {}
+    explicit Roughness(const roughness::SpectralParameters& p)
+        : area_ratio(p.area_ratio()), elastic_energy_per_modulus(p.elastic_energy_per_modulus) {}
+};
+
+/// What time does to loops of a model, terms of the relaxation as share and time after each other.
+[[nodiscard]] ViscousBody viscous_body(const RetractionModel& model, const EdgeSpeed& edge,
+                                       std::span<const double> terms);
+
+/// Numbers of a pair as functions of its inputs.
+class PairFunctions {
+public:
+    /// Inputs of a pair beside its spectrum, in their order.
+    enum Input : std::size_t {
+        contact_modulus,
+        surface_energy,
+        work_of_adhesion,
+        approach,
+        tip_factor,
+        pinning_factor,
+        patches,
+        parameter,
+        scatter,
+        radius,
+        contact_area,
+        machine_stiffness,
+        speed_factor_input,
+        reference_speed,
+        exponent,
+        rest_factor,
+        input_count  // behind them share and time of each term of the relaxation
+    };
+    using Inputs = std::vector<double>;  ///< their values
+
+    explicit PairFunctions(const RetractionPair& pair);
+
+    void set(const FittedModel& fitted);
+
+    /// A function of roughness and inputs with all that it rests on.
+    template <class Function>
+    [[nodiscard]] TracedValue traced(const Function& function) const {
+        return adhesion::traced_function(pair_.rough, inputs_,
+                                         [&](const roughness::SpectralParameters& p, const Inputs& in) {
+                                             return function(Roughness(p), in);
+                                         });
+    }
+
+    /// The contact that the model comes to without load; of a tip φ where W_ret was read.
+    [[nodiscard]] PairState state(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
+    /// W_app [J/m²] of that contact, what pins the edge taken off; >= 0.
+    [[nodiscard]] double predicted_approach(const RetractionModel& model, const Roughness& rough,
+                                            const Inputs& in) const;
+    [[nodiscard]] RetractionLine line(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
+    [[nodiscard]] double work_retraction(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
+    /// W_ret at rest: what the edge of the loop needs before its speed adds to it.
+    [[nodiscard]] double work_at_rest(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
+    [[nodiscard]] HystereticSphere sphere(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
+
+    /// Of the inputs' values.
+    [[nodiscard]] HystereticSphere sphere(const RetractionModel& model) const {
+        return sphere(model, Roughness(pair_.rough.parameters), values());
+    }
+    [[nodiscard]] Pressing pressing(const contact::jkr::Contact& contact) const { return pressing(contact, values()); }
+    [[nodiscard]] Pressing pressing(const contact::jkr::Contact& contact, const Inputs& in) const {
+        return pair_.pressed(contact, in[contact_area], in[machine_stiffness]);
+    }
+
+    /// What time does to the loop by a model.
+    [[nodiscard]] ViscousBody body(const RetractionModel& model) const;
+
+    /// What a smooth edge at rest needs over W_app by a model.
+    [[nodiscard]] static double resting_factor(const RetractionModel& model, const Inputs& in) {
+        if (model.tip == Tip::none) return 1.0;
+        return in[model.tip == Tip::speed ? rest_factor : tip_factor];
+    }
+
+    [[nodiscard]] const std::vector<TracedValue>& inputs() const { return inputs_; }
+    [[nodiscard]] Inputs values() const;
+
+private:
+    [[nodiscard]] PairState contact_state(const Roughness& rough, const Inputs& in) const;
+    [[nodiscard]] double at_speed(double of_roughness, double factor_as_read) const;
+    [[nodiscard]] double jumps_per_area(const PairState& state, const Inputs& in) const;
+    [[nodiscard]] static double jump_loss(const HystereticSphere& sphere, const Pressing& pressing);
+
+    const RetractionPair& pair_;
+    std::vector<TracedValue> inputs_;
+};
+
+}  // namespace setae::hysteresis
