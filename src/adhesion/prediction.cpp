@@ -55,6 +55,19 @@ PairPoint point_without_area_change(const RoughSide& rough, const SoftSide& soft
     return point(rough, soft, by_slopes, 0.0);
 }
 
+PairPoint reference_scaled_point(PairPoint modified, const TracedValue& reference) {
+    modified.slope_inputs =
+        combined({{reference.value, modified.slope_inputs}, {modified.slope, reference.components}});
+    modified.slope *= reference.value;
+    return modified;
+}
+
+PairPoint pinned_point(PairPoint modified, const PairPoint& gained, double k) {
+    modified.offset_inputs = combined({{1.0 + k, modified.offset_inputs}, {-k, gained.offset_inputs}});
+    modified.offset += k * (modified.offset - gained.offset);
+    return modified;
+}
+
 Prediction predict(const RoughSide& rough, const SoftSide& soft, const TracedValue& work) {
     Prediction prediction{.area_ratio = rough.parameters.area_ratio()};
     const auto& modulus = soft.contact_modulus;

@@ -17,22 +17,6 @@ double median_of(VectorXd values) {
     return values[values.size() / 2];
 }
 
-/// Noise that no other value shares, and the rest.
-struct SplitValue {
-    double noise = 0.0;
-    Components shared;
-};
-
-SplitValue split(const TracedValue& value) {
-    SplitValue result;
-    double variance = 0.0;
-    for (const auto& [name, component] : value.components)
-        if (name.starts_with(adhesion::own_noise_of)) variance += component.variance();
-        else result.shared.emplace(name, component);
-    result.noise = std::sqrt(variance);
-    return result;
-}
-
 /// Stretching may not cost more than conforming gains while inputs are looked for.
 double bounded_surface_energy(double surface_energy, double work, double area_ratio) {
     constexpr double most = 0.999;
@@ -42,26 +26,33 @@ double bounded_surface_energy(double surface_energy, double work, double area_ra
 }  // namespace
 
 BothBranches::BothBranches(const RetractionModel& model, const std::vector<RankedPair>& pairs,
-                           const std::optional<Estimate>& known_work)
+                           const std::optional<Estimate>& known_work, WorkOfElastomers works)
     : model_(model) {
     const auto n = static_cast<Index>(pairs.size());
     for (auto* vector : {&approach_, &retraction_, &approach_noise_, &retraction_noise_}) vector->resize(n);
     without_approach_.reserve(pairs.size());
+    const bool by_reference = works == WorkOfElastomers::by_reference;
+    double mean_reference = 0.0;
+    if (by_reference)
+        for (const auto& [pair, approach, retraction] : pairs) {
+            if (!pair.reference_work)
+                throw InvalidArgument("no smooth reference on " + pair.soft.name + " to take W_int in proportion to");
+            mean_reference += pair.reference_work->value / static_cast<double>(n);
+        }
     std::vector<Components> held;
     held.reserve(static_cast<std::size_t>(n * number_count));
     for (Index i = 0; i < n; ++i) {
-        const auto& [pair, measured] = pairs[static_cast<std::size_t>(i)];
+        const auto& [pair, approach, retraction] = pairs[static_cast<std::size_t>(i)];
         if (!pair.approach) throw InternalError("a ranked pair without a measured work of adhesion on approach");
         auto& without = without_approach_.emplace_back(pair);
         without.approach.reset();
-        pairs_.push_back({PairFunctions(without), PairFunctions(pair), {}, Roughness(pair.rough.parameters), {}});
+        pairs_.push_back({PairFunctions(without), PairFunctions(pair), {}, Roughness(pair.rough.parameters), {}, 1.0});
         auto& own = pairs_.back();
         own.values = own.functions.values();
-        const auto approach = split(*pair.approach);
-        approach_[i] = pair.approach->value;
-        approach_noise_[i] = approach.noise;
-        retraction_[i] = measured.value.value;
-        retraction_noise_[i] = std::sqrt(measured.value.variance());
+        approach_[i] = approach.value.value;
+        approach_noise_[i] = std::sqrt(approach.value.variance());
+        retraction_[i] = retraction.value.value;
+        retraction_noise_[i] = std::sqrt(retraction.value.variance());
         const auto& in = own.functions.inputs();
         using F = PairFunctions;
         const bool by_speed = model.tip == Tip::speed;
@@ -73,14 +64,19 @@ BothBranches::BothBranches(const RetractionModel& model, const std::vector<Ranke
         of[energy] = &stored.components;
         of[modulus] = &in[F::contact_modulus].components;
         of[surface_energy] = &in[F::surface_energy].components;
-        of[measured_approach] = &approach.shared;
-        of[measured_retraction] = &measured.inputs;
+        of[measured_approach] = &approach.inputs;
+        of[measured_retraction] = &retraction.inputs;
         of[tip] = &in[by_speed ? F::speed_factor_input : F::tip_factor].components;
         of[pinning] = &in[F::pinning_factor].components;
         of[patches] = &in[F::patches].components;
         of[radius] = &in[F::radius].components;
         of[contact_area] = &in[F::contact_area].components;
         of[stiffness] = &in[F::machine_stiffness].components;
+        TracedValue relative(1.0);
+        if (by_reference) relative = {pair.reference_work->value / mean_reference,
+                                      combined({{1.0 / mean_reference, pair.reference_work->components}})};
+        own.reference_work = relative.value;
+        of[reference] = &relative.components;
         for (Index k = 0; k < number_count; ++k) {
             own.deviations[k] = std::sqrt(covariance(*of[k], *of[k]));
             held.push_back(*of[k]);
@@ -154,7 +150,8 @@ double BothBranches::predicted(Branch branch, Index i, const VectorXd& x, double
     set(F::radius, radius);
     set(F::contact_area, contact_area);
     set(F::machine_stiffness, stiffness);
-    in[F::work_of_adhesion] = work_.value * std::exp(work_.standard_error * x[work]);
+    in[F::work_of_adhesion] = moved(i, reference, own.reference_work, x) * work_.value *
+                              std::exp(work_.standard_error * x[work]);
     in[F::surface_energy] = bounded_surface_energy(in[F::surface_energy], in[F::work_of_adhesion], rough.area_ratio);
     in[F::parameter] = model_.fitted() ? number_.value + number_.standard_error * x[number] : 0.0;
     // what was measured is off by the errors of its inputs: the truth is the measured value less these

@@ -13,6 +13,9 @@ namespace setae::hysteresis {
 
 enum class Branch { approach, retraction };
 
+/// W_int of the elastomers: one of all, or in proportion to W_app of the smooth reference on the same elastomer.
+enum class WorkOfElastomers { common, by_reference };
+
 /// What is known of everything that a model's predictions rest on: mean and covariance, in standard errors.
 struct Knowledge {
     Eigen::VectorXd mean;
@@ -42,9 +45,10 @@ public:
     /// Before the inputs of the pairs: ln W_int, the model's number, and a constant beside W_ret.
     enum Shared : Index { work, number, constant, shared_count };
 
-    /// known_work: W_int where it is not to be found from the pairs.
+    /// known_work: W_int where it is not to be found from the pairs. works: by_reference needs a reference of every
+    /// pair; W_int is then that of a pair whose reference is as their mean.
     BothBranches(const RetractionModel& model, const std::vector<RankedPair>& pairs,
-                 const std::optional<Estimate>& known_work);
+                 const std::optional<Estimate>& known_work, WorkOfElastomers works = WorkOfElastomers::common);
 
     [[nodiscard]] Index size() const { return static_cast<Index>(pairs_.size()); }
     /// Before any pair has been measured. with_constant: whether W_ret may be off by one constant of all pairs.
@@ -84,6 +88,7 @@ private:
         radius,
         contact_area,
         stiffness,
+        reference,
         number_count
     };
     struct Pair {
@@ -92,6 +97,7 @@ private:
         PairFunctions::Inputs values;
         Roughness rough;
         double deviations[number_count];
+        double reference_work = 1.0;  ///< W_app of the reference over the mean of all; 1 where W_int is common
     };
     [[nodiscard]] Index first_of(Index pair) const { return shared_count + pair * number_count; }
     [[nodiscard]] double moved(Index pair, Number number, double value, const Eigen::VectorXd& x) const;

@@ -94,12 +94,12 @@ std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, cons
         auto& pair = planted[static_cast<std::size_t>(i)];
         const double work = before.predicted(Branch::approach, i, truth) + on_approach.of(pair);
         errors.push_back(before.noise(Branch::approach)[i] * noise_of_approach[i]);
-        pair.pair.approach->value = std::max(0.0, work + errors.back());
+        pair.approach.value.value = pair.pair.approach->value = std::max(0.0, work + errors.back());
     }
     const BothBranches after(model, planted, {});
     for (Index i = 0; i < n; ++i) {
         auto& pair = planted[static_cast<std::size_t>(i)];
-        pair.measured.value.value = after.predicted(Branch::retraction, i, truth, -errors[static_cast<std::size_t>(i)]) +
+        pair.retraction.value.value = after.predicted(Branch::retraction, i, truth, -errors[static_cast<std::size_t>(i)]) +
                                     on_retraction.of(pair) +
                                     after.noise(Branch::retraction)[i] * noise_of_retraction[i];
     }

@@ -93,7 +93,7 @@ MatrixXd columns(const VectorXd& residual, const MatrixXd& noise) {
 
 adhesion::LeftOutPrediction prediction_of(const BothBranches& model, const std::vector<RankedPair>& pairs, Index i,
                                           const Step& learnt, bool by_surface) {
-    const auto& [pair, measured] = pairs[static_cast<std::size_t>(i)];
+    const auto& [pair, approach, measured] = pairs[static_cast<std::size_t>(i)];
     const auto lines = model.lines_at(Branch::retraction, learnt.known.mean, learnt.known);
     const auto& s = learnt.scatter;
     const double inputs = lines.covariance(i, i) - lines.own_variance[i],

@@ -82,7 +82,9 @@ public:
         find_scales();
         each([this](Judged& of) { leave_out(of); });
         vary();
-        return sorted();
+        auto ranking = sorted();
+        ranking.proportional_work = proportional_work(ranking);
+        return ranking;
     }
 
 private:
@@ -105,7 +107,7 @@ private:
         auto& score = of.score;
         const auto& model = score.fitted.model;
         std::vector<PairPoint> points;
-        for (const auto& [pair, measured] : pairs_) {
+        for (const auto& [pair, approach, measured] : pairs_) {
             if (auto reason = pair.lacks(model); !reason.empty()) {
                 of.reason = std::move(reason);
                 return;
@@ -128,9 +130,9 @@ private:
     [[nodiscard]] ScatterScales widest_scales() const {
         constexpr double of_median = 0.2;
         std::vector<double> approach, retraction;
-        for (const auto& [pair, measured] : pairs_) {
-            approach.push_back(std::abs(pair.approach->value));
-            retraction.push_back(std::abs(measured.value.value));
+        for (const auto& pair : pairs_) {
+            approach.push_back(std::abs(pair.approach.value.value));
+            retraction.push_back(std::abs(pair.retraction.value.value));
         }
         const auto median = [](std::vector<double>& values) {
             std::ranges::sort(values);
@@ -192,25 +194,29 @@ private:
 
     /// The same with noise added to the data, of models that are not far behind.
     void vary() {
-        constexpr Index draws = 100;
         constexpr double far = 25.0;  // in ln L: no noise brings them back
         double most = -std::numeric_limits<double>::infinity();
         for (const auto& of : judged_)
             if (of.ok()) most = std::max(most, of.log_likelihood[0]);
-        const auto n = static_cast<Index>(pairs_.size());
-        const auto normal = [n](std::uint64_t stream) -> MatrixXd {
-            return numerics::normal_numbers({1, stream}, 0, n * draws).matrix().reshaped(n, draws);
-        };
         each([&](Judged& of) {
             const auto& model = of.score.fitted.model;
             const bool compared = model.tip == Tip::none && (model.law == Law::reversible || model.law == Law::pinning);
             if (of.log_likelihood[0] < most - far && !compared) return;  // against_pinning() compares these
-            const DrawnNoise noise{of.model->noise(Branch::approach).asDiagonal() * normal(0),
-                                   of.model->noise(Branch::retraction).asDiagonal() * normal(1)};
-            const auto varied = left_out_evidence(*of.model, pairs_, scales_, true, false, noise);
+            const auto varied = left_out_evidence(*of.model, pairs_, scales_, true, false, drawn_noise(*of.model));
             of.log_likelihood = varied.both();
             of.approach = varied.approach;
         });
+    }
+
+    /// Noise that the pairs' own ± allows, the same for every model.
+    static DrawnNoise drawn_noise(const BothBranches& model) {
+        constexpr Index draws = 100;
+        const auto n = model.size();
+        const auto normal = [n](std::uint64_t stream) -> MatrixXd {
+            return numerics::normal_numbers({1, stream}, 0, n * draws).matrix().reshaped(n, draws);
+        };
+        return {model.noise(Branch::approach).asDiagonal() * normal(0),
+                model.noise(Branch::retraction).asDiagonal() * normal(1)};
     }
 
     /// 5 and 95 % points of exp(one − other).
@@ -257,6 +263,28 @@ private:
         ranking.approach_against_pinning = against_pinning(ranked);
         for (auto* of : ranked) ranking.models.push_back(std::move(of->score));
         return ranking;
+    }
+
+    /// The likeliest model with W_int of each elastomer in proportion to its reference, against one W_int.
+    [[nodiscard]] std::optional<ProportionalWork> proportional_work(const Ranking& ranking) const {
+        const auto* best = ranking.best();
+        std::set<std::string> elastomers;
+        for (const auto& of : pairs_) {
+            if (!of.pair.reference_work) return std::nullopt;
+            elastomers.insert(of.pair.soft.name);
+        }
+        if (!best || known_work_ || elastomers.size() < 2) return std::nullopt;
+        const auto& model = best->fitted.model;
+        const BothBranches common(model, pairs_, {}),
+            by_reference(model, pairs_, {}, WorkOfElastomers::by_reference);
+        const auto noise = drawn_noise(common);
+        const auto evidence = [&](const BothBranches& of, bool by_surface) {
+            return left_out_evidence(of, pairs_, scales_, by_surface, false, noise);
+        };
+        const auto one = evidence(common, true), other = evidence(by_reference, true);
+        return ProportionalWork{odds_of(other.approach, one.approach),
+                                odds_of(evidence(by_reference, false).approach, evidence(common, false).approach),
+                                odds_of(other.both(), one.both())};
     }
 
     /// Of approach alone: `reversible` and `pinning` differ by what pins.

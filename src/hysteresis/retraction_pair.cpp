@@ -126,7 +126,7 @@ std::string RetractionPair::lacks(const RetractionModel& model) const {
 }
 
 PairPoint retraction_point(const RetractionModel& model, const RetractionPair& pair,
-                           const MeasuredRetraction& measured) {
+                           const MeasuredWork& measured) {
     const PairFunctions functions(pair);
     PairPoint point;
     point.surface = pair.rough.name;

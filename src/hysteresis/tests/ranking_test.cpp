@@ -51,9 +51,10 @@ public:
             const auto measured = [&](double exact) {
                 return Estimate{.value = exact * (1.0 + noise * normal(random)), .standard_error = noise * exact};
             };
-            pair.approach = TracedValue(measured(approach),
-                                        adhesion::own_noise_name("W_app", pair.rough.name, pair.soft.name));
-            planted.push_back({pair, {measured(retraction), {}}});
+            const auto of_approach = measured(approach);
+            pair.approach =
+                TracedValue(of_approach, adhesion::own_noise_name("W_app", pair.rough.name, pair.soft.name));
+            planted.push_back({pair, {of_approach, {}}, {measured(retraction), {}}});
         }
         return planted;
     }
@@ -95,7 +96,7 @@ TEST(Ranking, PlantedModelIsPossibleWithItsNumber) {
 TEST(Ranking, RefusesAModelThatIsOffByAConstant) {
     const Study study;
     auto pairs = study.planted({Law::reversible, Tip::none}, 0.0, 0.03, 9);
-    for (auto& pair : pairs) pair.measured.value.value += 0.06;
+    for (auto& pair : pairs) pair.retraction.value.value += 0.06;
     const auto ranking = rank_models({{Law::reversible, Tip::none}}, pairs);
     ASSERT_EQ(ranking.models.size(), 1U);
     EXPECT_TRUE(ranking.models[0].bias.refuses_model);

@@ -17,6 +17,13 @@ Json odds_json(const hysteresis::Odds& odds) {
             {"distinction", hysteresis::name_of(odds.distinction())}};
 }
 
+/// W_int of elastomers in proportion to their references, against one.
+Json proportional_json(const hysteresis::ProportionalWork& of) {
+    return {{"surfaces_left_out", odds_json(of.surfaces_left_out)},
+            {"elastomers_left_out", odds_json(of.elastomers_left_out)},
+            {"both_branches", odds_json(of.both_branches)}};
+}
+
 Json scores_json(const hysteresis::Ranking& ranking) {
     Json models = Json::array(), unranked = Json::array();
     for (const auto& s : ranking.models) {
@@ -55,6 +62,7 @@ Json scores_json(const hysteresis::Ranking& ranking) {
             {"possible", std::move(possible)},
             {"approach_without_pinning",
              ranking.approach_against_pinning ? odds_json(*ranking.approach_against_pinning) : Json(nullptr)},
+            {"proportional_work", ranking.proportional_work ? proportional_json(*ranking.proportional_work) : Json(nullptr)},
             {"models", std::move(models)},
             {"unranked", std::move(unranked)}};
 }

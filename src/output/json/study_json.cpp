@@ -195,6 +195,17 @@ Json interface_json(const adhesion::StrainedInterfaceFit& fit) {
     return json;
 }
 
+/// W_int,e = c W_app of the reference on e.
+Json reference_scaled_json(const adhesion::WorkFit& fit) {
+    Json json;
+    add(json, quantity("reference_factor", "c", fit.stated(), "1"));
+    json["least_squares"] = to_json(quantity("reference_factor", "c", fit.work_of_adhesion, "1"));
+    json["generalised"] = to_json(quantity("reference_factor", "c", fit.generalised.estimate(), "1"));
+    add(json, quantity("r_squared", "R2", fit.r_squared, "1"));
+    json["n"] = fit.n;
+    return json;
+}
+
 Json fits_json(const study::Conclusions& result) {
     Json json;
     add_outcome(json, "modified", result.modified,
@@ -206,6 +217,7 @@ Json fits_json(const study::Conclusions& result) {
     add_outcome(json, "loop", result.loop, loop_fits_json);
     add_outcome(json, "free_energies", result.free_energies, free_json);
     add_outcome(json, "strained_interface", result.strained_interface, interface_json);
+    add_outcome(json, "reference_scaled", result.reference_scaled, reference_scaled_json);
     return json;
 }
 

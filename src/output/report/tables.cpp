@@ -578,6 +578,9 @@ DataTable balances(const StudyResult& result, const Json&) {
             const auto& b = compared[i];
             table.rows.push_back({TextCell{b.balance == "free_energies"        ? "(7), *U*_el free"
                                            : b.balance == "strained_interface" ? "(7), *χ* fitted"
+                                           : b.balance == "reference_scaled"   ? "(7), *W*_int by reference"
+                                           : b.balance == "pinned_1"           ? "(7) with 2 *U*_el"
+                                           : b.balance == "pinned_2"           ? "(7) with 3 *U*_el"
                                                                                : balance_name(b.balance)},
                                   TextCell{spectra},
                                   b.shortest_wavelength > 0.0 ? Cell(quantity("shortest_wavelength")) : TextCell{"–"},

@@ -19,12 +19,13 @@ struct NamedBalance {
     const char* label;
 };
 
-constexpr std::array<NamedBalance, 6> balances{{{"modified", "(7)"},
+constexpr std::array<NamedBalance, 7> balances{{{"modified", "(7)"},
                                                 {"without_area_change", "(2)"},
                                                 {"persson_tosatti", "(S13)"},
                                                 {"strained_interface", "(7), χ fitted"},
                                                 {"free_energies", "(7), U free"},
-                                                {"partial_contact", "(7), partial"}}};
+                                                {"partial_contact", "(7), partial"},
+                                                {"reference_scaled", "(7), W_int by reference"}}};
 
 /// One balance along a choice, in the order of that choice.
 template <class ChoiceOf, class ValueOf>

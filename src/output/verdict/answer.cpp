@@ -55,6 +55,23 @@ std::string sentence_of_way_back(const study::Hysteresis& h) {
                        pairs_text(h.measured_pairs), beside);
 }
 
+/// Where W_int in proportion to the smooth references says the approach better than one W_int.
+std::string sentence_of_references(const StudyResult& result) {
+    const auto& scaled = result.reference_scaled;
+    if (!scaled || !result.modified || !result.hysteresis) return "";
+    const auto& compared = result.hysteresis->all.proportional_work;
+    using hysteresis::Distinction;
+    if (!compared || !(compared->elastomers_left_out.value > hysteresis::better_odds)) return "";
+    const auto surely = compared->elastomers_left_out.distinction();
+    const bool both = compared->both_branches.distinction() != Distinction::cannot_be_distinguished;
+    return fmt::format(
+        "W_int of each elastomer in proportion to its smooth reference describes approach with R² {:.2f} instead of "
+        "{:.2f}; on elastomers left out it is {}, on both branches {} (found on the same pairs).",
+        scaled->r_squared, result.modified->r_squared,
+        surely == Distinction::cannot_be_distinguished ? "likelier, but not surely" : hysteresis::name_of(surely),
+        both ? hysteresis::name_of(compared->both_branches.distinction()) : "the two cannot be distinguished");
+}
+
 /// What measured and predicted works of adhesion say together; empty where nothing was measured.
 std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     const bool fitted = static_cast<bool>(result.modified);
@@ -80,6 +97,8 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
         sentences.push_back(budget_sentence(budgets.front()) + ".");
     if (auto loss = sentence_of_loss(result); !loss.empty()) sentences.push_back(std::move(loss));
     if (result.hysteresis)
+        if (auto references = sentence_of_references(result); !references.empty())
+            sentences.push_back(std::move(references));
         if (auto back = sentence_of_way_back(*result.hysteresis); !back.empty()) sentences.push_back(std::move(back));
     return sentences;
 }

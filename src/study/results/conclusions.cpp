@@ -72,6 +72,8 @@ private:
     [[nodiscard]] std::vector<adhesion::PartialContactPoint> partial_points(const ParametersOf& parameters_of,
                                                                             double factor) const;
     [[nodiscard]] Outcome<adhesion::StrainedInterfaceFit> fit_interface() const;
+    [[nodiscard]] Outcome<std::vector<PairPoint>> reference_scaled(std::vector<PairPoint> modified) const;
+    [[nodiscard]] Outcome<adhesion::WorkFit> fit_reference_scaled() const;
     [[nodiscard]] std::vector<CutoffPoint> scan_cutoffs() const;
     [[nodiscard]] std::vector<std::string> profiled_inputs() const;
     [[nodiscard]] std::vector<double> compared_cuts() const;
@@ -216,6 +218,27 @@ Outcome<adhesion::StrainedInterfaceFit> Concluding::fit_interface() const {
     }
 }
 
+/// (7) with W_int in proportion to the reference of each elastomer, or which elastomer has none.
+Outcome<std::vector<PairPoint>> Concluding::reference_scaled(std::vector<PairPoint> modified) const {
+    for (auto& point : modified) {
+        const auto reference = reference_work(result_, point.elastomer);
+        if (!reference)
+            return Outcome<std::vector<PairPoint>>::missing("no smooth reference on " + point.elastomer);
+        point = adhesion::reference_scaled_point(std::move(point), *reference);
+    }
+    return modified;
+}
+
+Outcome<adhesion::WorkFit> Concluding::fit_reference_scaled() const {
+    const auto scaled = reference_scaled(points(adhesion::modified_point, whole_spectra()));
+    if (!scaled) return Outcome<adhesion::WorkFit>::missing(scaled.reason);
+    if (scaled->size() < 2)
+        return Outcome<adhesion::WorkFit>::missing("fewer than 2 pairs with a measured work of adhesion");
+    auto fit = adhesion::fit_work_of_adhesion(*scaled);
+    fit.posterior = adhesion::WorkPosterior(*scaled).work_of_adhesion();
+    return fit;
+}
+
 /// Parameters of every surface with its spectrum cut; of failed ones none.
 std::vector<SpectralParameters> Concluding::cut_at(double shortest) const {
     std::vector<SpectralParameters> surfaces;
@@ -255,6 +278,23 @@ void Concluding::compare(std::vector<ComparedBalance>& balances, const std::vect
         return found;
     }();
     add("modified", adhesion::score_balance(scaled));
+    if (const auto by_reference = reference_scaled(scaled)) {
+        auto score = adhesion::score_balance(*by_reference);
+        double mean = 0.0;  // of the references, so that W_int stands beside that of others
+        for (std::size_t i = 0; i < scaled.size(); ++i)
+            mean += (*by_reference)[i].slope / scaled[i].slope / static_cast<double>(scaled.size());
+        score.work_of_adhesion *= mean;
+        add("reference_scaled", score);
+    }
+    if (factor == 1.0) {
+        const auto gained = points(adhesion::point_without_stored_energy, of);
+        for (const auto& [name, k] : {std::pair{"pinned_1", 1.0}, {"pinned_2", 2.0}}) {
+            auto pinned = scaled;
+            for (std::size_t i = 0; i < pinned.size(); ++i)
+                pinned[i] = adhesion::pinned_point(std::move(pinned[i]), gained[i], k);
+            add(name, adhesion::score_balance(pinned));
+        }
+    }
     add("partial_contact", adhesion::score_partial_contact(partial_points(of, factor)));
     if (factor == 1.0) {  // γ1 does not enter the next two
         add("without_area_change", adhesion::score_balance(points(adhesion::point_without_area_change, of)));
@@ -310,6 +350,8 @@ void Concluding::fit() {
     to_.loop = attempted("fit of (10)", [&] { return fit_losses(); });
     to_.free_energies = attempted("fit with free energies", [&] { return fit_free(); });
     to_.strained_interface = attempted("fit of a strained interface", [&] { return fit_interface(); });
+    to_.reference_scaled =
+        attempted("fit of W_int in proportion to references", [&] { return fit_reference_scaled(); });
     if (to_.modified) {
         const auto& pairs = to_.modified->pairs;
         const auto part = [&](const char* name, const auto& computation) {

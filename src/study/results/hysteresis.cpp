@@ -105,7 +105,7 @@ Ranking HysteresisOf::ranking(const View& view) const {
 HysteresisOf::View HysteresisOf::by_last_points(bool conforming_alone) {
     return [=](const PreparedPair& pair) -> std::optional<RankedPair> {
         if (!pair.ranked() || (conforming_alone && !pair.conforms())) return std::nullopt;
-        return RankedPair{*pair.as_measured, {*pair.retraction(), pair.retraction_inputs()}};
+        return RankedPair{*pair.as_measured, pair.measured_approach(), {*pair.retraction(), pair.retraction_inputs()}};
     };
 }
 
@@ -113,7 +113,7 @@ void HysteresisOf::rank_by_area() {
     for (const auto& pair : pairs_) found_.pairs_by_area += pair.of_area ? 1 : 0;
     found_.by_area = ranking([](const PreparedPair& pair) -> std::optional<RankedPair> {
         if (!pair.of_area) return std::nullopt;
-        return RankedPair{*pair.by_area, *pair.of_area};
+        return RankedPair{*pair.by_area, pair.measured_approach(), *pair.of_area};
     });
 }
 

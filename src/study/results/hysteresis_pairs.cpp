@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pairs.hpp"
 #include "setae/contact/jkr.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -137,7 +138,7 @@ std::optional<TracedValue> work_of_area(const PreparedPair& pair) {
 void read_area(PreparedPair& pair, const std::optional<PairDrive>& drive) {
     auto work = work_of_area(pair);
     if (!work) return;
-    hysteresis::MeasuredRetraction read{.value = {.value = work->value, .standard_error = 0.0}, .inputs = {}};
+    hysteresis::MeasuredWork read{.value = {.value = work->value, .standard_error = 0.0}, .inputs = {}};
     const auto noise = work->components.find(input_name(
         *pair.measured.loss, adhesion::own_noise_name("E_loss", pair.measured.surface, pair.measured.elastomer)));
     if (noise != work->components.end()) {
@@ -163,7 +164,7 @@ std::string reason_against(const SurfaceResult& surface, const PairResult& pair,
 
 /// Why a law cannot be evaluated for a pair; empty where all can.
 std::string reason_of_laws(const PreparedPair& pair) {
-    const hysteresis::MeasuredRetraction any{.value = {.value = 1.0, .standard_error = 0.0}, .inputs = {}};
+    const hysteresis::MeasuredWork any{.value = {.value = 1.0, .standard_error = 0.0}, .inputs = {}};
     try {
         for (const auto& model : hysteresis::retraction_models())
             for (const auto* of : {&*pair.from_roughness, &*pair.as_measured})
@@ -206,6 +207,7 @@ PreparedPairs prepared_pairs(const StudyResult& result) {
         RetractionPair base{.rough = {surface.name, prepared.roughness.parameters, prepared.roughness.spread},
                             .soft = elastomer.soft_side(),
                             .work_of_adhesion = result.traced_work_of_adhesion,
+                            .reference_work = reference_work(result, pair.elastomer),
                             .tip_factor = tip_factor_of(result, pair.elastomer),
                             .band_shares = band_shares_of(spectrum.curve)};
         if (elastomer.input.sphere_radius) base.radius = elastomer.traced_radius();

@@ -19,13 +19,17 @@ struct PreparedPair {
     std::optional<hysteresis::RetractionPair> from_roughness, as_measured;
     /// The same with W_ret read from the area of its loops, and that W_ret; where the area is known.
     std::optional<hysteresis::RetractionPair> by_area;
-    std::optional<hysteresis::MeasuredRetraction> of_area;
+    std::optional<hysteresis::MeasuredWork> of_area;
 
     [[nodiscard]] const std::optional<Estimate>& retraction() const {
         return measured.retraction ? measured.retraction : measured.pull_off;
     }
     [[nodiscard]] const Components& retraction_inputs() const {
         return measured.retraction ? measured.retraction_inputs : measured.pull_off_inputs;
+    }
+    /// Of a pair with a measured W_app.
+    [[nodiscard]] hysteresis::MeasuredWork measured_approach() const {
+        return {*measured.approach, measured.approach_inputs};
     }
     [[nodiscard]] std::optional<TracedValue> traced_retraction() const {
         return measured.retraction ? measured.traced_retraction() : measured.traced_pull_off();

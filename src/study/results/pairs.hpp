@@ -30,6 +30,9 @@ inline constexpr const char* energy_loss = "energy_loss";
 /// unknown.
 [[nodiscard]] std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion);
 
+/// W_app of the smooth references on an elastomer, their mean, as an input of its own; nothing without a reference.
+[[nodiscard]] std::optional<TracedValue> reference_work(const StudyResult& result, const std::string& elastomer);
+
 /// Smooth references and their change between "before" and "after".
 void evaluate_references(StudyResult& result);
 

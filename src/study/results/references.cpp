@@ -117,6 +117,14 @@ void require_equivalence(StudyResult& result, const char* code, const ReferenceR
 
 }  // namespace
 
+std::optional<TracedValue> reference_work(const StudyResult& result, const std::string& elastomer) {
+    std::vector<Estimate> works;
+    for (const auto& reference : result.references)
+        if (reference.elastomer == elastomer && reference.approach.value > 0.0) works.push_back(reference.approach);
+    if (works.empty()) return std::nullopt;
+    return TracedValue(mean_of(works), "W_app of the reference on " + elastomer);
+}
+
 void evaluate_references(StudyResult& result) {
     const auto measured = measured_references(result);
     for (const auto& [elastomer, stage, loop] : measured) {

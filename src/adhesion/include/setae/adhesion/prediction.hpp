@@ -37,6 +37,18 @@ struct SoftSide {
 /// (7) with nothing stored: slope r, offset γ1 (r − 1).
 [[nodiscard]] PairPoint point_without_stored_energy(const RoughSide& rough, const SoftSide& soft);
 
+/// (7) with W_int of an elastomer in proportion to W_app of a smooth reference on it, a line in the factor c.
+///
+///   W_app = max(0, c W_ref r − γ1 (r − 1) − U_el/A)
+///
+/// modified: (7) as a line in W_int. reference: W_ref [J/m²], > 0.
+[[nodiscard]] PairPoint reference_scaled_point(PairPoint modified, const TracedValue& reference);
+
+/// (7) of an edge that roughness holds on its way in: k U_el/A more is stored against it.
+///
+/// gained: (7) without what is stored.
+[[nodiscard]] PairPoint pinned_point(PairPoint modified, const PairPoint& gained, double k);
+
 /// One balance evaluated for a pair.
 struct PredictedWork {
     ApparentWork work;

@@ -11,10 +11,11 @@
 
 namespace setae::hysteresis {
 
-/// A pair with both works of adhesion measured: W_app is its `approach`.
+/// A pair with both works of adhesion measured.
 struct RankedPair {
-    RetractionPair pair;
-    MeasuredRetraction measured;
+    RetractionPair pair;      ///< whose `approach` is `approach` with all that it rests on
+    MeasuredWork approach;    ///< W_app
+    MeasuredWork retraction;  ///< W_ret
 };
 
 /// How surely one model is likelier than another, by the 5 % point of their odds (the odds themselves where they are
@@ -66,12 +67,19 @@ struct UnrankedModel {
     std::string reason;
 };
 
+/// W_int,e = c W_app of the smooth reference on elastomer e, one number c, against one common W_int.
+struct ProportionalWork {
+    Odds surfaces_left_out, elastomers_left_out;  ///< for it, on approach alone
+    Odds both_branches;                           ///< for it, surfaces left out, by the likeliest model of W_ret
+};
+
 /// Models, that first which says best of each surface what the others let expect.
 struct Ranking {
     std::vector<ModelScore> models;
     std::vector<UnrankedModel> unranked;
     /// For a common W_app = g W without what pins an edge, against the same with it, on approach of surfaces left out.
     std::optional<Odds> approach_against_pinning;
+    std::optional<ProportionalWork> proportional_work;  ///< where every elastomer has a reference and W_int is fitted
 
     /// The likeliest model that no constant refuses. A fitted model whose number may be 0 gives way to the one that it
     /// then is. The likeliest of all where every model is refused; nothing without models.

@@ -21,6 +21,7 @@ struct RetractionPair {
     adhesion::SoftSide soft;
     TracedValue work_of_adhesion;               ///< W_int [J/m²]
     std::optional<TracedValue> approach{};      ///< W_app as measured [J/m²]; without it of the contact that there is
+    std::optional<TracedValue> reference_work{};  ///< W_app of a smooth reference on the elastomer [J/m²]
     std::optional<TracedValue> tip_factor{};    ///< φ of a smooth reference; models with its tip need it
     std::optional<TracedEdgeSpeed>
         edge_speed{};  ///< of the elastomer; models with a tip that minds its speed need it …
@@ -45,15 +46,15 @@ struct RetractionPair {
 /// The name of the input that k of simulated fronts is, as one relative error of all pairs.
 inline constexpr const char* simulated_pinning_input = "k of simulated fronts";
 
-/// What was measured of W_ret.
-struct MeasuredRetraction {
-    Estimate value;     ///< W_ret [J/m²]; its standard error is of noise and scatter
+/// A work of adhesion as it was measured.
+struct MeasuredWork {
+    Estimate value;     ///< [J/m²]; its standard error is of noise and scatter
     Components inputs;  ///< that it shares with others
 };
 
 /// The pair as a fit of the model's θ sees it. A model without θ has slope 1 and is to be taken at θ = 0.
 [[nodiscard]] adhesion::PairPoint retraction_point(const RetractionModel& model, const RetractionPair& pair,
-                                                   const MeasuredRetraction& measured);
+                                                   const MeasuredWork& measured);
 
 /// What a fit says of a model: θ, and how far pairs scatter about it.
 struct FittedModel {

@@ -166,7 +166,8 @@ struct CutoffPoint {
 /// One balance against all pairs, under one choice of the cut and of γ1.
 struct ComparedBalance {
     std::string balance;               ///< "modified", "partial_contact", "without_area_change", "persson_tosatti",
-                                       ///< "free_energies", "strained_interface"
+                                       ///< "free_energies", "strained_interface", "reference_scaled", "pinned_1",
+                                       ///< "pinned_2"
     double shortest_wavelength = 0.0;  ///< that every spectrum is cut at [m]; 0: as the study takes them
     double surface_energy_factor = 1;  ///< on γ1 of every elastomer
     adhesion::BalanceScore score;
@@ -188,6 +189,8 @@ struct Conclusions {
     Outcome<adhesion::LossFits> loop;
     Outcome<adhesion::FreeEnergyFit> free_energies;
     Outcome<adhesion::StrainedInterfaceFit> strained_interface;
+    /// W_int of each elastomer c times W_app of its smooth reference: c, without unit, in the place of W_int.
+    Outcome<adhesion::WorkFit> reference_scaled;
     std::vector<ComparedBalance> balances;  ///< as the study takes them first, then over cuts, then over γ1
     std::vector<CutoffPoint> cutoff_scan;
     Outcome<adhesion::PredictionTest> prediction_test;  ///< of (7) with both errors
