@@ -17,7 +17,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 using Places = std::vector<Index>;
 
 /// Of the density; while inputs are looked for fewer do.
-constexpr adhesion::ScatterNodes density_nodes{8, 6, 6}, search_nodes{5, 4, 4};
+constexpr adhesion::ScatterNodes density_nodes{8, 6, 6}, search_nodes{4, 3, 3};
 
 /// Scatter of some of the pairs.
 class Scatter {
@@ -47,8 +47,8 @@ struct Step {
 
 Step learn(const BothBranches& model, Branch branch, const Knowledge& before, const Places& seen,
            const MarginalScatter& scatter) {
-    constexpr int steps = 6;
-    constexpr double damping = 0.7;
+    constexpr int steps = 4;
+    constexpr double damping = 0.8;
     VectorXd x = before.mean;
     Step step;
     for (int round = 0; round <= steps; ++round) {

@@ -19,6 +19,9 @@ const study::StudyResult& published() {
     return result;
 }
 
+/// As run_study() ranks it.
+const study::Hysteresis& published_hysteresis() { return *published().hysteresis; }
+
 const study::PairHysteresis& pair_of(const study::Hysteresis& h, const std::string& surface,
                                      const std::string& elastomer) {
     return *std::find_if(h.pairs.begin(), h.pairs.end(),
@@ -26,7 +29,7 @@ const study::PairHysteresis& pair_of(const study::Hysteresis& h, const std::stri
 }
 
 TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
-    const auto h = study::hysteresis_of(published());
+    const auto& h = published_hysteresis();
     EXPECT_EQ(h.measured_pairs, 16);
     EXPECT_EQ(h.conforming_pairs, 9);
     EXPECT_EQ(pair_of(h, "UNCD", "E0.7").choice, study::ModelChoice::conforming_pairs);
@@ -40,23 +43,35 @@ TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
 }
 
 // W_ret of sixteen pairs against r α, α of docs/measured/conformity.md at their U_el/AW, by least squares in Python:
-// 85.7 mJ/m², 14.6 mJ/m² rms off; against r alone 70.3 and 36.6.
+// 85.7 mJ/m², 14.6 mJ/m² rms off; against r alone 70.3 and 36.6. With the crack tip's factor or without cannot be
+// distinguished; every model that says less of the true area is clearly worse.
 TEST(HysteresisOfAStudy, OneWorkATrueAreaInContactSaysAllPairs) {
-    const auto h = study::hysteresis_of(published());
-    const auto& best = *h.all.best();
-    EXPECT_EQ(best.fitted.model.name(), "opening_work");
-    EXPECT_NEAR(best.fitted.parameter.value, 85.7e-3, best.fitted.parameter.standard_error());
-    EXPECT_NEAR(best.rms_residual, 14.6e-3, 0.5e-3);
-    EXPECT_LT(best.surface_left_out, 18e-3);
-    EXPECT_EQ(h.all.possible().size(), 1U);
-    EXPECT_NEAR(pair_of(h, "UNCD", "E10").contact_fraction, 0.42, 0.01);
-    // what tells the best law of the nine from the next is there: the seven others
-    EXPECT_FALSE(h.deciding);
+    const auto& h = published_hysteresis();
+    const auto opening = std::ranges::find_if(
+        h.all.models, [](const auto& score) { return score.fitted.model.name() == "opening_work"; });
+    ASSERT_NE(opening, h.all.models.end());
+    EXPECT_NEAR(opening->fitted.parameter.value, 85.7e-3, opening->fitted.parameter.standard_error());
+    EXPECT_NEAR(opening->rms_residual, 14.6e-3, 0.5e-3);
+    EXPECT_LT(opening->surface_left_out, 18e-3);
+    std::vector<std::string> likely;
+    for (const auto* score : h.all.possible())
+        if (score->odds_against.distinction() == hysteresis::Distinction::cannot_be_distinguished)
+            likely.push_back(score->fitted.model.name());
+    EXPECT_EQ(likely, (std::vector<std::string>{"crack_tip_opening_work", "opening_work"}));
+    for (const auto& score : h.all.models)
+        if (score.fitted.model.name() == "reversible") {
+            EXPECT_GT(score.odds_against.lower, 1e4);
+        }
+    // 1 + k: what pins an edge on its way in is not in the approach
+    ASSERT_TRUE(h.all.approach_against_pinning);
+    EXPECT_EQ(h.all.approach_against_pinning->distinction(), hysteresis::Distinction::clearly_better);
+    EXPECT_NEAR(pair_of(h, "UNCD", "E10").contact_fraction, 0.46, 0.01);
+    EXPECT_TRUE(h.deciding);
     for (const auto& pair : h.pairs) EXPECT_TRUE(pair.loop) << pair.surface << pair.elastomer << pair.loop.reason;
 }
 
 TEST(HysteresisOfAStudy, JoulesOfALoopAddUp) {
-    const auto h = study::hysteresis_of(published());
+    const auto& h = published_hysteresis();
     for (const auto& pair : h.pairs) {
         if (!pair.loop) continue;
         const auto& s = pair.loop->shares;
@@ -75,7 +90,7 @@ TEST(HysteresisOfAStudy, JoulesOfALoopAddUp) {
 // A contact as wide as JKR's under 1 mN, of the measured W_app, says that it was pressed with that.
 TEST(HysteresisOfAStudy, WithoutAPreloadPressesAsMeasuredContactsWere) {
     auto result = published();
-    const auto stated = study::hysteresis_of(result);
+    const auto& stated = published_hysteresis();
     for (auto& elastomer : result.elastomers) elastomer.input.preload.reset();
     EXPECT_EQ(study::hysteresis_of(result).pairs.front().loop.reason, "elastomer E0.7 has no preload");
     for (auto& pair : result.pairs) {
@@ -108,7 +123,7 @@ TEST(HysteresisOfAStudy, OfFewPairsIsByTheBalanceOfTheLoop) {
     EXPECT_FALSE(h.all.best());
     EXPECT_EQ(h.pairs.front().choice, study::ModelChoice::assumed);
     EXPECT_EQ(h.pairs.front().model.name(), "conformal_loss");
-    EXPECT_NE(hysteresis_answer(h, 200).find("6 on 3 surfaces are needed"), std::string::npos)
+    EXPECT_NE(hysteresis_answer(h, 200).find("6 on 4 surfaces can"), std::string::npos)
         << hysteresis_answer(h, 200);
 }
 
@@ -128,17 +143,17 @@ TEST(HysteresisOfAStudy, WithoutAWorkOfAdhesionIsRefused) {
 }
 
 TEST(HysteresisText, BeginsWithTheAnswer) {
-    const auto h = study::hysteresis_of(published());
+    const auto& h = published_hysteresis();
     const auto text = hysteresis_text(h, 100);
-    EXPECT_EQ(text.find("W_ret of 9 pairs that come into full contact of themselves: opening_work says it best"), 0U)
+    EXPECT_EQ(text.find("W_ret of 9 pairs that come into full contact of themselves: likeliest is opening_work"), 0U)
         << text;
     for (const auto& line :
-         {"laws of W_ret, all 16 pairs", "from roughness alone, by opening_work", "where the joules went"})
+         {"models of W_ret, all 16 pairs", "from roughness alone, by opening_work", "where the joules went"})
         EXPECT_NE(text.find(line), std::string::npos) << line;
 }
 
 TEST(HysteresisTables, HaveARowAPairAndALaw) {
-    const auto h = study::hysteresis_of(published());
+    const auto& h = published_hysteresis();
     EXPECT_EQ(hysteresis_table(h).rows.size(), 16U);
     EXPECT_EQ(model_table(h).rows.size(), 28U);
     EXPECT_EQ(model_work_table(h).rows.size(), 16U * 14U);

@@ -34,8 +34,12 @@ std::string sentence_of_loss(const StudyResult& result) {
     if (!result.modified) return fmt::format("By the loss, W_int is {}.", number);
     const auto apart = *loss_less_approach(result);
     if (!interval_of(apart)) return fmt::format("The loss says {}.", number);
-    return fmt::format("The loss says {}: {}.", number,
-                       may_be_zero(apart) ? "consistent" : fmt::format("{} apart", format_uncertain(apart, "J/m2")));
+    if (!may_be_zero(apart))
+        return fmt::format("The loss says {}: {} apart.", number, format_uncertain(apart, "J/m2"));
+    return could_have_refused(apart, result)
+               ? fmt::format("The loss says {}: consistent.", number)
+               : fmt::format("The loss says {}: {} cannot tell whether that is the W_int of approach.", number,
+                             pairs_text(result.loop->through_origin.n));
 }
 
 /// The model that is likeliest by all measured pairs; empty where none was ranked.
@@ -96,10 +100,11 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
         fitted && !budgets.empty() && budgets.front().quantity == "work_of_adhesion")
         sentences.push_back(budget_sentence(budgets.front()) + ".");
     if (auto loss = sentence_of_loss(result); !loss.empty()) sentences.push_back(std::move(loss));
-    if (result.hysteresis)
+    if (result.hysteresis) {
         if (auto references = sentence_of_references(result); !references.empty())
             sentences.push_back(std::move(references));
         if (auto back = sentence_of_way_back(*result.hysteresis); !back.empty()) sentences.push_back(std::move(back));
+    }
     return sentences;
 }
 
@@ -155,6 +160,14 @@ std::optional<Estimate> loss_less_approach(const StudyResult& result) {
     return TracedValue{loss.value - approach.value,
                        combined({{1.0, loss.components}, {-1.0, approach.components}})}
         .estimate();
+}
+
+bool could_have_refused(const Estimate& difference, const StudyResult& result) {
+    const auto interval = interval_of(difference);
+    constexpr double share = 0.5;  // of W_int: a difference as large would have shown
+    return interval && result.work_of_adhesion &&
+           0.5 * (interval->upper - interval->lower) < share * result.work_of_adhesion->value &&
+           result.loop->through_origin.r_squared > 0.0;
 }
 
 bool may_be_zero(const Estimate& difference) {

@@ -33,7 +33,7 @@ std::string finding_of_rivals(const StudyResult& result) {
 
 std::string finding_of_loss(const StudyResult& result) {
     const auto apart = loss_less_approach(result);
-    if (!apart || !may_be_zero(*apart)) return "";
+    if (!apart || !may_be_zero(*apart) || !could_have_refused(*apart, result)) return "";
     return "Energy lost in loops goes with true area, (10), at the W_int that the approach gives.";
 }
 

@@ -92,11 +92,10 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const Surfac
         .refusal = {}};
     hysteresis::HystereticSphere& specimen = pair.specimen;
     using hysteresis::Tip;
-    const hysteresis::RetractionModel model{law_of(loops.law), elastomer.tip_factor > 1.0 ? Tip::reference : Tip::none};
     auto state = contact_state(recipe, surface, elastomer, specimen.contact_modulus);
     // an edge that roughness holds is held on its way in, too
     const double pinned = loops.law == RetractionLaw::pinning && state.conforming_gain() > 0.0
-                              ? hysteresis::pinned_on_approach(model, state, {}, 0.0)
+                              ? hysteresis::pinned_on_approach({hysteresis::Law::pinning, Tip::none}, state, {}, 0.0)
                               : 0.0;
     const double work = state.work_approach - pinned + departure(recipe, name, elastomer.name);
     if (!(work > 0.0)) {
@@ -111,6 +110,8 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const Surfac
         lose(pair, loops, loops.loss_factor * recipe.work_of_adhesion * state.true_contact());
         specimen.work_retraction *= elastomer.tip_factor;
     } else {
+        const hysteresis::RetractionModel model{law_of(loops.law),
+                                                elastomer.tip_factor > 1.0 ? Tip::reference : Tip::none};
         state.work_approach = work;
         const auto line = hysteresis::retraction_line(model, state, {});
         specimen.work_retraction = std::max(work, line.slope * loops.opening_work + line.constant);
