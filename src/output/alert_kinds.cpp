@@ -321,6 +321,10 @@ std::vector<AlertKind> of_studies() {
         {"REFERENCE_HYSTERESIS", about,
          "a smooth reference's W of retraction is not shown to be within [comparison] margin of that of approach",
          "the margin is the user's; 5 mJ/m² by default, a seventh of PDMS on diamond"},
+        {"LOSS_CONTRADICTS_WORKS", about,
+         "the energy that a loop lost and that which its own W_app and W_ret would lose differ by more than three "
+         "standard errors and a fifth",
+         "W_ret is read at pull-off; the energy counts the whole retraction"},
         {"REFERENCE_LOSS", about,
          "what a smooth reference loses per contact area, beyond the ideal sphere's jumps, is not shown to be below "
          "[comparison] margin",

@@ -655,6 +655,13 @@ Json json_without_experiments(const study::StudyResult& result) {
     for (const auto& drift : result.reference_drifts) json["reference_changes"].push_back(drift_json(drift));
     json["cutoff_scan"] = cutoffs_json(result, result);
     json["balances"] = balances_json(result);
+    json["loss_slope_of_works"] = nullptr;
+    if (const auto& slope = result.loss_slope_of_works) {
+        auto work = quantity("work_per_true_area", "E_loss/A_true", slope->work_per_true_area, "J/m2");
+        work.n = slope->pairs;
+        work.source = "loops with the measured W_app and W_ret, through the origin";
+        json["loss_slope_of_works"] = to_json(work);
+    }
     json["reported"] = Json::array();
     for (const auto& reported : study.reported) json["reported"].push_back(reported_json(reported, result));
     json["alerts"] = to_json(result.alerts);

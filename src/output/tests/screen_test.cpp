@@ -52,6 +52,7 @@ StudyResult result_of(const adhesion::PredictionTest& tested, double loss) {
                                      .through_origin_without_ideal_loss = {},
                                      .with_intercept = {},
                                      .with_intercept_without_ideal_loss = {}};
+    result.loop->through_origin.r_squared = 0.9;
     result.prediction_test = tested;
     return result;
 }

@@ -76,6 +76,20 @@ std::string sentence_of_references(const StudyResult& result) {
         both ? hysteresis::name_of(compared->both_branches.distinction()) : "the two cannot be distinguished");
 }
 
+/// What loops with the measured works would lose, beside what is reported of energies; empty without a report.
+std::string sentence_of_energies(const StudyResult& result) {
+    const auto& slope = result.loss_slope_of_works;
+    const auto reported = std::ranges::find_if(result.study.reported, [](const auto& value) {
+        return value.fit == "loop" && value.quantity == "work_of_adhesion";
+    });
+    if (!slope || reported == result.study.reported.end()) return "";
+    return fmt::format(
+        "Loops with these W_app and W_ret would lose {} per true area; reported are {}: W_ret at pull-off is {}the work of "
+        "the whole retraction.",
+        format_uncertain(slope->work_per_true_area, "J/m2"), format_uncertain(reported->value, "J/m2"),
+        may_be_zero(difference(slope->work_per_true_area, reported->value)) ? "consistent with " : "not ");
+}
+
 /// What measured and predicted works of adhesion say together; empty where nothing was measured.
 std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     const bool fitted = static_cast<bool>(result.modified);
@@ -105,6 +119,7 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
             sentences.push_back(std::move(references));
         if (auto back = sentence_of_way_back(*result.hysteresis); !back.empty()) sentences.push_back(std::move(back));
     }
+    if (auto energies = sentence_of_energies(result); !energies.empty()) sentences.push_back(std::move(energies));
     return sentences;
 }
 

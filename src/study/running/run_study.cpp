@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "results/failed_part.hpp"
+#include "results/losses_of_works.hpp"
 #include "results/pairs.hpp"
 #include "run.hpp"
 #include "setae/core/errors.hpp"
@@ -186,6 +187,10 @@ void bring_together(StudyResult& result) {
         conclude(result, *result.by_average);
     }
     conclude(result, result);
+    alone(result.alerts, "losses of the measured works", [&] {
+        compare_losses_with_works(result);
+        result.loss_slope_of_works = loss_slope_of_works(result);
+    });
     for (const auto& alert : result.failed_parts) result.alerts.push_back(alert);
     if (result.by_average)
         for (auto alert : result.by_average->failed_parts) {

@@ -204,6 +204,12 @@ struct Conclusions {
     }
 };
 
+/// E_loss against A_true through the origin.
+struct LossSlope {
+    Estimate work_per_true_area;  ///< [J/m²]
+    int pairs = 0;
+};
+
 struct StudyResult : Conclusions {
     Study study;
     std::vector<InputFile> inputs;  ///< every file the study names
@@ -216,6 +222,8 @@ struct StudyResult : Conclusions {
     std::vector<Alert> alerts;
     std::optional<Conclusions> by_average;  ///< once more with averages, where likelihoods are used first
     Outcome<Hysteresis> hysteresis;         ///< without trials
+    /// Of loops with the measured works, beside what was reported or measured of energies.
+    std::optional<LossSlope> loss_slope_of_works;
 
     /// Measurements, surfaces, their likelihoods, experiments, elastomers, pairs and comparisons that failed.
     [[nodiscard]] int failures() const;
