@@ -48,11 +48,12 @@ StudyResult result_of(const adhesion::PredictionTest& tested, double loss) {
     result.modified = fit(0.037, 2e-4, "noise of the approach");
     result.traced_work_of_adhesion = result.modified->generalised.work_of_adhesion;
     result.work_of_adhesion = result.traced_work_of_adhesion.estimate();
-    result.loop = adhesion::LossFits{.through_origin = fit(loss, 3e-4, "noise of the loss"),
+    auto of_loss = fit(loss, 3e-4, "noise of the loss");
+    of_loss.r_squared = 0.9;
+    result.loop = adhesion::LossFits{.through_origin = of_loss,
                                      .through_origin_without_ideal_loss = {},
                                      .with_intercept = {},
                                      .with_intercept_without_ideal_loss = {}};
-    result.loop->through_origin.r_squared = 0.9;
     result.prediction_test = tested;
     return result;
 }
