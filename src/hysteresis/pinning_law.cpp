@@ -30,6 +30,12 @@ PinningCoefficient pinning_coefficient(double energy_share) {
     return {between(below->k.value, above->k.value), between(below->k.standard_error, above->k.standard_error)};
 }
 
+PinningConstants pinning_constants(double energy_share, double larkin_lengths) {
+    const auto k = pinning_coefficient(energy_share);
+    constexpr double shortest = 10.0;
+    return {.approach = k, .retraction = k, .measured = larkin_lengths > shortest};
+}
+
 double pinning_uncertainty(double energy_share) {
     const auto k = pinning_coefficient(energy_share);
     return k.standard_error / k.value;

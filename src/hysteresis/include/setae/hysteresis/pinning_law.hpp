@@ -23,6 +23,20 @@ struct PinningCoefficient {
 /// The factor by which k may be wrong: relative standard error of pinning_coefficient() at this share.
 [[nodiscard]] double pinning_uncertainty(double energy_share);
 
+/// Both constants of simulated fronts.
+///
+///   W_appr = W − k_approach U_el/A,   W_ret = W + k_retraction U_el/A
+struct PinningConstants {
+    PinningCoefficient approach, retraction;
+    bool measured = true;  ///< false outside the simulated range: the value is that of its border
+};
+
+/// Both constants of a front of a given number of Larkin lengths on roughness that stores a given share.
+///
+/// energy_share: U_el/(A W), >= 0.  larkin_lengths: π/(q_κ L_c), >= 0, with q_κ the stiffness of the sphere against
+/// its contact radius; crack_front::larkin_lengths().
+[[nodiscard]] PinningConstants pinning_constants(double energy_share, double larkin_lengths);
+
 /// Beyond this share of what it gains, roughness does not come into full contact of itself.
 inline constexpr double conforming_energy_share = 0.3;
 
