@@ -45,7 +45,8 @@ Result result_of(double approach, double retraction, bool converged, const Case&
     return {.pinning_coefficient = 0.5 * (retraction - approach) / which.energy_share,
             .approach = (approach - 1.0) / which.energy_share,
             .retraction = (retraction - 1.0) / which.energy_share,
-            .larkin_lengths = spring_length(which) / crack_front::larkin_length(intensity.mean_wavelength, which.energy_share),
+            .larkin_lengths =
+                spring_length(which) / crack_front::larkin_length(intensity.mean_wavelength, which.energy_share),
             .converged = converged};
 }
 

@@ -12,7 +12,7 @@ struct Case {
     double energy_share = 0.0;  ///< U_el/(A W)
     setae::Index way = 0, width = 0;
     double spring_length = 0.0;  ///< π/q_κ of the spring that drives the front; 0: the width
-    double band = 4.0;  ///< longest over shortest wave
+    double band = 4.0;           ///< longest over shortest wave
     double hurst_exponent = 0.8;
     std::uint64_t seed = 1;
 };
