@@ -34,9 +34,14 @@ double longest_front(double energy_share) {
 
 double least_length(double energy_share) { return 0.965 * (1.0 + 5.3 * std::pow(energy_share, 0.655)); }
 
-double fitted(double energy_share, double larkin_lengths) {
-    return 3.56 / (1.0 + 2.66 * std::pow(energy_share, 0.70)) *
-           std::exp(-std::pow(least_length(energy_share) / larkin_lengths, 0.68));
+/// k of the fits, and its standard error.
+PinningCoefficient fitted(double energy_share, double larkin_lengths) {
+    constexpr double exponent = 0.68, other_bands = 0.35, of_fits = 0.04, least = 0.02;
+    const double shortness = std::pow(least_length(energy_share) / larkin_lengths, exponent);
+    const double k = 3.56 / (1.0 + 2.66 * std::pow(energy_share, 0.70)) * std::exp(-shortness);
+    // dk/d ln N times what other bands do to N
+    const double of_band = k > 0.0 ? exponent * shortness * other_bands * k : 0.0;
+    return {k, std::hypot(of_band, of_fits * k, least)};
 }
 
 }  // namespace
@@ -46,36 +51,17 @@ PinningConstants pinning_constants(double energy_share, double larkin_lengths) {
         throw InvalidArgument(
             fmt::format("pinning by U_el/(AW) = {} on a front of {} Larkin lengths; expected both at least 0",
                         energy_share, larkin_lengths));
-    constexpr double between_bands = 0.08, of_fits = 0.02, beyond_share = 0.3;
+    constexpr double beyond_share = 0.3;  // of k
     const double share = std::min(energy_share, longest_fronts.back().energy_share), longest = longest_front(share),
                  shortest = shortest_front * least_length(share);
-    const double k = fitted(share, larkin_lengths);
-    double outside = 0.0;
-    if (energy_share > share) outside = beyond_share * k;
-    if (larkin_lengths > longest) outside = std::hypot(outside, k - fitted(share, longest));
-    if (larkin_lengths < shortest) outside = std::hypot(outside, 0.5 * k);
+    auto k = fitted(share, larkin_lengths);
+    const auto widen = [&](double error) { k.standard_error = std::hypot(k.standard_error, error); };
+    if (energy_share > share) widen(beyond_share * k.value);
+    if (larkin_lengths > longest) widen(k.value - fitted(share, longest).value);
+    if (larkin_lengths < shortest) widen(0.5 * k.value);
     const bool measured = energy_share <= share && energy_share >= longest_fronts.front().energy_share &&
                           larkin_lengths >= shortest && larkin_lengths <= longest;
-    const PinningCoefficient either{k, std::hypot(between_bands * k, of_fits, outside)};
-    return {.approach = either, .retraction = either, .measured = measured};
-}
-
-PinningConstants pinning_constants(const std::vector<PinningBand>& bands) {
-    double all = 0.0;
-    for (const auto& band : bands) all += band.energy_share;
-    if (!(all > 0.0)) throw InvalidArgument("pinning by bands that store nothing; expected U_b/(AW) above 0 of one");
-    PinningConstants sum;
-    const auto add = [](PinningCoefficient& to, const PinningCoefficient& of, double weight) {
-        to.value += weight * of.value;
-        to.standard_error += weight * of.standard_error;
-    };
-    for (const auto& band : bands) {
-        const auto of_band = pinning_constants(band.energy_share, band.larkin_lengths);
-        add(sum.approach, of_band.approach, band.energy_share / all);
-        add(sum.retraction, of_band.retraction, band.energy_share / all);
-        sum.measured = sum.measured && of_band.measured;
-    }
-    return sum;
+    return {.approach = k, .retraction = k, .measured = measured};
 }
 
 PinningCoefficient pinning_coefficient(double energy_share) {

@@ -33,11 +33,10 @@ TEST(PinningLaw, MeetsTheSimulatedFronts) {
 
 // edges of circular contacts of three surfaces, k from W_appr and W_ret at a given radius, docs/measured/crack-front.md
 TEST(PinningLaw, MeetsTheEdgesOfRoundContacts) {
-    constexpr SimulatedFronts round[] = {{0.1, 5.9, 1.48, 0.05},
-                                         {0.1, 6.6, 1.50, 0.05},
-                                         {0.1, 7.7, 1.52, 0.05},
-                                         {0.1, 9.6, 1.61, 0.06},
-                                         {0.1, 13.8, 1.77, 0.07}};
+    constexpr SimulatedFronts round[] = {{0.1, 5.33, 1.40, 0.03},  {0.1, 5.86, 1.48, 0.04},  {0.1, 6.57, 1.50, 0.05},
+                                         {0.1, 7.66, 1.52, 0.03},  {0.1, 9.42, 1.61, 0.06},  {0.1, 13.4, 1.77, 0.04},
+                                         {0.03, 4.40, 1.87, 0.06}, {0.03, 4.95, 1.96, 0.06}, {0.03, 5.78, 2.03, 0.06},
+                                         {0.03, 7.21, 2.10, 0.08}, {0.03, 9.94, 2.40, 0.12}};
     for (const auto& contact : round)
         EXPECT_NEAR(pinning_constants(contact.energy_share, contact.larkin_lengths).retraction.value, contact.k,
                     2.0 * contact.standard_error);
@@ -55,8 +54,6 @@ TEST(PinningLaw, GrowsWithTheFrontAndFallsWithTheShare) {
 
 TEST(PinningLaw, SaysWhereNoFrontWasSimulated) {
     EXPECT_TRUE(pinning_constants(0.0625, 30.0).measured);
-    EXPECT_NEAR(pinning_constants(0.1, 10.0).approach.standard_error / pinning_constants(0.1, 10.0).approach.value,
-                0.08, 0.002);
     const auto far = pinning_constants(0.01, 200.0), inside = pinning_constants(0.01, 12.0);
     EXPECT_FALSE(far.measured);
     EXPECT_GT(far.approach.standard_error, far.approach.value - inside.approach.value);
@@ -68,14 +65,15 @@ TEST(PinningLaw, SaysWhereNoFrontWasSimulated) {
     EXPECT_THROW((void)pinning_constants(0.1, -1.0), InvalidArgument);
 }
 
-// a front through waves of 8 to 128 points at once had 1.12 at s = 0.1, H = 0.8, ℓ = 512 points: by bands of 4
-TEST(PinningLaw, OfAWideBandIsThatOfItsBands) {
-    const auto bands = pinning_constants({{0.076, 2.06}, {0.024, 2.60}});
-    EXPECT_NEAR(bands.approach.value, 1.12, bands.approach.standard_error);
-    EXPECT_TRUE(bands.measured);
-    const auto one = pinning_constants(std::vector<PinningBand>{{0.1, 3.0}});
-    EXPECT_DOUBLE_EQ(one.retraction.value, pinning_constants(0.1, 3.0).retraction.value);
-    EXPECT_THROW((void)pinning_constants(std::vector<PinningBand>{}), InvalidArgument);
+// waves of a roll-off 16 and 32 times the shortest wave, H = 0.5 to 0.95
+TEST(PinningLaw, CountsTheBandInItsStandardError) {
+    constexpr SimulatedFronts wide[] = {{0.1, 2.44, 1.16, 0.07},  {0.1, 3.50, 1.33, 0.06},  {0.1, 2.20, 1.05, 0.06},
+                                        {0.03, 2.90, 1.80, 0.03}, {0.03, 2.55, 1.72, 0.03}, {0.1, 7.28, 1.52, 0.02},
+                                        {0.1, 8.80, 1.58, 0.02},  {0.1, 12.56, 1.69, 0.02}};
+    for (const auto& fronts : wide) {
+        const auto k = pinning_constants(fronts.energy_share, fronts.larkin_lengths).approach;
+        EXPECT_NEAR(k.value, fronts.k, 1.5 * k.standard_error) << fronts.energy_share << ' ' << fronts.larkin_lengths;
+    }
 }
 
 // Dalvi et al. 2019, polished nanodiamond on 0.7 to 10 MPa, from 1 mN to pull-off: N by crack_front::larkin_lengths()
