@@ -35,8 +35,8 @@ TEST(PinningLaw, MeetsTheSimulatedFronts) {
 TEST(PinningLaw, MeetsTheEdgesOfRoundContacts) {
     constexpr SimulatedFronts round[] = {{0.1, 5.33, 1.40, 0.03},  {0.1, 5.86, 1.48, 0.04},  {0.1, 6.57, 1.50, 0.05},
                                          {0.1, 7.66, 1.52, 0.03},  {0.1, 9.42, 1.61, 0.06},  {0.1, 13.4, 1.77, 0.04},
-                                         {0.03, 4.40, 1.87, 0.06}, {0.03, 4.95, 1.96, 0.06}, {0.03, 5.78, 2.03, 0.06},
-                                         {0.03, 7.21, 2.10, 0.08}, {0.03, 9.94, 2.40, 0.12}};
+                                         {0.03, 4.01, 1.80, 0.03}, {0.03, 4.40, 1.86, 0.04}, {0.03, 4.90, 1.91, 0.04},
+                                         {0.03, 5.78, 2.03, 0.08}, {0.03, 7.17, 2.12, 0.04}, {0.03, 10.1, 2.28, 0.06}};
     for (const auto& contact : round)
         EXPECT_NEAR(pinning_constants(contact.energy_share, contact.larkin_lengths).retraction.value, contact.k,
                     2.0 * contact.standard_error);
