@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::crack_front {
@@ -16,6 +17,33 @@ double larkin_length(double mean_wavelength, double energy_share) {
         throw InvalidArgument(fmt::format("a Larkin length of waves of {} m and U_el/(AW) = {}; expected both above 0",
                                           mean_wavelength, energy_share));
     return mean_wavelength / (4.0 * energy_share);
+}
+
+double mean_wavelength(double rms_height, double energy_per_modulus) {
+    if (!(rms_height > 0.0 && energy_per_modulus > 0.0))
+        throw InvalidArgument(
+            fmt::format("mean wavelength of a surface of h_rms {} m and U_el/(AE*) {} m; expected both "
+                        "above 0",
+                        rms_height, energy_per_modulus));
+    return 0.5 * pi * rms_height * rms_height / energy_per_modulus;
+}
+
+double free_length(double contact_radius, const contact::AdhesiveContact& contact) {
+    if (!(contact_radius > 0.0 && contact.radius > 0.0 && contact.contact_modulus > 0.0 &&
+          contact.work_of_adhesion > 0.0))
+        throw InvalidArgument(
+            fmt::format("edge of a contact of radius {} m; sphere R {} m, E* {} Pa, W {} J/m2; "
+                        "expected all above 0",
+                        contact_radius, contact.radius, contact.contact_modulus, contact.work_of_adhesion));
+    const double opening = std::sqrt(2.0 * pi * contact_radius * contact.work_of_adhesion / contact.contact_modulus);
+    const double restoring = 4.0 * contact_radius / (contact.radius * opening) - 1.0 / contact_radius;
+    const double circumference = 2.0 * pi * contact_radius;
+    return restoring * circumference > pi ? pi / restoring : circumference;
+}
+
+double larkin_lengths(double contact_radius, const contact::AdhesiveContact& contact, double mean_wavelength,
+                      double energy_share) {
+    return free_length(contact_radius, contact) / larkin_length(mean_wavelength, energy_share);
 }
 
 FrontValidity validity_of(const StressIntensity& intensity, double mean_work, double front_length,

@@ -28,11 +28,16 @@ crack_front::StressIntensity intensity_of(const topography::HeightMap& map, doub
         map, {.contact_modulus = 1.0, .shortest_wavelength = shortest_wavelength});
 }
 
+double spring_length(const Case& which) {
+    return which.spring_length > 0.0 ? which.spring_length : static_cast<double>(which.width);
+}
+
 /// Of a front in K_R(x, z) with a mean work.
 crack_front::FrontWorks works_of(const Array2D& K, const crack_front::StressIntensity& intensity, const Case& which,
                                  double work, double step) {
     const auto field = crack_front::equivalent_work(K, intensity.points, work, 1.0);
-    return crack_front::straight_front_works(field, {.width = static_cast<double>(which.width)}, step);
+    return crack_front::straight_front_works(
+        field, {.width = static_cast<double>(which.width), .restoring = pi / spring_length(which)}, step);
 }
 
 Result result_of(double approach, double retraction, bool converged, const Case& which,
@@ -40,8 +45,8 @@ Result result_of(double approach, double retraction, bool converged, const Case&
     return {.pinning_coefficient = 0.5 * (retraction - approach) / which.energy_share,
             .approach = (approach - 1.0) / which.energy_share,
             .retraction = (retraction - 1.0) / which.energy_share,
-            .larkin_lengths = static_cast<double>(which.width) /
-                              crack_front::larkin_length(intensity.mean_wavelength, which.energy_share),
+            .larkin_lengths =
+                spring_length(which) / crack_front::larkin_length(intensity.mean_wavelength, which.energy_share),
             .converged = converged};
 }
 

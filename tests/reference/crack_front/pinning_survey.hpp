@@ -11,7 +11,8 @@ namespace pinning_survey {
 struct Case {
     double energy_share = 0.0;  ///< U_el/(A W)
     setae::Index way = 0, width = 0;
-    double band = 4.0;  ///< longest over shortest wave
+    double spring_length = 0.0;  ///< π/q_κ of the spring that drives the front; 0: the width
+    double band = 4.0;           ///< longest over shortest wave
     double hurst_exponent = 0.8;
     std::uint64_t seed = 1;
 };
@@ -19,7 +20,7 @@ struct Case {
 struct Result {
     double pinning_coefficient = 0.0;         ///< k
     double approach = 0.0, retraction = 0.0;  ///< (W_appr − W)/U, (W_ret − W)/U
-    double larkin_lengths = 0.0;              ///< width over the Larkin length
+    double larkin_lengths = 0.0;              ///< π/q_κ over the Larkin length
     bool converged = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// pinning_survey [SEEDS] [bands]: the tables of docs/measured/crack-front.md, k of straight fronts with its scatter
-// over realisations; with `bands`, of fronts through all waves at once and through two bands after each other.
+// pinning_survey [table | short]: the table of docs/measured/crack-front.md, k of straight fronts on both branches with
+//   its standard error over realisations, against U_el/AW and the front's length; `short`: its small cases
+// pinning_survey bands [SEEDS]: fronts through all waves at once and through two bands after each other
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
@@ -19,6 +20,7 @@ struct Scatter {
 
     void add(double value) { sum += value, squares += value * value, ++count; }
     [[nodiscard]] double mean() const { return sum / count; }
+    [[nodiscard]] double standard_error() const { return deviation() / std::sqrt(count); }
     [[nodiscard]] double deviation() const {
         return count > 1 ? std::sqrt(std::max(squares - sum * sum / count, 0.0) / (count - 1)) : 0.0;
     }
@@ -53,45 +55,102 @@ void print_bands(int seeds) {
     }
 }
 
+/// A row of the table: a case drawn several times.
+struct Row {
+    pinning_survey::Case which;
+    int seeds = 1;
+};
+
+/// Fronts ten times to once as long as their springs let them bend: long ones average by themselves.
+std::vector<Row> rows_of_table() {
+    std::vector<Row> rows;
+    const auto add = [&](double share, setae::Index width, double spring, int seeds) {
+        rows.push_back({{.energy_share = share, .way = 512, .width = width, .spring_length = spring}, seeds});
+    };
+    for (const double spring : {32.0, 64.0, 128.0}) add(0.3, 1024, spring, 2);
+    add(0.3, 1024, 256.0, 3);
+    add(0.3, 2048, 512.0, 2);
+    add(0.3, 2048, 1024.0, 2);
+    for (const double spring : {32.0, 64.0}) add(0.1, 1024, spring, 2);
+    for (const double share : {0.1, 0.03})
+        for (const setae::Index spring : {128, 256, 512})
+            for (const setae::Index times : {1, 4, 10})
+                add(share, times * spring, static_cast<double>(spring), static_cast<int>(20 / times));
+    add(0.1, 2048, 1024.0, 3);
+    add(0.1, 2048, 2048.0, 3);
+    add(0.1, 4096, 4096.0, 1);
+    add(0.03, 2048, 1024.0, 3);
+    add(0.03, 4096, 2048.0, 2);
+    add(0.03, 4096, 4096.0, 2);
+    add(0.01, 2048, 256.0, 3);
+    for (const setae::Index spring : {512, 1024})
+        for (const setae::Index times : {1, 4})
+            add(0.01, times * spring, static_cast<double>(spring), static_cast<int>(12 / times));
+    add(0.01, 4096, 2048.0, 2);
+    add(0.01, 4096, 4096.0, 2);
+    add(0.01, 8192, 8192.0, 1);
+    add(0.003, 2048, 512.0, 3);
+    add(0.003, 4096, 1024.0, 3);
+    add(0.003, 8192, 2048.0, 2);
+    add(0.003, 4096, 4096.0, 2);
+    add(0.003, 8192, 8192.0, 1);
+    add(0.001, 4096, 2048.0, 3);
+    add(0.001, 8192, 4096.0, 2);
+    // other bands and exponents
+    const auto other = [&](double share, setae::Index way, setae::Index width, double spring, double band, double H,
+                           int seeds) {
+        rows.push_back({{.energy_share = share,
+                         .way = way,
+                         .width = width,
+                         .spring_length = spring,
+                         .band = band,
+                         .hurst_exponent = H},
+                        seeds});
+    };
+    other(0.1, 512, 2048, 512.0, 4.0, 0.95, 2);
+    other(0.1, 512, 2048, 512.0, 4.0, 0.5, 2);
+    other(0.1, 256, 2048, 512.0, 2.0, 0.8, 2);
+    other(0.1, 1024, 2048, 512.0, 16.0, 0.8, 2);
+    other(0.1, 1024, 2048, 512.0, 16.0, 0.5, 2);
+    other(0.03, 1024, 4096, 2048.0, 16.0, 0.8, 2);
+    other(0.03, 1024, 4096, 2048.0, 16.0, 0.95, 2);
+    return rows;
+}
+
+void print_table(setae::Index widest) {
+    fmt::print(
+        "| U_el/AW | band | H | points | front over its free length | free length over the Larkin length N | k on "
+        "approach | k on retraction | k | seeds |\n|---|---|---|---|---|---|---|---|---|---|\n");
+    for (auto row : rows_of_table()) {
+        if (row.which.width > widest) continue;
+        Scatter approach, retraction, both, lengths;
+        bool converged = true;
+        for (int seed = 1; seed <= row.seeds; ++seed) {
+            row.which.seed = static_cast<std::uint64_t>(seed);
+            const auto result = pinning_survey::run(row.which, 2.0);
+            approach.add(-result.approach);
+            retraction.add(result.retraction);
+            both.add(result.pinning_coefficient);
+            lengths.add(result.larkin_lengths);
+            converged = converged && result.converged;
+        }
+        const auto text = [](const Scatter& of) {
+            return of.count > 1 ? fmt::format("{:.2f} ± {:.2f}", of.mean(), of.standard_error())
+                                : fmt::format("{:.2f}", of.mean());
+        };
+        fmt::print("| {} | {} | {} | {} x {} | {:.0f} | {:.2f} | {} | {} | {} | {} |{}\n", row.which.energy_share,
+                   row.which.band, row.which.hurst_exponent, row.which.way, row.which.width,
+                   static_cast<double>(row.which.width) / row.which.spring_length, lengths.mean(), text(approach),
+                   text(retraction), text(both), row.seeds, converged ? "" : " not converged");
+        std::fflush(stdout);
+    }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-    const int seeds = count > 1 ? std::atoi(arguments[1]) : 3;
-    if (count > 2 && std::string_view(arguments[2]) == "bands") {
-        print_bands(seeds);
-        return 0;
-    }
-    const std::vector<pinning_survey::Case> cases = {
-        {.energy_share = 0.3, .way = 512, .width = 2048},
-        {.energy_share = 0.1, .way = 512, .width = 128},
-        {.energy_share = 0.1, .way = 512, .width = 2048},
-        {.energy_share = 0.03, .way = 512, .width = 256},
-        {.energy_share = 0.03, .way = 512, .width = 1024},
-        {.energy_share = 0.03, .way = 512, .width = 4096},
-        {.energy_share = 0.03, .way = 1024, .width = 4096, .band = 16.0},
-        {.energy_share = 0.03, .way = 1024, .width = 4096, .band = 16.0, .hurst_exponent = 0.5},
-        {.energy_share = 0.01, .way = 512, .width = 8192}};
-    fmt::print(
-        "| U_el/AW | points | band | H | front over its Larkin length | k, mean ± sd of {} | (W_appr − W)/U | "
-        "(W_ret − W)/U |\n|---|---|---|---|---|---|---|---|\n",
-        seeds);
-    for (auto which : cases) {
-        double sum = 0.0, squares = 0.0, approach = 0.0, retraction = 0.0, lengths = 0.0;
-        bool converged = true;
-        for (int seed = 1; seed <= seeds; ++seed) {
-            which.seed = static_cast<std::uint64_t>(seed);
-            const auto result = pinning_survey::run(which, 2.0);
-            sum += result.pinning_coefficient / seeds;
-            squares += result.pinning_coefficient * result.pinning_coefficient / seeds;
-            approach += result.approach / seeds;
-            retraction += result.retraction / seeds;
-            lengths += result.larkin_lengths / seeds;
-            converged = converged && result.converged;
-        }
-        const double deviation = seeds > 1 ? std::sqrt(std::max(squares - sum * sum, 0.0) * seeds / (seeds - 1)) : 0.0;
-        fmt::print("| {} | {} x {} | {} | {} | {:.1f} | {:.2f} ± {:.2f} | {:.2f} | {:.2f} |{}\n", which.energy_share,
-                   which.way, which.width, which.band, which.hurst_exponent, lengths, sum, deviation, approach,
-                   retraction, converged ? "" : " not converged");
-        std::fflush(stdout);
-    }
+    const std::string_view what = count > 1 ? arguments[1] : "table";
+    constexpr setae::Index all = 1 << 30, small = 1024;
+    if (what == "bands") print_bands(count > 2 ? std::atoi(arguments[2]) : 3);
+    else print_table(what == "short" ? small : all);
 }

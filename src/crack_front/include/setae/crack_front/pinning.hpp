@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/contact/elasticity.hpp"
 #include "setae/crack_front/stress_intensity.hpp"
 
 namespace setae::crack_front {
@@ -16,6 +17,28 @@ namespace setae::crack_front {
 /// mean_wavelength: λ̄ [m]. energy_share: U_el/(AW), > 0. @throws InvalidArgument outside the domain.
 /// Source: Larkin, Ovchinnikov, J. Low Temp. Phys. 34 (1979) 409; Gao, Rice 1989 for the front's stiffness |q|.
 [[nodiscard]] double larkin_length(double mean_wavelength, double energy_share);
+
+/// Mean wavelength λ̄ [m] of a surface, weighed by the elastic energy of each wave, from two numbers of the surface.
+///
+///   λ̄ = 2π Σ|h_q|²/Σ|q||h_q|² = π h_rms²/(2u),   u = U_el/(A E*) = ¼ Σ|q||h_q|²
+///
+/// rms_height: h_rms [m], > 0. energy_per_modulus: u [m], > 0. @throws InvalidArgument outside the domain.
+[[nodiscard]] double mean_wavelength(double rms_height, double energy_per_modulus);
+
+/// Length [m] along the edge of a contact over which the sphere lets the edge bend. The sphere itself holds longer
+/// waves of the edge at the radius a, as a spring of stiffness q_κ.
+///
+///   ℓ = π/q_κ,   q_κ = d ln G/da at fixed δ = 4a/(R|D|) − 1/a,   |D| = √(2πaW/E*);   ℓ at most 2πa
+///
+/// 2πa/10 at no load, 2πa/4 at pull-off under a dead load. A straight front has ℓ = L_z where its spring is π/L_z.
+/// contact_radius: a [m], > 0. contact: R, E*, W > 0. @throws InvalidArgument outside the domain.
+/// Source: G of a sphere, Maugis, Contact, Adhesion and Rupture (2000), ch. 4; docs/theory/crack-front.md.
+[[nodiscard]] double free_length(double contact_radius, const contact::AdhesiveContact& contact);
+
+/// Number of Larkin lengths within free_length(): how far the edge of a contact of this radius is from a long front.
+/// energy_share: U_el/(AW), > 0. @throws InvalidArgument outside the domain.
+[[nodiscard]] double larkin_lengths(double contact_radius, const contact::AdhesiveContact& contact,
+                                    double mean_wavelength, double energy_share);
 
 /// What the theory of a front on one roughness rests on.
 struct FrontValidity {
