@@ -25,7 +25,7 @@ namespace setae::roughness {
 ///   else the jackknife within strata, where any stratum has two members
 ///   else the scatter of bootstrap replicas
 ///
-/// plus what the sources do, each independent of the others: inputs that numbers of other surfaces may share by name.
+/// plus what bins of a single measurement do, which these leave out, and what the sources do, each independent of the others: inputs that numbers of other surfaces may share by name.
 struct ParameterSpread {
     struct Source {
         std::string name;  ///< of the input, such as "tip radius of afm (10 nm), PUNCD"; one name is one input
@@ -39,10 +39,11 @@ struct ParameterSpread {
     bool replicas_are_draws = false;  ///< drawn from the covariance of a fit
     std::vector<std::vector<SpectralParameters>> left_out;  ///< without each measurement of each stratum
     std::vector<Source> sources;
+    std::vector<Source> single_bins;  ///< each bin that one measurement covers, moved by the scatter of its modes
 
     /// Covariance of two functions of the parameters.
     ///
-    ///   draws: Σ (f_k − f̄)(g_k − ḡ)/(K − 1);  jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·));  a source: ¼ (f₊ − f₋)(g₊ − g₋)
+    ///   draws: Σ (f_k − f̄)(g_k − ḡ)/(K − 1);  jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·));  a source or single bin: ¼ (f₊ − f₋)(g₊ − g₋)
     ///
     /// 0 where nothing is known. Source: Efron, Tibshirani, An Introduction to the Bootstrap (1993), ch. 11.
     [[nodiscard]] double covariance(const Function& f, const Function& g) const;
