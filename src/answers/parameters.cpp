@@ -109,8 +109,8 @@ std::string headline_text(const Parameters& parameters) {
     const auto& first = parameters.headline.front();
     text += "\n";
     if (first.band)
-        text += fmt::format("  waves {} … {}", format_value(2.0 * pi / first.band->upper, "m"),
-                            format_value(2.0 * pi / first.band->lower, "m"));
+        text += fmt::format("  waves {} … {}", format_value(2.0 * pi / first.band->lower, "m"),
+                            format_value(2.0 * pi / first.band->upper, "m"));
     if (!parameters.levelling.empty()) text += fmt::format("; removed from the heights: {}", parameters.levelling);
     if (first.n) text += fmt::format("; {} measurement{}", *first.n, *first.n == 1 ? "" : "s");
     return text + "\n";
