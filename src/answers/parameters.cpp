@@ -83,8 +83,8 @@ Parameters parameters(const ParametersRequest& request, parallel::Threads thread
         .file = "combined",
         .name = {},
         .purpose = of_band,
-        .quantities = named(output::surface_quantities(surface, surface.used(), request.analysis.conversion),
-                            "_from_spectrum")};
+        .quantities =
+            named(output::surface_quantities(surface, surface.used(), request.analysis.conversion), "_from_spectrum")};
     if (request.surface.power_spectrum) spectral.file = *request.surface.power_spectrum;
     if (surface.measurements.size() == 1) {
         spectral.file = request.surface.measurements.front().file;
@@ -102,9 +102,9 @@ Parameters parameters(const ParametersRequest& request, parallel::Threads thread
 std::string headline_text(const Parameters& parameters) {
     std::string text;
     for (const auto& q : parameters.headline)
-        text += fmt::format("{}{} {}", text.empty() ? "To quote: " : ", ", q.symbol,
-                            q.estimate.uncertain() ? format_uncertain(q.estimate, q.unit)
-                                                   : format_value(q.estimate.value, q.unit, 5));
+        text += fmt::format(
+            "{}{} {}", text.empty() ? "To quote: " : ", ", q.symbol,
+            q.estimate.uncertain() ? format_uncertain(q.estimate, q.unit) : format_value(q.estimate.value, q.unit, 5));
     if (parameters.headline.empty()) return text;
     const auto& first = parameters.headline.front();
     text += "\n";

@@ -37,7 +37,8 @@ void add_interval(Table& table, const spectra::MeasuredSpectrum& spectrum) {
     auto interval = spectra::interval_of(spectrum);
     table.columns.push_back({"interval_low", "m3", std::move(interval.lower)});
     table.columns.push_back({"interval_high", "m3", std::move(interval.upper)});
-    table.metadata["interval"] = "95 %, of Gaussian heights: 2 n C1D/chi2 with 2 n degrees of freedom, n independent lines";
+    table.metadata["interval"] =
+        "95 %, of Gaussian heights: 2 n C1D/chi2 with 2 n degrees of freedom, n independent lines";
 }
 
 /// Columns of the spectrum, in the order of printing.

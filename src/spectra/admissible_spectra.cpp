@@ -44,23 +44,21 @@ std::optional<SelfAffine> self_affine(const std::array<double, 4>& moments) {
 
 AdmissibleSpectra admissible_spectra(const StatedMoments& moments, int count, std::uint64_t seed) {
     if (count < 1) throw InvalidArgument(fmt::format("{} spectra; expected at least 1", count));
-    const std::array<Positive, 4> stated{Positive(moments.rms_height, "rms height"),
-                                         Positive(moments.rms_slope, "rms slope"),
-                                         Positive(moments.rms_curvature, "rms curvature"),
-                                         Positive(moments.short_wavevector, "short wavevector")};
+    const std::array<Positive, 4> stated{
+        Positive(moments.rms_height, "rms height"), Positive(moments.rms_slope, "rms slope"),
+        Positive(moments.rms_curvature, "rms curvature"), Positive(moments.short_wavevector, "short wavevector")};
     constexpr int tries_per_spectrum = 100;
     AdmissibleSpectra result;
     std::uint64_t tried = 0;
     while (static_cast<int>(result.draws.size()) < count) {
         if (tried >= static_cast<std::uint64_t>(tries_per_spectrum) * (result.draws.size() + 1))
-            throw InvalidArgument(
-                fmt::format("{} of {} sets of moments within their errors belong to a self-affine spectrum with 0 < H < "
-                            "1; expected at least one in {}: check h_rms, slope and curvature against each other",
-                            result.draws.size(), tried, tries_per_spectrum));
+            throw InvalidArgument(fmt::format(
+                "{} of {} sets of moments within their errors belong to a self-affine spectrum with 0 < H < "
+                "1; expected at least one in {}: check h_rms, slope and curvature against each other",
+                result.draws.size(), tried, tries_per_spectrum));
         const auto key = numerics::substream({seed, 0}, tried++);
         std::array<double, 4> drawn{};
-        for (std::size_t i = 0; i < drawn.size(); ++i)
-            drawn[i] = stated[i].at(numerics::normal_number(key, i));
+        for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = stated[i].at(numerics::normal_number(key, i));
         if (const auto model = self_affine(drawn)) result.draws.push_back(*model);
     }
     result.share = static_cast<double>(count) / static_cast<double>(tried);

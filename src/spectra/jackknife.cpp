@@ -83,7 +83,8 @@ MovedBins moved_single_bins(const BinnedSpectra& spectra, Weighting weighting) {
         deviations.push_back(std::sqrt(boost::math::trigamma(1.0 / spectra.relative_variance(member, filled[k]))));
     }
     const auto rows = static_cast<Index>(single.size());
-    MovedBins result{spectra.wavevector(filled), full.transpose().replicate(rows, 1), full.transpose().replicate(rows, 1)};
+    MovedBins result{spectra.wavevector(filled), full.transpose().replicate(rows, 1),
+                     full.transpose().replicate(rows, 1)};
     for (Index r = 0; r < rows; ++r) {
         const auto at = static_cast<std::size_t>(r);
         result.plus(r, single[at]) *= std::exp(deviations[at]);

@@ -29,7 +29,8 @@ Array1D between(const std::vector<Index>& modes, const Array1D& values, Index co
         if (next == modes.size()) result[k - 1] = values[at - 1];
         else if (next == 0 || modes[next] == k) result[k - 1] = values[at];
         else {
-            const double t = static_cast<double>(k - modes[next - 1]) / static_cast<double>(modes[next] - modes[next - 1]);
+            const double t =
+                static_cast<double>(k - modes[next - 1]) / static_cast<double>(modes[next] - modes[next - 1]);
             result[k - 1] = (1.0 - t) * values[at - 1] + t * values[at];
         }
     }

@@ -39,9 +39,9 @@ public:
 
 private:
     Index points_, lines_;
-    std::vector<Index> modes_;                 ///< looked at, increasing
+    std::vector<Index> modes_;                  ///< looked at, increasing
     fourier::Buffer<fourier::Complex> values_;  ///< of each mode looked at, its lines
-    Index stride_;                             ///< from mode to mode; keeps the transform's alignment
+    Index stride_;                              ///< from mode to mode; keeps the transform's alignment
 };
 
 }  // namespace setae::spectra

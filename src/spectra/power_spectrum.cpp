@@ -94,8 +94,8 @@ void fill_from_sums(MeasuredSpectrum& spectrum, LineSums& sums, Index n, Index l
     spectrum.density = sums.power.tail(count) * (factor / number);
     spectrum.count = Array1D::Constant(count, number);
     spectrum.independent_lines = lines > 1 ? sums.coherence.independent_lines(threads) : Array1D::Ones(count);
-    spectrum.standard_error = lines > 1 ? Array1D(spectrum.density / spectrum.independent_lines.sqrt())
-                                        : Array1D::Constant(count, undefined);
+    spectrum.standard_error =
+        lines > 1 ? Array1D(spectrum.density / spectrum.independent_lines.sqrt()) : Array1D::Constant(count, undefined);
 }
 
 /// The same from the lines of a map whose trend other than the mean is gone.
@@ -231,7 +231,7 @@ MeasuredSpectrum within_band(MeasuredSpectrum spectrum) {
     for (Index k = 0; k < spectrum.wavevector.size(); ++k)
         if (in_band(spectrum.wavevector[k], spectrum.band.lower, spectrum.band.upper)) kept.push_back(k);
     for (Array1D* column : {&spectrum.wavevector, &spectrum.density, &spectrum.standard_error, &spectrum.count,
-                             &spectrum.independent_lines}) {
+                            &spectrum.independent_lines}) {
         if (column->size() == 0) continue;
         const Array1D part = (*column)(kept);
         *column = part;

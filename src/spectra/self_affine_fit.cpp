@@ -308,13 +308,15 @@ void add_bound_alerts(SelfAffineFit& fit, const Problem& problem, const Paramete
                               "the model does not describe these values: choose a range in which C1D is one power law, "
                               "or one power law with a roll-off"});
     };
-    add(at[hurst], smallest_hurst, fmt::format("hurst_exponent ended at the smallest value allowed, {}", smallest_hurst));
+    add(at[hurst], smallest_hurst,
+        fmt::format("hurst_exponent ended at the smallest value allowed, {}", smallest_hurst));
     add(at[hurst], largest_hurst, fmt::format("hurst_exponent ended at the largest value allowed, {}", largest_hurst));
     if (fit.rolloff != ScaleStatus::not_asked)
         add(at[rolloff], problem.shortest_rolloff(),
-            fmt::format("rolloff_wavelength ended at the shortest wavelength fitted, {:.3g} m: the values show no power "
-                        "law",
-                        2.0 * pi / fit.range.upper));
+            fmt::format(
+                "rolloff_wavelength ended at the shortest wavelength fitted, {:.3g} m: the values show no power "
+                "law",
+                2.0 * pi / fit.range.upper));
     if (fit.short_cutoff != ScaleStatus::not_asked)
         add(at[cutoff], problem.longest_cutoff(),
             fmt::format("shortest_wavelength ended at the shortest wavelength fitted, {:.3g} m",
@@ -354,8 +356,7 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
     const auto scale = [&](Index place, const char* name, const char* symbol, ScaleStatus& status) {
         Interval interval{
             std::exp(profile_end(problem, best, place,
-                                 place == rolloff ? problem.shortest_rolloff() : problem.shortest_cutoff(),
-                                 rise)),
+                                 place == rolloff ? problem.shortest_rolloff() : problem.shortest_cutoff(), rise)),
             std::exp(profile_end(problem, best, place,
                                  place == rolloff ? problem.longest_rolloff() : problem.longest_cutoff(), rise)),
             options.level};

@@ -13,9 +13,10 @@ SpectrumInterval interval_of(const MeasuredSpectrum& spectrum, double level) {
         throw InvalidArgument(fmt::format("level {}; expected above 0 and below 1", level));
     const auto& n = spectrum.independent_lines;
     if (n.size() != spectrum.density.size() || !(n > 0.0).all())
-        throw InvalidArgument(fmt::format("{} values of C1D with {} numbers of independent lines; expected as many, all "
-                                          "positive",
-                                          spectrum.density.size(), n.size()));
+        throw InvalidArgument(
+            fmt::format("{} values of C1D with {} numbers of independent lines; expected as many, all "
+                        "positive",
+                        spectrum.density.size(), n.size()));
     const auto end = [&](double probability) {
         const Array1D factor = n.unaryExpr([=](double lines) {
             return 2.0 * lines / boost::math::quantile(boost::math::chi_squared(2.0 * lines), probability);

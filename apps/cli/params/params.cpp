@@ -116,8 +116,8 @@ ExitCode run(const Arguments& arguments) {
         print(answers::headline_text(parameters) + "\n");
         for (const auto& group : parameters.groups) {
             const bool named = !group.name.empty() && group.name != group.file;
-            print(tables_of(group.file + (named ? " (" + group.name + ")" : ""), group.quantities,
-                            output_size().width, group.purpose));
+            print(tables_of(group.file + (named ? " (" + group.name + ")" : ""), group.quantities, output_size().width,
+                            group.purpose));
         }
     }
     if (!arguments.output.empty())

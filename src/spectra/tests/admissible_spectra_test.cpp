@@ -43,7 +43,8 @@ TEST(AdmissibleSpectra, OfSmallErrorsScatterAsTheyAreStated) {
 
 TEST(AdmissibleSpectra, OfWideErrorsAreSpectraAllTheSame) {
     // UNCD of Dalvi et al. 2019: slope + 1 standard error gives H > 1
-    const StatedMoments uncd{{23.4e-9, 1.3e-9, "given"}, {1.46, 0.36, "given"}, {3.37e9, 0.69e9, "given"}, {1.57e10, 0.0}};
+    const StatedMoments uncd{
+        {23.4e-9, 1.3e-9, "given"}, {1.46, 0.36, "given"}, {3.37e9, 0.69e9, "given"}, {1.57e10, 0.0}};
     const auto drawn = admissible_spectra(uncd, 500, 3);
     EXPECT_LT(drawn.share, 0.99);
     for (const auto& model : drawn.draws) {

@@ -98,7 +98,8 @@ SETAE_KEEP(Metadata, name, file, format, unit, acquisition_time, instrument, att
 namespace setae::spectra {
 
 SETAE_KEEP(Spectrum, wavevector, density, band, kind, nodes, standard_error, count, waves_end)
-SETAE_KEEP_WITH_BASE(MeasuredSpectrum, Spectrum, of.length, of.pitch, of.independent_lines, of.window, of.alerts, of.metadata)
+SETAE_KEEP_WITH_BASE(MeasuredSpectrum, Spectrum, of.length, of.pitch, of.independent_lines, of.window, of.alerts,
+                     of.metadata)
 SETAE_KEEP(LogGrid, bins_per_decade)
 SETAE_KEEP_WITH_BASE(CombinedSpectrum, Spectrum, of.instrument_count, of.grid, of.alerts)
 

@@ -79,9 +79,10 @@ void add_stated_errors(SurfaceResult& surface, const PublishedMoments& moments, 
         if (drawn.share < nearly_all)
             surface.alerts.push_back(
                 {"SPREAD_INCOMPLETE", surface.name,
-                 fmt::format("{:.0f} % of the moments drawn within their ± belong to a self-affine spectrum with 0 < H < 1; "
-                             "standard errors are the scatter of these",
-                             100.0 * drawn.share),
+                 fmt::format(
+                     "{:.0f} % of the moments drawn within their ± belong to a self-affine spectrum with 0 < H < 1; "
+                     "standard errors are the scatter of these",
+                     100.0 * drawn.share),
                  "give the spectrum itself, with its errors (power_spectrum), in place of its moments"});
     } catch (const InvalidArgument& error) {
         incomplete("its moments", error);

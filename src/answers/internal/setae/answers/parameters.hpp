@@ -26,8 +26,8 @@ struct ParameterGroup {
     std::optional<std::size_t> channel = {};  ///< that was taken where the file has several
 };
 
-/// Parameters of a surface: those of each measurement's heights, then those of its spectrum by the conversion asked for,
-/// then by the other one. Without groups where the surface failed.
+/// Parameters of a surface: those of each measurement's heights, then those of its spectrum by the conversion asked
+/// for, then by the other one. Without groups where the surface failed.
 struct Parameters {
     study::SurfaceResult surface;
     std::vector<ParameterGroup> groups;

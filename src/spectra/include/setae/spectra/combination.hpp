@@ -30,9 +30,9 @@ struct CombinationOptions {
 /// The measurements, each averaged in the bins of one grid: what combine() and bootstrap() work on.
 struct BinnedSpectra {
     LogGrid grid;
-    Index first_bin = 0;                   ///< column 0 of the matrices
-    Array1D wavevector;                    ///< geometric centres of the bins [1/m]
-    Array2D C1D;                           ///< (measurement, bin) [m³]; NaN where it has no mode in its reliable band
+    Index first_bin = 0;        ///< column 0 of the matrices
+    Array1D wavevector;         ///< geometric centres of the bins [1/m]
+    Array2D C1D;                ///< (measurement, bin) [m³]; NaN where it has no mode in its reliable band
     Array2D relative_variance;  ///< of each entry, from independent lines and modes, window included; NaN likewise
     std::vector<std::string> instruments;  ///< of each measurement: type, else name, else "unknown"
 };

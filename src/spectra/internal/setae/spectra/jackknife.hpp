@@ -31,8 +31,8 @@ struct MovedBins {
     Array2D plus, minus;  ///< (bin that one measurement covers, bin) [m³]
 };
 
-/// What the scatter of modes does to bins of a single measurement, of which the jackknife sees nothing: it fills them in
-/// proportion to their neighbours.
+/// What the scatter of modes does to bins of a single measurement, of which the jackknife sees nothing: it fills them
+/// in proportion to their neighbours.
 ///
 ///   C exp(±σ_b),  σ_b² = ψ'(1/v_b),  v_b the bin's relative_variance
 ///
