@@ -64,7 +64,7 @@ Array1D LineCoherence::independent_lines(parallel::Threads threads) {
         }
         const double variance = (2 * modes_[m] == points_ ? 1.0 : 0.5) * squares;
         found[static_cast<Index>(m)] =
-            variance > 0.0 ? std::clamp((sum * sum - variance) / variance, 1.0, number) : number;
+            variance > 0.0 ? std::clamp((sum * sum - 2.0 * variance) / variance, 1.0, number) : number;
     });
     return between(modes_, found, points_ / 2);
 }

@@ -13,16 +13,18 @@ namespace setae::spectra {
 /// Number of independent lines among the N lines of a map, for each mode k of their mean periodogram.
 ///
 ///   a_j: mode k of line j;   S_m = |Σ_j a_j exp(−2πi jm/N)|²/N,  m = 0 … N − 1
-///   n = [(Σ S)² − ½ Σ S²]/(½ Σ S²),  between 1 and N
+///   n = [(Σ S)² − Σ S²]/(½ Σ S²),  between 1 and N
 ///
-/// Heights are Gaussian, so Var(Σ S) = Σ s² with s = E S, E Σ S² = 2 Σ s² and E (Σ S)² = (Σ s)² + Σ s². Without bias
-/// in numerator and denominator,
+/// Heights are Gaussian, so Var(Σ S) = Σ s² with s = E S, E Σ S² = 2 Σ s² and E (Σ S)² = (Σ s)² + Σ s². C1D of the map
+/// has the relative variance
 ///
-///   n = (Σ s)²/Σ s² = (L_y/2π) (∫ C2D dq_y)²/∫ C2D² dq_y,
+///   1/n = Σ s²/(Σ s)² = (2π/L_y) ∫ C2D² dq_y/(∫ C2D dq_y)²
 ///
-/// and C1D of the map has the relative variance 1/n. Limits: N for white noise, 1 for a corrugation along y. Where k is
-/// the Nyquist wavevector the modes are real, Var(Σ S) = 2 Σ s², and 1 takes the place of ½. Lines of which the
-/// correlation reaches across the map are taken as periodic in y: this makes the standard error up to 4 % too small.
+/// and (Σ S)² − ½ Σ S² over ½ Σ S² estimates n without bias of numerator or denominator. The ½ Σ S² taken off in
+/// addition lowers n by one. Half of that corrects for the transform, which takes the map as periodic in y and so gives
+/// too small a variance where correlation reaches across the map; half allows for the error of n itself. Limits: N − 1
+/// for white noise, 1 for a corrugation along y. Where k is the Nyquist wavevector the modes are real and Var(Σ S) = 2
+/// Σ s².
 ///
 /// The first 128 modes have their own number. Shorter waves take it from one mode in each sixteenth of a decade, linear
 /// in between: memory is N values a mode looked at.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Alerts of pairs, elastomers and reconstructed spectra: each where it belongs and nowhere else.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
