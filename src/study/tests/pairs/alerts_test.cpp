@@ -102,13 +102,12 @@ TEST(PublishedMoments, ErrTogetherAsThoseOfOneSpectrum) {
     EXPECT_TRUE(spread.sources.empty());
     ASSERT_GT(spread.replicas.size(), 30U);
     for (const auto& p : spread.replicas) EXPECT_GT(p.elastic_energy_per_modulus, 0.0);
-    const auto slope = [](const auto& p) { return std::log(p.rms_slope); },
-               curvature = [](const auto& p) { return std::log(p.rms_curvature); };
+    using roughness::SpectralParameters;
+    const auto slope = [](const SpectralParameters& p) { return std::log(p.rms_slope); };
+    const auto curvature = [](const SpectralParameters& p) { return std::log(p.rms_curvature); };
     EXPECT_GT(spread.covariance(slope, curvature), 0.0);  // independent errors have none
-    EXPECT_EQ(
-        surface.average.estimate([](const roughness::SpectralParameters& p) { return p.elastic_energy_per_modulus; })
-            .method,
-        "admissible spectra on ln");
+    EXPECT_EQ(surface.average.estimate([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; }).method,
+              "admissible spectra on ln");
 }
 
 }  // namespace
