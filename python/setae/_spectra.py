@@ -167,6 +167,11 @@ class Parameters(Answer):
     def __iter__(self) -> Any:
         return iter(dict.fromkeys(entry["quantity"] for entry in self._data))
 
+    @property
+    def headline(self) -> dict[str, Quantity]:
+        """Those to quote: rms height, slope, curvature and true area of the waves inside the reliable band."""
+        return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["headline"]}
+
     def of(self, file: str) -> dict[str, Quantity]:
         """Those of one measurement, or of what is called "combined"."""
         return {entry["quantity"]: quantity_from(entry) for entry in self._data if entry["file"] == file}

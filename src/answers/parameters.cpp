@@ -1,31 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/answers/parameters.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "setae/core/constants.hpp"
+#include "setae/core/uncertain_text.hpp"
+#include "setae/core/units.hpp"
 
 namespace setae::answers {
 namespace {
 
-/// Spectral parameters by the conversion asked for, and by the other one.
-std::vector<Quantity> spectral_quantities(const study::SurfaceResult& surface, roughness::Conversion conversion) {
-    const auto named = [](std::vector<Quantity> quantities, const char* suffix) {
-        for (auto& q : quantities) q.quantity += suffix;
-        return quantities;
-    };
-    const auto& spectrum = surface.used();
-    auto list = named(output::surface_quantities(surface, spectrum, conversion), "_from_spectrum");
-    if (!spectrum.other_conversion) return list;
-    auto other = spectrum;
-    other.parameters = *spectrum.other_conversion;
+constexpr const char* of_heights =
+    "of the heights as they are, all waves: to compare with other programs for maps and profiles";
+constexpr const char* of_lines = "of single lines along x, each about its own mean: to compare with a profilometer";
+constexpr const char* of_band = "to quote: waves of the reliable band, with ±; adhesion rests on these";
+constexpr const char* of_other_eq11 = "to compare with publications that convert C1D by [D19] (11)";
+constexpr const char* of_other_exact = "exact for isotropic surfaces: to compare with the conversion asked for";
+
+std::vector<Quantity> named(std::vector<Quantity> quantities, const char* suffix) {
+    for (auto& q : quantities) q.quantity += suffix;
+    return quantities;
+}
+
+/// Spectral parameters by the conversion that was not asked for.
+std::optional<ParameterGroup> by_other_conversion(const study::SurfaceResult& surface, const ParameterGroup& spectral,
+                                                  roughness::Conversion conversion) {
+    if (!surface.used().other_conversion) return std::nullopt;
+    auto other = surface.used();
+    other.parameters = *other.other_conversion;
     other.spread = {};
     const bool exact = conversion == roughness::Conversion::exact;
-    const auto others = named(
+    auto group = spectral;
+    group.purpose = exact ? of_other_eq11 : of_other_exact;
+    group.quantities = named(
         output::surface_quantities(surface, other, exact ? roughness::Conversion::eq11 : roughness::Conversion::exact),
         exact ? "_from_spectrum_eq11" : "_from_spectrum_exact");
-    list.insert(list.end(), others.begin(), others.end());
-    return list;
+    return group;
+}
+
+bool is_of_lines(const Quantity& quantity) { return quantity.quantity == "rms_height_of_lines"; }
+
+bool is_to_quote(const Quantity& quantity) {
+    constexpr std::array names{"rms_height_from_spectrum", "rms_slope_from_spectrum", "rms_curvature_from_spectrum",
+                               "true_area_ratio_from_spectrum"};
+    return std::find(names.begin(), names.end(), quantity.quantity) != names.end();
+}
+
+/// "tilt", or "tilt (a.ibw), parabola (b.csv)" where measurements differ.
+std::string levelling_of(const study::SurfaceResult& surface) {
+    std::vector<std::pair<std::string, std::string>> removed;
+    for (const auto& m : surface.measurements)
+        if (!m.failed()) removed.emplace_back(topography::name(m.trend), m.file);
+    const bool alike = std::all_of(removed.begin(), removed.end(),
+                                   [&](const auto& one) { return one.first == removed.front().first; });
+    if (alike) return removed.empty() ? std::string() : removed.front().first;
+    std::string text;
+    for (const auto& [trend, file] : removed) text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", trend, file);
+    return text;
 }
 
 }  // namespace
@@ -33,20 +71,49 @@ std::vector<Quantity> spectral_quantities(const study::SurfaceResult& surface, r
 Parameters parameters(const ParametersRequest& request, parallel::Threads threads) {
     const study::Wanted wanted{.previews = false, .every_measurement = request.every_measurement};
     Parameters result{.surface = study::analyse_surface(request.surface, request.analysis, wanted, threads).surface,
-                      .groups = {}};
+                      .groups = {},
+                      .headline = {},
+                      .levelling = {}};
     const auto& surface = result.surface;
     if (surface.failed()) return result;
     for (const auto& m : surface.measurements)
-        if (!m.failed()) result.groups.push_back({m.file, m.name, output::measurement_quantities(m), m.channel});
+        if (!m.failed())
+            result.groups.push_back({m.file, m.name, of_heights, output::measurement_quantities(m), m.channel});
     ParameterGroup spectral{
-        .file = "combined", .name = {}, .quantities = spectral_quantities(surface, request.analysis.conversion)};
+        .file = "combined",
+        .name = {},
+        .purpose = of_band,
+        .quantities =
+            named(output::surface_quantities(surface, surface.used(), request.analysis.conversion), "_from_spectrum")};
     if (request.surface.power_spectrum) spectral.file = *request.surface.power_spectrum;
     if (surface.measurements.size() == 1) {
         spectral.file = request.surface.measurements.front().file;
         spectral.channel = surface.measurements.front().channel;
     }
+    std::copy_if(spectral.quantities.begin(), spectral.quantities.end(), std::back_inserter(result.headline),
+                 is_to_quote);
+    result.levelling = levelling_of(surface);
+    auto other = by_other_conversion(surface, spectral, request.analysis.conversion);
     result.groups.push_back(std::move(spectral));
+    if (other) result.groups.push_back(std::move(*other));
     return result;
+}
+
+std::string headline_text(const Parameters& parameters) {
+    std::string text;
+    for (const auto& q : parameters.headline)
+        text += fmt::format(
+            "{}{} {}", text.empty() ? "To quote: " : ", ", q.symbol,
+            q.estimate.uncertain() ? format_uncertain(q.estimate, q.unit) : format_value(q.estimate.value, q.unit, 5));
+    if (parameters.headline.empty()) return text;
+    const auto& first = parameters.headline.front();
+    text += "\n";
+    if (first.band)
+        text += fmt::format("  waves {} … {}", format_value(2.0 * pi / first.band->lower, "m"),
+                            format_value(2.0 * pi / first.band->upper, "m"));
+    if (!parameters.levelling.empty()) text += fmt::format("; removed from the heights: {}", parameters.levelling);
+    if (first.n) text += fmt::format("; {} measurement{}", *first.n, *first.n == 1 ? "" : "s");
+    return text + "\n";
 }
 
 output::Json to_json(const Parameters& parameters) {
@@ -57,6 +124,9 @@ output::Json to_json(const Parameters& parameters) {
             entry["file"] = group.file;
             entry["measurement"] = group.name;
             if (group.channel) entry["channel"] = *group.channel;
+            entry["purpose"] = is_of_lines(q) ? of_lines : group.purpose;
+            entry["headline"] = is_to_quote(q);
+            if (is_to_quote(q) && !parameters.levelling.empty()) entry["levelling"] = parameters.levelling;
             json.push_back(std::move(entry));
         }
     }

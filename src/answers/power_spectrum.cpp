@@ -2,6 +2,7 @@
 #include "setae/answers/power_spectrum.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/spectra/abel.hpp"
 #include "setae/spectra/inverse_abel.hpp"
+#include "setae/spectra/spectrum_interval.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
 
 namespace setae::answers {
@@ -30,6 +32,15 @@ Table given(const PowerSpectrumRequest& request) {
     return table;
 }
 
+/// One line has no scatter of its own: its interval is that of Gaussian heights.
+void add_interval(Table& table, const spectra::MeasuredSpectrum& spectrum) {
+    auto interval = spectra::interval_of(spectrum);
+    table.columns.push_back({"interval_low", "m3", std::move(interval.lower)});
+    table.columns.push_back({"interval_high", "m3", std::move(interval.upper)});
+    table.metadata["interval"] =
+        "95 %, of Gaussian heights: 2 n C1D/chi2 with 2 n degrees of freedom, n independent lines";
+}
+
 /// Columns of the spectrum, in the order of printing.
 Table columns_of(const study::SurfaceResult& surface, const PowerSpectrumRequest& request) {
     const auto& only = surface.measurements.front();
@@ -41,7 +52,9 @@ Table columns_of(const study::SurfaceResult& surface, const PowerSpectrumRequest
         table.columns = {{"wavevector", "1/m", own.wavevector},
                          {"C1D", "m3", own.density},
                          {"standard_error", "m3", own.standard_error},
-                         {"count", "1", own.count}};
+                         {"count", "1", own.count},
+                         {"independent_lines", "1", own.independent_lines}};
+        add_interval(table, own);
         return table;
     }
     const auto& c = *surface.combined;

@@ -57,8 +57,9 @@ double ParameterSpread::covariance(const Function& f, const Function& g) const {
         sum += sum_of_products(values_of(f, replicas), values_of(g, replicas)) /
                (static_cast<double>(replicas.size()) - 1.0);
     }
-    for (const auto& source : sources)
-        sum += 0.25 * (f(source.plus) - f(source.minus)) * (g(source.plus) - g(source.minus));
+    for (const auto* moved : {&sources, &single_bins})
+        for (const auto& source : *moved)
+            sum += 0.25 * (f(source.plus) - f(source.minus)) * (g(source.plus) - g(source.minus));
     return sum;
 }
 
@@ -72,7 +73,8 @@ VarianceTerm ParameterSpread::variance_term(const Function& f) const {
     const auto between = jackknife_estimate(undefined, without_each(f));  // its value does not enter the freedom
     if (!between.degrees_of_freedom) return result;
     std::vector<VarianceTerm> terms{{between.variance(), *between.degrees_of_freedom}};
-    for (const auto& source : sources) terms.push_back({0.25 * std::pow(f(source.plus) - f(source.minus), 2)});
+    for (const auto* moved : {&sources, &single_bins})
+        for (const auto& source : *moved) terms.push_back({0.25 * std::pow(f(source.plus) - f(source.minus), 2)});
     result.degrees_of_freedom = satterthwaite_degrees_of_freedom(terms);
     return result;
 }
@@ -92,6 +94,7 @@ Components ParameterSpread::components(const Function& f, const std::string& sur
     } else if (replicas.size() > 1) {
         add_scaled(values_of(f, replicas), 1.0 / std::sqrt(static_cast<double>(replicas.size()) - 1.0));
     }
+    for (const auto& bin : single_bins) open.push_back(0.5 * (f(bin.plus) - f(bin.minus)));
     Components result;
     if (!open.empty()) {
         Component own{Eigen::Map<const Array1D>(open.data(), static_cast<Index>(open.size()))};
@@ -108,7 +111,8 @@ Components ParameterSpread::components(const Function& f, const std::string& sur
 std::string ParameterSpread::method(const std::string& scale) const {
     if (replicas_are_draws) return "likelihood";
     const std::string with_sources = sources.empty() ? "" : ", delta";
-    if (has_jackknife()) return "jackknife t" + scale + with_sources;
+    if (has_jackknife())
+        return "jackknife t" + scale + (single_bins.empty() ? "" : ", modes of single bins") + with_sources;
     if (replicas.size() > 1) return replica_method + scale + with_sources;
     return "delta" + scale;
 }
@@ -135,10 +139,11 @@ void ParameterSpread::each(const std::function<void(SpectralParameters&)>& chang
     for (auto& replica : replicas) change(replica);
     for (auto& stratum : left_out)
         for (auto& without : stratum) change(without);
-    for (auto& source : sources) {
-        change(source.plus);
-        change(source.minus);
-    }
+    for (auto* moved : {&sources, &single_bins})
+        for (auto& source : *moved) {
+            change(source.plus);
+            change(source.minus);
+        }
 }
 
 }  // namespace setae::roughness

@@ -65,6 +65,13 @@ std::vector<std::vector<BinnedMode>> binned_modes(std::span<const MeasuredSpectr
     return modes;
 }
 
+/// Σ_ij |ρ_ij|²/m² of m neighbouring modes: the variance of their mean over that of one.
+double variance_of_mean(const MeasuredSpectrum& spectrum, double modes) {
+    if (spectrum.window != name(Window::hann)) return 1.0 / modes;
+    constexpr double next = 4.0 / 9.0, next_but_one = 1.0 / 36.0;  // |ρ|² under a Hann window
+    return (modes + 2.0 * (modes - 1.0) * next + 2.0 * std::max(0.0, modes - 2.0) * next_but_one) / (modes * modes);
+}
+
 /// Averages over bins of C_k (q_c/q_k)^slope, slope by bin.
 void fill_bins(std::span<const MeasuredSpectrum> spectra, const std::vector<std::vector<BinnedMode>>& binned,
                const Array1D& slopes, BinnedSpectra& result) {
@@ -84,7 +91,12 @@ void fill_bins(std::span<const MeasuredSpectrum> spectra, const std::vector<std:
         }
     }
     result.C1D = (modes > 0.0).select(result.C1D / modes, undefined);
-    result.relative_variance = (modes > 0.0).select(result.relative_variance / modes.square(), undefined);
+    for (Index i = 0; i < members; ++i)
+        for (Index b = 0; b < bins; ++b) {
+            auto& variance = result.relative_variance(i, b);
+            const double m = modes(i, b);
+            variance = m > 0.0 ? variance / m * variance_of_mean(spectra[static_cast<std::size_t>(i)], m) : undefined;
+        }
 }
 
 /// dlnC/dlnq in every bin: a line through the logarithms of the bins within half a decade that hold data.
@@ -156,27 +168,55 @@ void add_gap_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     }
 }
 
-/// Whole decades inside the coverage in which no bin has two instruments, where there are two at all.
+/// Whole decades inside the coverage, each as its lower exponent of ten.
+struct Decades {
+    Index lowest, end;
+};
+
+Decades whole_decades(const CombinedSpectrum& spectrum) {
+    const auto& grid = spectrum.grid;
+    const auto n = static_cast<double>(grid.bins_per_decade);
+    const auto first = static_cast<double>(grid.bin_of(spectrum.wavevector[0]));
+    const auto last = static_cast<double>(grid.bin_of(spectrum.wavevector[spectrum.wavevector.size() - 1]) + 1);
+    return {static_cast<Index>(std::ceil(first / n)), static_cast<Index>(std::floor(last / n))};
+}
+
+/// The most of what was counted in any bin of a decade.
+double most_in(Index decade, const CombinedSpectrum& spectrum, const Array1D& counts) {
+    const auto& grid = spectrum.grid;
+    const Index n = grid.bins_per_decade;
+    double most = 0.0;
+    for (Index b = 0; b < spectrum.wavevector.size(); ++b)
+        if (spectrum.wavevector[b] > grid.edge(decade * n) && spectrum.wavevector[b] < grid.edge((decade + 1) * n))
+            most = std::max(most, counts[b]);
+    return most;
+}
+
+/// Whole decades in which no bin has two instruments, where there are two at all.
 void add_single_instrument_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
     const auto& instruments = binned.instruments;
     if (std::adjacent_find(instruments.begin(), instruments.end(), std::not_equal_to<>()) == instruments.end()) return;
-    const auto& grid = spectrum.grid;
-    const Index n = grid.bins_per_decade;
-    const double first = static_cast<double>(grid.bin_of(spectrum.wavevector[0]));
-    const double last = static_cast<double>(grid.bin_of(spectrum.wavevector[spectrum.wavevector.size() - 1]) + 1);
-    const auto lowest = static_cast<Index>(std::ceil(first / static_cast<double>(n)));
-    const auto highest = static_cast<Index>(std::floor(last / static_cast<double>(n)));
-    for (Index decade = lowest; decade < highest; ++decade) {
-        double most = 0.0;
-        for (Index b = 0; b < spectrum.wavevector.size(); ++b)
-            if (spectrum.wavevector[b] > grid.edge(decade * n) && spectrum.wavevector[b] < grid.edge((decade + 1) * n))
-                most = std::max(most, spectrum.instrument_count[b]);
-        if (most == 1.0)
+    const auto decades = whole_decades(spectrum);
+    for (Index decade = decades.lowest; decade < decades.end; ++decade)
+        if (most_in(decade, spectrum, spectrum.instrument_count) == 1.0)
             spectrum.alerts.push_back(
                 {"SINGLE_INSTRUMENT_DECADE", "combined spectrum",
                  fmt::format("from 1e{} to 1e{} 1/m one instrument at a time: nothing checks it", decade, decade + 1),
                  "measure this decade with a second instrument"});
-    }
+}
+
+/// Whole decades in which no bin has two measurements, where there are two at all.
+void add_single_measurement_alerts(const BinnedSpectra& binned, CombinedSpectrum& spectrum) {
+    if (binned.C1D.rows() < 2) return;
+    const auto decades = whole_decades(spectrum);
+    for (Index decade = decades.lowest; decade < decades.end; ++decade)
+        if (most_in(decade, spectrum, spectrum.count) == 1.0)
+            spectrum.alerts.push_back(
+                {"SINGLE_MEASUREMENT_DECADE", "combined spectrum",
+                 fmt::format("from 1e{} to 1e{} 1/m each bin has one measurement: its ± is the scatter of the modes of "
+                             "that measurement, and how places of the surface differ is not determined",
+                             decade, decade + 1),
+                 "measure this decade at three places or more"});
 }
 
 /// Mean of ln C of an instrument's measurements in a bin and its standard error.
@@ -274,6 +314,7 @@ CombinedSpectrum combine(const BinnedSpectra& spectra, Weighting weighting) {
     result.band.upper = spectra.grid.edge(spectra.first_bin + filled.back() + 1);
     add_gap_alerts(spectra, result);
     add_single_instrument_alerts(spectra, result);
+    add_single_measurement_alerts(spectra, result);
     add_disagreement_alerts(spectra, result);
     return result;
 }

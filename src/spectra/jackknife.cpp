@@ -2,10 +2,12 @@
 #include "setae/spectra/jackknife.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
 #include <fmt/format.h>
+#include <boost/math/special_functions/trigamma.hpp>
 
 #include "combination_mean.hpp"
 #include "setae/core/errors.hpp"
@@ -62,6 +64,31 @@ JackknifeSpectra jackknife(const BinnedSpectra& spectra, Weighting weighting, co
             fill_lost_bins(means, full);
             curves.row(row) = means.transpose();
         }
+    }
+    return result;
+}
+
+MovedBins moved_single_bins(const BinnedSpectra& spectra, Weighting weighting) {
+    const Array1D all = bin_means(spectra, weighting, all_members(spectra));
+    const auto filled = filled_bins(all);
+    const Array1D full = all(filled);
+    std::vector<Index> single;  // of the filled bins
+    std::vector<double> deviations;
+    for (std::size_t k = 0; k < filled.size(); ++k) {
+        const auto has_value = !spectra.C1D.col(filled[k]).isNaN();
+        if (has_value.count() != 1) continue;
+        Index member = 0;
+        has_value.maxCoeff(&member);
+        single.push_back(static_cast<Index>(k));
+        deviations.push_back(std::sqrt(boost::math::trigamma(1.0 / spectra.relative_variance(member, filled[k]))));
+    }
+    const auto rows = static_cast<Index>(single.size());
+    MovedBins result{spectra.wavevector(filled), full.transpose().replicate(rows, 1),
+                     full.transpose().replicate(rows, 1)};
+    for (Index r = 0; r < rows; ++r) {
+        const auto at = static_cast<std::size_t>(r);
+        result.plus(r, single[at]) *= std::exp(deviations[at]);
+        result.minus(r, single[at]) *= std::exp(-deviations[at]);
     }
     return result;
 }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "checks.hpp"
+#include "line_coherence.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/fourier/map_transform.hpp"
@@ -41,10 +42,12 @@ MeasuredSpectrum empty_spectrum(const Kind& measurement, double length, Window w
     return spectrum;
 }
 
-/// Sums over the lines of a map, mode by mode.
+/// What the lines of a map have together: the sum of |transform|², mode by mode, and how alike they are.
 struct LineSums {
+    LineSums(Index points, Index lines) : power(Array1D::Zero(points / 2 + 1)), coherence(points, lines) {}
+
     Array1D power;
-    Array1D squares;
+    LineCoherence coherence;
 };
 
 /// What is done to every line before its transform.
@@ -53,12 +56,11 @@ struct LinePreparation {
     bool remove_mean = false;
 };
 
-/// Adds |transform|² and its square over the lines of a band, the first of them `first`, in an order that does not
-/// depend on threads.
+/// Adds the lines of a band, the first of them `first`, in an order that does not depend on threads.
 void add_lines(LineSums& sums, const ArrayView2D& heights, Index first, const LinePreparation& preparation,
                const topography::Metadata& metadata, parallel::Threads threads) {
     const Index modes = heights.rows() / 2 + 1, blocks = fourier::block_count(heights.cols());
-    Array2D power(blocks, modes), squares(blocks, modes);
+    Array2D power(blocks, modes);
     const auto prepare = [&](Index j, double* values) {
         Eigen::Map<Array1D> line(values, heights.rows());
         const double mean = line.mean();
@@ -67,54 +69,42 @@ void add_lines(LineSums& sums, const ArrayView2D& heights, Index first, const Li
     };
     const auto consume = [&](const fourier::SpectrumBlock& block) {
         double* power_row = power.row(block.index).data();
-        double* squares_row = squares.row(block.index).data();
         std::fill_n(power_row, modes, 0.0);
-        std::fill_n(squares_row, modes, 0.0);
         for (Index m = 0; m < block.lines; ++m) {
             const fourier::Complex* line = block.line(m);
-            for (Index k = 0; k < modes; ++k) {
-                const double value = line[k].real() * line[k].real() + line[k].imag() * line[k].imag();
-                power_row[k] += value;
-                squares_row[k] += value * value;
-            }
+            sums.coherence.take(first + block.first + m, line);
+            for (Index k = 0; k < modes; ++k)
+                power_row[k] += line[k].real() * line[k].real() + line[k].imag() * line[k].imag();
         }
     };
     fourier::transform_lines(heights, prepare, consume, threads);
-    for (Index b = 0; b < blocks; ++b) {
-        sums.power += power.row(b).transpose();
-        sums.squares += squares.row(b).transpose();
-    }
+    for (Index b = 0; b < blocks; ++b) sums.power += power.row(b).transpose();
 }
-
-LineSums no_lines(Index points) { return {Array1D::Zero(points / 2 + 1), Array1D::Zero(points / 2 + 1)}; }
 
 bool needs_fit(topography::Trend trend) {
     return trend == topography::Trend::tilt || trend == topography::Trend::parabola;
 }
 
 /// C1D, its standard error and count from sums over so many lines of n points.
-void fill_from_sums(MeasuredSpectrum& spectrum, const LineSums& sums, Index n, Index lines) {
+void fill_from_sums(MeasuredSpectrum& spectrum, LineSums& sums, Index n, Index lines, parallel::Threads threads) {
     const Index count = n / 2;
     const double step = spectrum.length / static_cast<double>(n), factor = step * step / spectrum.length;
     const double number = static_cast<double>(lines);
     spectrum.wavevector = modes(count, spectrum.length);
     spectrum.density = sums.power.tail(count) * (factor / number);
     spectrum.count = Array1D::Constant(count, number);
-    spectrum.standard_error = Array1D::Constant(count, undefined);
-    if (lines > 1) {
-        const Array1D variance =
-            (sums.squares.tail(count) * (factor * factor / number) - spectrum.density.square()).max(0.0);
-        spectrum.standard_error = (variance / (number - 1.0)).sqrt();
-    }
+    spectrum.independent_lines = lines > 1 ? sums.coherence.independent_lines(threads) : Array1D::Ones(count);
+    spectrum.standard_error =
+        lines > 1 ? Array1D(spectrum.density / spectrum.independent_lines.sqrt()) : Array1D::Constant(count, undefined);
 }
 
 /// The same from the lines of a map whose trend other than the mean is gone.
 void fill_from_lines(MeasuredSpectrum& spectrum, const ArrayView2D& heights, Window window,
                      const SpectrumOptions& options) {
-    auto sums = no_lines(heights.rows());
+    LineSums sums(heights.rows(), heights.cols());
     add_lines(sums, heights, 0, {window_values(window, heights.rows()), options.trend != topography::Trend::none},
               spectrum.metadata, options.threads);
-    fill_from_sums(spectrum, sums, heights.rows(), heights.cols());
+    fill_from_sums(spectrum, sums, heights.rows(), heights.cols(), options.threads);
 }
 
 void require_line_window(Window window) {
@@ -190,12 +180,12 @@ MeasuredSpectrum power_spectrum(const topography::TiledMap& map, Index lines_tog
     describe(spectrum, map, reliable_band(map, lines_together, options.reliability, options.threads), map.size[0],
              window);
     spectrum.pitch = map.pixel_size()[1];
-    auto sums = no_lines(map.nx);
+    LineSums sums(map.nx, map.ny);
     const LinePreparation preparation{window_values(window, map.nx), options.trend != topography::Trend::none};
     for (Index first = 0; first < map.ny; first += lines_together)
         add_lines(sums, levelled.lines(first, std::min(lines_together, map.ny - first)), first, preparation,
                   map.metadata, options.threads);
-    fill_from_sums(spectrum, sums, map.nx, map.ny);
+    fill_from_sums(spectrum, sums, map.nx, map.ny, options.threads);
     return spectrum;
 }
 
@@ -211,6 +201,7 @@ MeasuredSpectrum power_spectrum(const topography::Profile& profile, const Spectr
     spectrum.density = polyline_power_spectrum(topography::detrended(profile, options.trend), spectrum.wavevector,
                                                window, options.threads);
     spectrum.count = Array1D::Ones(spectrum.wavevector.size());
+    spectrum.independent_lines = spectrum.count;
     spectrum.standard_error = Array1D::Constant(spectrum.wavevector.size(), undefined);
     const bool sampled = options.contour == ContourTreatment::sinc_corrected,
                free_of_trace = options.trace_response && profile.response;
@@ -239,7 +230,9 @@ MeasuredSpectrum within_band(MeasuredSpectrum spectrum) {
     std::vector<Index> kept;
     for (Index k = 0; k < spectrum.wavevector.size(); ++k)
         if (in_band(spectrum.wavevector[k], spectrum.band.lower, spectrum.band.upper)) kept.push_back(k);
-    for (Array1D* column : {&spectrum.wavevector, &spectrum.density, &spectrum.standard_error, &spectrum.count}) {
+    for (Array1D* column : {&spectrum.wavevector, &spectrum.density, &spectrum.standard_error, &spectrum.count,
+                            &spectrum.independent_lines}) {
+        if (column->size() == 0) continue;
         const Array1D part = (*column)(kept);
         *column = part;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -139,11 +140,9 @@ SelfAffineFit fit_self_affine(const CombinedSpectrum& spectrum, const SelfAffine
 
 namespace {
 
-/// Modes of one measurement in groups, and what they are expected to be; nothing where none is in its reliable band.
-std::optional<FittedValues> values_of(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options) {
-    // whether sampling folds shorter waves back or the instrument averages them away shows above that; who asks for
-    // more gets aliases
-    const double q_max = options.range ? spectrum.band.upper : undistorted(spectrum).band.upper;
+/// Modes of one measurement up to q_max in groups, and what they are expected to be; nothing where none is in its
+/// reliable band.
+std::optional<FittedValues> values_up_to(double q_max, const MeasuredSpectrum& spectrum) {
     auto groups = groups_of(spectrum, q_max);
     if (groups.empty()) return std::nullopt;
     const auto count = static_cast<Index>(groups.size());
@@ -162,6 +161,71 @@ std::optional<FittedValues> values_of(const MeasuredSpectrum& spectrum, const Se
     }
     data.expected = ModeExpectation(spectrum, std::move(groups));
     return data;
+}
+
+std::optional<FittedValues> values_of(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options) {
+    // whether sampling folds shorter waves back or the instrument averages them away shows above that; who asks for
+    // more gets aliases
+    return values_up_to(options.range ? spectrum.band.upper : undistorted(spectrum).band.upper, spectrum);
+}
+
+/// ln(measured/model) of reliable values on one side of the fit: its mean weighted by ν, and the variance of that.
+class Departure {
+public:
+    void add(double wavevector, double measured, double expected, double freedom) {
+        // E ln of a gamma variate with shape ν is below ln of its mean by 1/(2ν) + 1/(12ν²)
+        sum_ += freedom * (std::log(measured / expected) + 0.5 / freedom + 1.0 / (12.0 * freedom * freedom));
+        freedom_ += freedom;
+        log_wavevector_ += freedom * std::log(wavevector);
+        lower_ = std::min(lower_, wavevector);
+        upper_ = std::max(upper_, wavevector);
+        ++count_;
+    }
+
+    /// An alert where the values depart from the model by more than chance and more than a quarter.
+    void report(SelfAffineFit& fit, const char* side) const {
+        if (count_ < 2) return;
+        constexpr double errors = 3.0, least = 0.22314355131420976;  // ln 1.25
+        const auto model = model_spectrum(fit, Array1D::Constant(1, std::exp(log_wavevector_ / freedom_)));
+        const double mean = sum_ / freedom_, relative = model.standard_error[0] / model.density[0],
+                     error = std::sqrt(1.0 / freedom_ + relative * relative);
+        if (!(std::abs(mean) > least && std::abs(mean) > errors * error)) return;
+        fit.alerts.push_back(
+            {"MODEL_MISSES_BEYOND", "self-affine fit",
+             fmt::format("{} the range fitted, from {:.3g} to {:.3g} 1/m, reliable values of C1D are {:.2g} times the "
+                         "model (standard error of the logarithm {:.2g}): the fit describes its own range only",
+                         side, lower_, upper_, std::exp(mean), error),
+             "fit both ranges by themselves (--fit-range) and compare their H, or limit the reliable band (tip_radius, "
+             "resolution)"});
+    }
+
+private:
+    double sum_ = 0.0, freedom_ = 0.0, log_wavevector_ = 0.0, upper_ = 0.0;
+    double lower_ = std::numeric_limits<double>::infinity();
+    int count_ = 0;
+};
+
+/// Looks at values of the reliable bands that the fit did not see: up to half of the highest wavevector, where aliases
+/// are still few, and from the third mode on, which detrending leaves alone.
+void look_beyond(SelfAffineFit& fit, std::span<const MeasuredSpectrum> spectra) {
+    constexpr double highest = 0.5, first_mode = 2.5;
+    Departure above, below;
+    for (const auto& spectrum : spectra) {
+        if (spectrum.wavevector.size() == 0) continue;
+        const auto values = values_up_to(
+            std::min(spectrum.band.upper, highest * spectrum.wavevector[spectrum.wavevector.size() - 1]), spectrum);
+        if (!values) continue;
+        const Array1D expected = values->expected(fit.model);
+        for (Index g = 0; g < expected.size(); ++g) {
+            const double q = values->wavevector[g];
+            if (!(values->freedom[g] > 0.0 && expected[g] > 0.0)) continue;
+            auto* side = q > fit.range.upper ? &above : q < fit.range.lower ? &below : nullptr;
+            if (side == nullptr || q < first_mode * 2.0 * pi / spectrum.length) continue;
+            side->add(q, values->values[g], expected[g], values->freedom[g]);
+        }
+    }
+    above.report(fit, "above");
+    below.report(fit, "below");
 }
 
 /// The combined spectrum of what of the measurements is undistorted, where every bin of it has a scatter.
@@ -183,7 +247,9 @@ SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffine
     return fit_self_affine(std::span(&spectrum, 1), options);
 }
 
-SelfAffineFit fit_self_affine(std::span<const MeasuredSpectrum> spectra, const SelfAffineFitOptions& options) {
+namespace {
+
+SelfAffineFit fit_of_all(std::span<const MeasuredSpectrum> spectra, const SelfAffineFitOptions& options) {
     if (spectra.empty()) throw InvalidArgument("no spectrum; expected at least one to fit");
     if (const auto combined = combined_with_scatter(spectra)) return fit_self_affine(*combined, options);
     std::vector<FittedValues> data;
@@ -193,6 +259,15 @@ SelfAffineFit fit_self_affine(std::span<const MeasuredSpectrum> spectra, const S
         throw InvalidArgument(fmt::format("{}: no wavevector lies inside its reliable band",
                                           topography::label(spectra.front().metadata)));
     return fit_self_affine(data, options);
+}
+
+}  // namespace
+
+SelfAffineFit fit_self_affine(std::span<const MeasuredSpectrum> spectra, const SelfAffineFitOptions& options) {
+    auto fit = fit_of_all(spectra, options);
+    // a range of one's own, or a spectrum taken to end, leaves values out on purpose
+    if (!options.range && !options.short_cutoff) look_beyond(fit, spectra);
+    return fit;
 }
 
 }  // namespace setae::spectra

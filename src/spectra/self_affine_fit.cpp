@@ -28,6 +28,7 @@ constexpr const char* names[] = {"ln amplitude", "H", "ln rolloff_wavelength", "
 using Parameters = Eigen::Vector4d;
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double smallest_hurst = 0.01, largest_hurst = 1.45;
 
 /// Values in use of all data, side by side, and the model that meets them.
 class Problem {
@@ -98,12 +99,13 @@ public:
 
     /// Inside the domain of the model, the scales no farther from the data than the data can tell.
     [[nodiscard]] Parameters clamped(Parameters p) const {
-        p[hurst] = std::clamp(p[hurst], 0.01, 1.45);
-        p[rolloff] = std::clamp(p[rolloff], std::log(2.0 * pi / range_.upper), longest_rolloff());
+        p[hurst] = std::clamp(p[hurst], smallest_hurst, largest_hurst);
+        p[rolloff] = std::clamp(p[rolloff], shortest_rolloff(), longest_rolloff());
         p[cutoff] = std::clamp(p[cutoff], shortest_cutoff(), longest_cutoff());
         p[cutoff] = std::min(p[cutoff], p[rolloff] - 0.01);
         return p;
     }
+    [[nodiscard]] double shortest_rolloff() const { return std::log(2.0 * pi / range_.upper); }
     [[nodiscard]] double longest_rolloff() const { return std::log(2.0 * pi / range_.lower * 1e3); }
     /// A thousandth beyond the last value, so that differences stay inside.
     [[nodiscard]] double longest_cutoff() const { return std::log(2.0 * pi / (1.001 * range_.upper)); }
@@ -297,6 +299,30 @@ Alert not_seen(bool longest, const Interval& interval) {
         "measure with a sharper instrument, or fit without a short cutoff"};
 }
 
+/// Parameters that ended where they are not let go further. Scales at the far ends are not seen: see not_seen().
+void add_bound_alerts(SelfAffineFit& fit, const Problem& problem, const Parameters& at) {
+    constexpr double near = 1e-6;
+    const auto add = [&](double value, double bound, std::string what) {
+        if (!(std::abs(value - bound) < near)) return;
+        fit.alerts.push_back({"FIT_AT_BOUND", "self-affine fit", std::move(what),
+                              "the model does not describe these values: choose a range in which C1D is one power law, "
+                              "or one power law with a roll-off"});
+    };
+    add(at[hurst], smallest_hurst,
+        fmt::format("hurst_exponent ended at the smallest value allowed, {}", smallest_hurst));
+    add(at[hurst], largest_hurst, fmt::format("hurst_exponent ended at the largest value allowed, {}", largest_hurst));
+    if (fit.rolloff != ScaleStatus::not_asked)
+        add(at[rolloff], problem.shortest_rolloff(),
+            fmt::format(
+                "rolloff_wavelength ended at the shortest wavelength fitted, {:.3g} m: the values show no power "
+                "law",
+                2.0 * pi / fit.range.upper));
+    if (fit.short_cutoff != ScaleStatus::not_asked)
+        add(at[cutoff], problem.longest_cutoff(),
+            fmt::format("shortest_wavelength ended at the shortest wavelength fitted, {:.3g} m",
+                        2.0 * pi / fit.range.upper));
+}
+
 }  // namespace
 
 SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffineFitOptions& options) {
@@ -330,8 +356,7 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
     const auto scale = [&](Index place, const char* name, const char* symbol, ScaleStatus& status) {
         Interval interval{
             std::exp(profile_end(problem, best, place,
-                                 place == rolloff ? std::log(2.0 * pi / fit.range.upper) : problem.shortest_cutoff(),
-                                 rise)),
+                                 place == rolloff ? problem.shortest_rolloff() : problem.shortest_cutoff(), rise)),
             std::exp(profile_end(problem, best, place,
                                  place == rolloff ? problem.longest_rolloff() : problem.longest_cutoff(), rise)),
             options.level};
@@ -387,6 +412,7 @@ SelfAffineFit fit_self_affine(std::span<const FittedValues> data, const SelfAffi
         fit.alerts.push_back({"NOT_CONVERGED", "self-affine fit",
                               fmt::format("the fit stopped after {} steps short of its optimum", fit.iterations),
                               "narrow the range, or fit fewer parameters"});
+    add_bound_alerts(fit, problem, best.at);
     constexpr double improbable = 1e-3;
     if (fit.probability < improbable)
         fit.alerts.push_back(

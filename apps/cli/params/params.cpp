@@ -60,8 +60,10 @@ std::optional<Origin> origin_of(const Quantity& quantity) {
     return std::nullopt;
 }
 
-/// Quantities for readers, a table an origin: its title says what the names need not repeat.
-std::string tables_of(const std::string& title, const std::vector<Quantity>& list, std::size_t width) {
+/// Quantities for readers, a table an origin: its title says what the names need not repeat, a line before it what the
+/// numbers are for.
+std::string tables_of(const std::string& title, const std::vector<Quantity>& list, std::size_t width,
+                      const std::string& purpose) {
     std::vector<std::pair<std::string, std::vector<Quantity>>> parts;
     for (auto quantity : list) {
         const auto origin = origin_of(quantity);
@@ -70,7 +72,7 @@ std::string tables_of(const std::string& title, const std::vector<Quantity>& lis
         if (parts.empty() || parts.back().first != part_title) parts.push_back({part_title, {}});
         parts.back().second.push_back(std::move(quantity));
     }
-    std::string text;
+    std::string text = fmt::format("[{}]\n", purpose);
     for (const auto& [part_title, quantities] : parts)
         text += output::quantity_table(part_title, quantities, width) + "\n";
     return text;
@@ -110,12 +112,14 @@ ExitCode run(const Arguments& arguments) {
     const auto code = report_failures(surface);
     if (code == ExitCode::nothing_done) return code;
     const auto others = show_of_reading(answers::alerts_of(surface));
-    if (!arguments.common.json)
+    if (!arguments.common.json) {
+        print(answers::headline_text(parameters) + "\n");
         for (const auto& group : parameters.groups) {
             const bool named = !group.name.empty() && group.name != group.file;
-            print(
-                tables_of(group.file + (named ? " (" + group.name + ")" : ""), group.quantities, output_size().width));
+            print(tables_of(group.file + (named ? " (" + group.name + ")" : ""), group.quantities, output_size().width,
+                            group.purpose));
         }
+    }
     if (!arguments.output.empty())
         write_figure(file_figures::parameter_figure(surface, arguments.figure.look()), arguments.output,
                      arguments.common.json);

@@ -76,5 +76,17 @@ TEST(Jackknife, LeavesOutOneCopyOfAMeasurementDrawnTwice) {
     EXPECT_THROW((void)jackknife(binned, Weighting::equal, {1, 1}), InvalidArgument);
 }
 
+TEST(Jackknife, MovesBinsOfASingleMeasurementByTheScatterOfTheirModes) {
+    auto binned = made_of({{1.0, 1.0, none}, {3.0, 3.0, none}, {none, 2.0, 8.0}}, {"stylus", "stylus", "afm"});
+    binned.relative_variance(2, 2) = 0.01;
+    const auto moved = moved_single_bins(binned);
+    ASSERT_EQ(moved.plus.rows(), 1);
+    // ψ'(100) = 0.0100502
+    EXPECT_NEAR(moved.plus(0, 2) / 8.0, std::exp(std::sqrt(0.01005017)), 1e-6);
+    EXPECT_NEAR(moved.minus(0, 2) / 8.0, std::exp(-std::sqrt(0.01005017)), 1e-6);
+    EXPECT_DOUBLE_EQ(moved.plus(0, 1), 2.0);
+    EXPECT_EQ(moved_single_bins(made_of({{1.0, 1.0, 1.0}, {3.0, 3.0, 2.0}}, {"afm", "afm"})).plus.rows(), 0);
+}
+
 }  // namespace
 }  // namespace setae::spectra::jackknife_test

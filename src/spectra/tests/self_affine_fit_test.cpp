@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/spectra/self_affine_fit.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -182,6 +184,55 @@ TEST(SelfAffineFit, SaysWhereNoShortCutoffIsSeen) {
     ASSERT_EQ(fit.alerts.size(), 1U);
     EXPECT_EQ(fit.alerts[0].code, "CUTOFF_NOT_SEEN");
     EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 0.01);
+}
+
+bool has_alert(const SelfAffineFit& fit, const char* code) {
+    return std::any_of(fit.alerts.begin(), fit.alerts.end(), [=](const Alert& alert) { return alert.code == code; });
+}
+
+TEST(SelfAffineFit, SaysWhereReliableValuesBeyondItDepart) {
+    // 1024 modes of a line: the power law steepens above 0.3 of the highest wavevector
+    auto endless = surface;
+    endless.short_wavevector = 1e13;
+    auto good = modes_of(endless, 1e-4, 6.4e7);
+    good.count.setConstant(256.0);
+    good.pitch = 1e-7;
+    EXPECT_FALSE(has_alert(fit_self_affine(good), "MODEL_MISSES_BEYOND"));
+    auto bad = good;
+    for (Index k = 0; k < bad.density.size(); ++k)
+        bad.density[k] *= std::pow(std::max(1.0, bad.wavevector[k] / 1.6e7), -2.0);
+    const auto fit = fit_self_affine(bad);
+    EXPECT_NEAR(fit.hurst_exponent.estimate.value, 0.72, 0.02);
+    EXPECT_TRUE(has_alert(fit, "MODEL_MISSES_BEYOND"));
+    // a range of one's own leaves values out on purpose
+    EXPECT_FALSE(has_alert(fit_self_affine(bad, {.range = Band{1e6, 1.5e7}}), "MODEL_MISSES_BEYOND"));
+}
+
+TEST(SelfAffineFit, RaisesFewFalseAlarmsBeyondTheFit) {
+    int alarms = 0;
+    const int maps = 100;
+    for (int m = 0; m < maps; ++m) {
+        const double H = 0.5 + 0.4 * m / maps;
+        const SelfAffine model{1e-27, 2.0 * pi / 1e-6, H, 2.0 * pi / 5e-9};
+        const auto whole = synthesis::random_surface(spectra::density(model), {256, 256, 4e-6, 4e-6},
+                                                     {.key = {static_cast<std::uint64_t>(m), 0}});
+        const topography::HeightMap map{whole.heights.topLeftCorner(128, 128), {2e-6, 2e-6}, false, {}};
+        SpectrumOptions options;
+        options.trend = topography::Trend::tilt;
+        const auto fit = fit_self_affine(std::array<MeasuredSpectrum, 1>{power_spectrum(map, options)});
+        if (has_alert(fit, "MODEL_MISSES_BEYOND") || has_alert(fit, "FIT_AT_BOUND")) ++alarms;
+    }
+    EXPECT_LE(alarms, 2);
+}
+
+TEST(SelfAffineFit, NamesTheBoundItEndsAt) {
+    auto steep = exact(surface, 1e7, 1e9);
+    steep.density = steep.wavevector.pow(-6.0);
+    steep.standard_error = 0.1 * steep.density;
+    const auto fit = fit_self_affine(steep, {.rolloff = false});
+    ASSERT_TRUE(has_alert(fit, "FIT_AT_BOUND"));
+    EXPECT_NE(fit.alerts.front().message.find("hurst_exponent ended at the largest value allowed, 1.45"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -131,6 +131,12 @@ void forget_places(MeasurementInput& input) {
         if (*value && (*value)->input.find(".measurements[") != std::string::npos) (*value)->input.clear();
 }
 
+/// Moments that nobody named are those of one spectrum.
+void forget_places(PublishedMoments& moments) {
+    for (auto* value : {&moments.rms_height, &moments.rms_slope, &moments.rms_curvature, &moments.short_wavevector})
+        if (value->input.find(".moments.") != std::string::npos) value->input.clear();
+}
+
 const Keys<PublishedMoments>& moment_keys() {
     using Moments = PublishedMoments;
     static const auto keys =
@@ -182,7 +188,11 @@ const Keys<SurfaceInput>& surface_keys() {
                                  std::tie(of_all.pipeline, of_all.steps);
                  })
             .table<PublishedMoments>(
-                "moments", moment_keys(), [](Input& surface, PublishedMoments moments) { surface.moments = moments; },
+                "moments", moment_keys(),
+                [](Input& surface, PublishedMoments moments) {
+                    forget_places(moments);
+                    surface.moments = moments;
+                },
                 "published moments in place of measurements: a self-affine reconstruction");
     return keys;
 }

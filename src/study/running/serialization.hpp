@@ -98,7 +98,8 @@ SETAE_KEEP(Metadata, name, file, format, unit, acquisition_time, instrument, att
 namespace setae::spectra {
 
 SETAE_KEEP(Spectrum, wavevector, density, band, kind, nodes, standard_error, count, waves_end)
-SETAE_KEEP_WITH_BASE(MeasuredSpectrum, Spectrum, of.length, of.pitch, of.window, of.alerts, of.metadata)
+SETAE_KEEP_WITH_BASE(MeasuredSpectrum, Spectrum, of.length, of.pitch, of.independent_lines, of.window, of.alerts,
+                     of.metadata)
 SETAE_KEEP(LogGrid, bins_per_decade)
 SETAE_KEEP_WITH_BASE(CombinedSpectrum, Spectrum, of.instrument_count, of.grid, of.alerts)
 
@@ -117,7 +118,7 @@ SETAE_KEEP(WeighedShape, shape, area)
 SETAE_KEEP(SpectralParameters, rms_height, rms_slope, rms_curvature, elastic_energy_per_modulus, decade_C1D, area_shape)
 SETAE_KEEP(BeyondData, end, up_to, exponent, rms_height, rms_slope, excess_area, elastic_energy_per_modulus)
 SETAE_KEEP(ParameterSpread::Source, name, plus, minus)
-SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, left_out, sources)
+SETAE_KEEP(ParameterSpread, replicas, seed, replica_method, replicas_are_draws, left_out, sources, single_bins)
 
 }  // namespace setae::roughness
 

@@ -2,7 +2,6 @@
 #include "average_spectrum.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <string>
 
@@ -11,12 +10,9 @@
 #include "instrument_inputs.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/roughness/mode_noise.hpp"
-#include "setae/spectra/abel.hpp"
 #include "setae/spectra/bootstrap.hpp"
 #include "setae/spectra/jackknife.hpp"
 #include "setae/spectra/parametric_noise.hpp"
-#include "setae/spectra/spectral_density.hpp"
-#include "setae/spectral_fit/independent_lines.hpp"
 
 namespace setae::study {
 namespace {
@@ -100,24 +96,26 @@ std::vector<std::vector<SpectralParameters>> parameters_without_each(const spect
     return strata;
 }
 
+std::vector<roughness::ParameterSpread::Source> parameters_of_moved_bins(const spectra::BinnedSpectra& binned,
+                                                                         const Band& band,
+                                                                         const SurfaceAnalysisOptions& options) {
+    const auto moved = spectra::moved_single_bins(binned, options.weighting);
+    std::vector<roughness::ParameterSpread::Source> sources;
+    for (Index i = 0; i < moved.plus.rows(); ++i)
+        sources.push_back({"", parameters_of({moved.wavevector, moved.plus.row(i), band}, options),
+                           parameters_of({moved.wavevector, moved.minus.row(i), band}, options)});
+    return sources;
+}
+
 /// ν of each wavevector of a measurement by itself: lines as far as they are independent, and each mode's own share.
-Array1D own_freedom(const spectra::MeasuredSpectrum& spectrum, parallel::Threads threads) {
-    const Index lines = static_cast<Index>(spectrum.count[0]);
-    Array1D independent = Array1D::Ones(spectrum.wavevector.size());
-    if (lines > 1) {
-        const Array1D C_iso = spectra::isotropic_from_profile_eq11(spectrum.wavevector, spectrum.density,
-                                                                   std::numeric_limits<double>::infinity());
-        independent =
-            spectral_fit::independent_lines(spectra::tabulated_density(spectrum.wavevector, C_iso), spectrum.wavevector,
-                                            Array1D::Ones(independent.size()), lines, spectrum.pitch, threads);
-    }
-    return independent * (spectrum.window == "none" ? 1.0 : spectra::share_under_hann);
+Array1D own_freedom(const spectra::MeasuredSpectrum& spectrum) {
+    return spectrum.independent_lines * (spectrum.window == "none" ? 1.0 : spectra::share_under_hann);
 }
 
 /// What other places of the surface would give, as far as one measurement can say.
 void add_parametric_noise(roughness::ParameterSpread& spread, const spectra::MeasuredSpectrum& spectrum,
                           const SurfaceAnalysisOptions& options, parallel::Threads threads) {
-    spread.replicas = roughness::parameters_of_noise(spectrum, own_freedom(spectrum, threads),
+    spread.replicas = roughness::parameters_of_noise(spectrum, own_freedom(spectrum),
                                                      {.limits = options.limits(),
                                                       .conversion = options.conversion,
                                                       .count = options.bootstrap_resamples,
@@ -152,6 +150,7 @@ void estimate_by_average(SurfaceResult& surface, const SurfaceAnalysisOptions& o
         if (found.size() == 1) add_parametric_noise(spread, found.front(), options, threads);
         else spread.replicas = resampled_parameters(members, band, options, threads);
         spread.left_out = parameters_without_each(members, band, options);
+        if (found.size() > 1) spread.single_bins = parameters_of_moved_bins(members, band, options);
     }
     const auto moved = [&](const std::string& input, double side) {
         const auto spectra = with_moved(surface, input, side);

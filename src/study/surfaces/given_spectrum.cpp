@@ -8,6 +8,7 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/spectra/admissible_spectra.hpp"
 #include "setae/spectra/parametric_noise.hpp"
 #include "setae/spectra/self_affine.hpp"
 #include "setae/tables/power_spectrum_table.hpp"
@@ -32,44 +33,77 @@ spectra::Spectrum spectrum_of(const spectra::SelfAffine& model) {
     return {q, spectra::isotropic_power_spectrum(model, q), {lower, model.short_wavevector}, spectra::Density::C_iso};
 }
 
-}  // namespace
+constexpr int least_replicas = 40;
 
-void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options) {
+/// What the errors of moments leave open: the moment whose error has a name of its own moves by itself, since other
+/// surfaces may share it; the others are drawn together, as one spectrum has them.
+void add_stated_errors(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options) {
+    auto& spread = surface.average.spread;
+    auto own = moments;
+    const auto incomplete = [&](const std::string& what, const InvalidArgument& error) {
+        surface.alerts.push_back({"SPREAD_INCOMPLETE", surface.name,
+                                  fmt::format("the ± of {} leads outside self-affine spectra: {}", what, error.what()),
+                                  "the standard errors leave it out"});
+    };
     const auto reconstruct = [](const PublishedMoments& of) {
         return spectrum_of(spectra::self_affine_with_moments(of.rms_height.value, of.rms_slope.value,
                                                              of.rms_curvature.value, of.short_wavevector.value));
     };
-    surface.reconstructed = true;
-    surface.average = spectrum_result(reconstruct(moments), options);
-    const auto source = [&](const char* name, Estimate PublishedMoments::*member) {
+    for (auto member : {&PublishedMoments::rms_height, &PublishedMoments::rms_slope, &PublishedMoments::rms_curvature,
+                        &PublishedMoments::short_wavevector}) {
         const auto& moment = moments.*member;
-        if (!moment.uncertain()) return;
+        if (moment.input.empty() || !moment.uncertain()) continue;
+        (own.*member).standard_error = 0.0;
         const auto moved = [&](double side) {
             auto other = moments;
             (other.*member).value += side * moment.standard_error;
             return parameters_of(reconstruct(other), options);
         };
         try {
-            surface.average.spread.sources.push_back(
-                {moment.input.empty() ? fmt::format("{}, {}", name, surface.name) : moment.input, moved(1.0),
-                 moved(-1.0)});
+            spread.sources.push_back({moment.input, moved(1.0), moved(-1.0)});
         } catch (const InvalidArgument& error) {
+            incomplete(moment.input, error);
+        }
+    }
+    if (!own.rms_height.uncertain() && !own.rms_slope.uncertain() && !own.rms_curvature.uncertain() &&
+        !own.short_wavevector.uncertain())
+        return;
+    try {
+        const auto drawn =
+            spectra::admissible_spectra({own.rms_height, own.rms_slope, own.rms_curvature, own.short_wavevector},
+                                        std::max(options.bootstrap_resamples, least_replicas), options.seed);
+        for (const auto& model : drawn.draws) spread.replicas.push_back(parameters_of(spectrum_of(model), options));
+        spread.replica_method = "admissible spectra";
+        spread.seed = options.seed;
+        constexpr double nearly_all = 0.9;
+        if (drawn.share < nearly_all)
             surface.alerts.push_back(
                 {"SPREAD_INCOMPLETE", surface.name,
-                 fmt::format("the ± of its {} leads outside self-affine spectra: {}", name, error.what()),
-                 "the standard errors leave it out"});
-        }
-    };
-    source("rms height", &PublishedMoments::rms_height);
-    source("rms slope", &PublishedMoments::rms_slope);
-    source("rms curvature", &PublishedMoments::rms_curvature);
-    source("short wavevector", &PublishedMoments::short_wavevector);
+                 fmt::format(
+                     "{:.0f} % of the moments drawn within their ± belong to a self-affine spectrum with 0 < H < 1; "
+                     "standard errors are the scatter of these",
+                     100.0 * drawn.share),
+                 "give the spectrum itself, with its errors (power_spectrum), in place of its moments"});
+    } catch (const InvalidArgument& error) {
+        incomplete("its moments", error);
+    }
+}
+
+}  // namespace
+
+void take_moments(SurfaceResult& surface, const PublishedMoments& moments, const SurfaceAnalysisOptions& options) {
+    surface.reconstructed = true;
+    surface.average = spectrum_result(
+        spectrum_of(spectra::self_affine_with_moments(moments.rms_height.value, moments.rms_slope.value,
+                                                      moments.rms_curvature.value, moments.short_wavevector.value)),
+        options);
     surface.alerts.push_back(
         {"RECONSTRUCTION", surface.name,
          fmt::format(
              "its spectrum is a self-affine reconstruction from three published moments with short cutoff {:.4g} 1/m",
              moments.short_wavevector.value),
          "it fixes rms height, slope and curvature; the stored energy in between is the model's"});
+    add_stated_errors(surface, moments, options);
 }
 
 namespace {
@@ -78,7 +112,6 @@ namespace {
 void add_given_errors(roughness::ParameterSpread& spread, const spectra::Spectrum& curve, const Array1D& errors,
                       const SurfaceAnalysisOptions& options) {
     constexpr double most_freedom = 1e12;  // of a value without error
-    constexpr int least_replicas = 40;
     const Array1D stated = errors.isNaN().select(0.0, errors);
     const Array1D freedom = (curve.density / stated).square().min(most_freedom);
     spectra::MeasuredSpectrum given;

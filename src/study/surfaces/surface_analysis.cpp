@@ -197,6 +197,19 @@ void look_at_longer_waves(SurfaceResult& surface, const SurfaceAnalysisOptions& 
          "(longest_wavelength)"});
 }
 
+/// The stored energy is of first order in slopes, the area is not.
+void look_at_slopes(SurfaceResult& surface) {
+    constexpr double steep = 0.5;
+    const double slope = surface.used().parameters.rms_slope;
+    if (!(slope > steep)) return;
+    surface.alerts.push_back(
+        {"STEEP_SLOPES", surface.name,
+         fmt::format("its rms slope of {:.2g} is above {}: the stored energy U_el ([D19] (8)) assumes small slopes and "
+                     "is approximate; A_true/A_app holds for any slope",
+                     slope, steep),
+         "take U_el, and works of adhesion that contain it, as estimates"});
+}
+
 /// One reading has no scatter between places.
 void look_for_one_place(SurfaceResult& surface) {
     const auto analysed = std::count_if(surface.measurements.begin(), surface.measurements.end(),
@@ -286,6 +299,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             look_for_one_place(surface);
         }
         require_numbers(surface);
+        look_at_slopes(surface);
         // a failure may be gone the next time
         if (std::none_of(surface.measurements.begin(), surface.measurements.end(),
                          [](const auto& m) { return m.failed(); }))

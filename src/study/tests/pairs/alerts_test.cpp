@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Alerts of pairs, elastomers and reconstructed spectra: each where it belongs and nowhere else.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,36 @@ TEST(ReconstructionAlerts, SayWhatASpectrumIsAndWhatItsErrorsLeaveOut) {
     auto wide = ncd_against(1e6);
     wide.surfaces[0].moments->rms_curvature.standard_error = 3.1e9;  // down to slopes that no self-affine surface has
     EXPECT_TRUE(has(run_study(wide, {1}).surfaces[0].alerts, "SPREAD_INCOMPLETE"));
+}
+
+TEST(ReconstructionAlerts, SayThatSlopesAreSteepForStoredEnergy) {
+    auto study = ncd_against(1e6);  // slope 1.15
+    EXPECT_TRUE(has(run_study(study, {1}).surfaces[0].alerts, "STEEP_SLOPES"));
+    study.surfaces[0].moments = PublishedMoments{.rms_height = {4.6e-9, 0.0},
+                                                 .rms_slope = {0.39, 0.0},
+                                                 .rms_curvature = {1.13e9, 0.0},
+                                                 .short_wavevector = {1.6e10}};
+    EXPECT_FALSE(has(run_study(study, {1}).surfaces[0].alerts, "STEEP_SLOPES"));
+}
+
+TEST(PublishedMoments, ErrTogetherAsThoseOfOneSpectrum) {
+    auto study = ncd_against(1e6);
+    // UNCD of Dalvi et al. 2019: slope + 1 standard error needs H > 1
+    study.surfaces[0].moments = PublishedMoments{.rms_height = {23.4e-9, 1.3e-9, "given"},
+                                                 .rms_slope = {1.46, 0.36, "given"},
+                                                 .rms_curvature = {3.37e9, 0.69e9, "given"},
+                                                 .short_wavevector = {1.6e10}};
+    const auto surface = analyse_surface(study.surfaces[0], study.analysis, {1});
+    const auto& spread = surface.average.spread;
+    EXPECT_TRUE(spread.sources.empty());
+    ASSERT_GT(spread.replicas.size(), 30U);
+    for (const auto& p : spread.replicas) EXPECT_GT(p.elastic_energy_per_modulus, 0.0);
+    using roughness::SpectralParameters;
+    const auto slope = [](const SpectralParameters& p) { return std::log(p.rms_slope); };
+    const auto curvature = [](const SpectralParameters& p) { return std::log(p.rms_curvature); };
+    EXPECT_GT(spread.covariance(slope, curvature), 0.0);  // independent errors have none
+    EXPECT_EQ(surface.average.estimate([](const SpectralParameters& p) { return p.elastic_energy_per_modulus; }).method,
+              "admissible spectra on ln");
 }
 
 }  // namespace

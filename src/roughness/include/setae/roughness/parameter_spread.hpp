@@ -25,7 +25,8 @@ namespace setae::roughness {
 ///   else the jackknife within strata, where any stratum has two members
 ///   else the scatter of bootstrap replicas
 ///
-/// plus what the sources do, each independent of the others: inputs that numbers of other surfaces may share by name.
+/// plus what bins of a single measurement do, which these leave out, and what the sources do, each independent of the
+/// others: inputs that numbers of other surfaces may share by name.
 struct ParameterSpread {
     struct Source {
         std::string name;  ///< of the input, such as "tip radius of afm (10 nm), PUNCD"; one name is one input
@@ -36,13 +37,15 @@ struct ParameterSpread {
     std::vector<SpectralParameters> replicas;
     std::uint64_t seed = 0;  ///< of the replicas
     std::string replica_method = "bootstrap";
-    bool replicas_are_draws = false;  ///< drawn from the covariance of a fit
+    bool replicas_are_draws = false;                        ///< drawn from the covariance of a fit
     std::vector<std::vector<SpectralParameters>> left_out;  ///< without each measurement of each stratum
     std::vector<Source> sources;
+    std::vector<Source> single_bins;  ///< each bin that one measurement covers, moved by the scatter of its modes
 
     /// Covariance of two functions of the parameters.
     ///
-    ///   draws: Σ (f_k − f̄)(g_k − ḡ)/(K − 1);  jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·));  a source: ¼ (f₊ − f₋)(g₊ − g₋)
+    ///   draws: Σ (f_k − f̄)(g_k − ḡ)/(K − 1);  jackknife: Σ_g (n_g − 1)/n_g Σ_i (f_(gi) − f_(g·)) (g_(gi) − g_(g·));  a
+    ///   source or single bin: ¼ (f₊ − f₋)(g₊ − g₋)
     ///
     /// 0 where nothing is known. Source: Efron, Tibshirani, An Introduction to the Bootstrap (1993), ch. 11.
     [[nodiscard]] double covariance(const Function& f, const Function& g) const;
@@ -65,8 +68,8 @@ struct ParameterSpread {
     ///   above
     ///
     /// least: what f exceeds, 0 but for area ratios, 1. Where a value does not exceed it there is no interval of its
-    /// own. Method: "likelihood" of draws; "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add to
-    /// them, or "delta on ln" for sources alone; without " on ln" where there is no interval of its own. Source:
+    /// own. Method: "likelihood" of draws; "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add
+    /// to them, or "delta on ln" for sources alone; without " on ln" where there is no interval of its own. Source:
     /// coverage measured in docs/theory/uncertainty.md.
     [[nodiscard]] Estimate estimate(double value, const Function& f, double least = 0.0) const;
     /// Changes every set of parameters held here.

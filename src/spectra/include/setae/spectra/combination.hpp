@@ -30,10 +30,10 @@ struct CombinationOptions {
 /// The measurements, each averaged in the bins of one grid: what combine() and bootstrap() work on.
 struct BinnedSpectra {
     LogGrid grid;
-    Index first_bin = 0;                   ///< column 0 of the matrices
-    Array1D wavevector;                    ///< geometric centres of the bins [1/m]
-    Array2D C1D;                           ///< (measurement, bin) [m³]; NaN where it has no mode in its reliable band
-    Array2D relative_variance;             ///< of each entry, from modes and lines; NaN likewise
+    Index first_bin = 0;        ///< column 0 of the matrices
+    Array1D wavevector;         ///< geometric centres of the bins [1/m]
+    Array2D C1D;                ///< (measurement, bin) [m³]; NaN where it has no mode in its reliable band
+    Array2D relative_variance;  ///< of each entry, from independent lines and modes, window included; NaN likewise
     std::vector<std::string> instruments;  ///< of each measurement: type, else name, else "unknown"
 };
 
@@ -52,7 +52,7 @@ struct BinnedSpectra {
 struct CombinedSpectrum : Spectrum {
     Array1D instrument_count = {};  ///< different instruments in the bin
     LogGrid grid = {};
-    std::vector<Alert> alerts = {};  ///< COVERAGE_GAP, SINGLE_INSTRUMENT_DECADE, DISAGREE
+    std::vector<Alert> alerts = {};  ///< COVERAGE_GAP, SINGLE_INSTRUMENT_DECADE, SINGLE_MEASUREMENT_DECADE, DISAGREE
 };
 
 /// Mean over the measurements of each bin, a map being one measurement.

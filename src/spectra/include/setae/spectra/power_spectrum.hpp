@@ -15,7 +15,9 @@ namespace setae::spectra {
 /// Of n equidistant points the modes are q_k = 2πk/L, k = 1 … n/2 (k = 0 is left out). Where the last one lies at the
 /// Nyquist wavevector π/Δ (even n) it stands for both signs, so that Parseval reads
 ///   mean(w²h²) − (mean wh)² = (2/L) sum_k g_k C_k,  g = ½ for that mode, 1 otherwise.
-/// The count is that of lines; the standard error, of their mean, takes neighbouring lines as independent.
+/// The count is that of lines. C1D of a map is the mean of n independent lines, n from the map's own coherence along y
+/// (LineCoherence); its standard error is C1D/√n and, for Gaussian heights, 2n C1D/χ²_2n are the ends of its interval.
+/// One line has no standard error of its own.
 /// @throws UndefinedDataError if a height is undefined, InvalidArgument if validate() does.
 /// Source: [J17].
 [[nodiscard]] MeasuredSpectrum power_spectrum(const topography::LineScan& scan, const SpectrumOptions& options = {});

@@ -75,7 +75,8 @@ struct SelfAffineFit {
     double probability = 1.0;  ///< of a larger χ² where the model holds
     int iterations = 0;
     FitStatus status = FitStatus::converged;
-    std::vector<Alert> alerts;  ///< NOT_CONVERGED, MODEL_MISSES, ROLLOFF_NOT_SEEN, CUTOFF_NOT_SEEN
+    /// NOT_CONVERGED, MODEL_MISSES, MODEL_MISSES_BEYOND, FIT_AT_BOUND, ROLLOFF_NOT_SEEN, CUTOFF_NOT_SEEN
+    std::vector<Alert> alerts;
 };
 
 /// Of any values: Levenberg–Marquardt by Fisher scoring in ln amplitude, H, ln λ_r, ln λ_s.
@@ -93,7 +94,9 @@ struct SelfAffineFit {
 /// Of one measurement's modes inside its reliable band, without a range up to a quarter of the highest wavevector: ν is
 /// modes × the share of a mode that is its own × independent lines, 2.5/q apart (∫ρ² of neighbouring lines of a
 /// self-affine surface). The expectation knows the Hann window's main lobe and, where the modes go up to the Nyquist
-/// wavevector, its aliases.
+/// wavevector, its aliases. Without a range, the alert MODEL_MISSES_BEYOND says where reliable values outside the fit,
+/// up to half of the highest wavevector, are on average more than 1.25 times the model or less than its 0.8, and more
+/// than three standard errors apart from it.
 [[nodiscard]] SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options = {});
 
 /// Of several measurements: of their combined spectrum, each undistorted(), where all of its bins have a scatter

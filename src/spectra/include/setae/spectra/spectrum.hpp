@@ -37,8 +37,9 @@ struct Spectrum {
 
 /// The spectrum of one measurement.
 struct MeasuredSpectrum : Spectrum {
-    double length = 0.0;  ///< L [m] of lines
-    double pitch = 0.0;   ///< of a map's lines [m]; 0 for one line
+    double length = 0.0;             ///< L [m] of lines
+    double pitch = 0.0;              ///< of a map's lines [m]; 0 for one line
+    Array1D independent_lines = {};  ///< n of each mode: C1D has the relative variance 1/n; at most the count
     std::string window;
     std::vector<Alert> alerts;
     topography::Metadata metadata;

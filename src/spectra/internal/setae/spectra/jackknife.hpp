@@ -25,4 +25,19 @@ struct JackknifeSpectra {
 [[nodiscard]] JackknifeSpectra jackknife(const BinnedSpectra& spectra, Weighting weighting = Weighting::equal,
                                          const Multiplicity& multiplicity = {});
 
+/// Combined spectra in which one bin that a single measurement covers is moved by its own deviation.
+struct MovedBins {
+    Array1D wavevector;   ///< as CombinedSpectrum's [1/m]
+    Array2D plus, minus;  ///< (bin that one measurement covers, bin) [m³]
+};
+
+/// What the scatter of modes does to bins of a single measurement, of which the jackknife sees nothing: it fills them
+/// in proportion to their neighbours.
+///
+///   C exp(±σ_b),  σ_b² = ψ'(1/v_b),  v_b the bin's relative_variance
+///
+/// The bins are independent of each other. No rows where every bin has two measurements. What places of the surface
+/// have apart from each other there, one measurement cannot tell.
+[[nodiscard]] MovedBins moved_single_bins(const BinnedSpectra& spectra, Weighting weighting = Weighting::equal);
+
 }  // namespace setae::spectra
