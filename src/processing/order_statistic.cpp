@@ -50,11 +50,13 @@ std::array<double, 2> OrderStatistics::pair_at(Index rank) const {
 }
 
 std::optional<std::array<double, 2>> OrderStatistics::between_sampled(Index rank) const {
-    constexpr Index sample_size = 8192;
+    constexpr Index sample_size = 8192, scattering = 2'654'435'761;  // equal steps may meet the same columns of a map
     if (n_ < few * sample_size) return {};
     std::vector<double> sample;
-    for (Index i = 0; i < n_; i += n_ / sample_size)
+    for (Index k = 0; k < sample_size; ++k) {
+        const Index i = k * scattering % n_;
         if (values_[i] == values_[i]) sample.push_back(value(i));
+    }
     if (sample.empty()) return {};
     std::sort(sample.begin(), sample.end());
     // five standard errors of the rank of a median on either side, and more at the ends

@@ -53,20 +53,13 @@ private:
 };
 
 struct Classes {
-    struct Sum {
-        double count = 0.0, square = 0.0;
-    };
+    /// Count and sum of squares in one register, so that both are added at once.
+    using Sum [[gnu::vector_size(2 * sizeof(double))]] = double;
     std::array<Sum, class_count> of_class{};
 
-    void add(std::size_t at, double square) {
-        of_class[at].count += 1.0;
-        of_class[at].square += square;
-    }
+    void add(std::size_t at, double square) { of_class[at] += Sum{1.0, square}; }
     void add(const Classes& other) {
-        for (std::size_t k = 0; k < class_count; ++k) {
-            of_class[k].count += other.of_class[k].count;
-            of_class[k].square += other.of_class[k].square;
-        }
+        for (std::size_t k = 0; k < class_count; ++k) of_class[k] += other.of_class[k];
     }
 };
 
@@ -109,10 +102,10 @@ SlopeShape slope_shape(const topography::HeightMap& map, double rms_slope, paral
     Classes all;
     for (const auto& part : parts) all.add(part);
     double total = 0.0;
-    for (const auto& [count, square] : all.of_class) total += count;
+    for (const auto& sum : all.of_class) total += sum[0];
     SlopeShape shape{Array1D::Zero(class_count), Array1D::Zero(class_count)};
     for (std::size_t k = 0; k < class_count; ++k) {
-        const auto& [count, square] = all.of_class[k];
+        const double count = all.of_class[k][0], square = all.of_class[k][1];
         shape.share[static_cast<Index>(k)] = count / total;
         if (count > 0.0) shape.square[static_cast<Index>(k)] = square / count;
     }
