@@ -26,7 +26,7 @@ public:
         for (std::size_t k = 0; k < intervals; ++k) {
             const double left = std::bit_cast<double>((first_bits + k) << shift);
             const auto at = static_cast<int>(std::floor((std::log10(left) - lowest_decade) * classes_per_decade));
-            steps_[k] = {std::pow(10.0, lowest_decade + (at + 1) / classes_per_decade), at};
+            steps_[k] = {std::pow(10.0, lowest_decade + (at + 1) / classes_per_decade), within(at), within(at + 1)};
         }
     }
 
@@ -34,15 +34,17 @@ public:
         if (!(square >= smallest)) return 0;
         if (!(square < largest)) return class_count - 1;
         const auto& step = steps_[(std::bit_cast<std::uint64_t>(square) >> shift) - first_bits];
-        const int at = step.left + (square >= step.border ? 1 : 0);
-        return static_cast<std::size_t>(std::clamp(at, 0, static_cast<int>(class_count) - 1));
+        return square >= step.border ? step.above : step.below;
     }
 
 private:
     struct Step {
         double border;
-        int left;  ///< class of numbers below the border
+        std::uint32_t below, above;  ///< classes of numbers below the border and of the others
     };
+    static std::uint32_t within(int at) {
+        return static_cast<std::uint32_t>(std::clamp(at, 0, static_cast<int>(class_count) - 1));
+    }
     /// Thirty-two intervals per octave, each at most 3.2 % wide; a class is 5.9 % wide.
     static constexpr int shift = 52 - 5;
     static constexpr double smallest = 0x1p-20, largest = 0x1p14;

@@ -88,8 +88,9 @@ public:
 private:
     void begin(double a, double c, int below_a, double weight, double moment) {
         whole_[static_cast<std::size_t>(below_a)].add(weight, moment);
-        lowest_ = std::min(lowest_, a);
-        highest_ = std::max(highest_, c);
+        // rarely so: no number waits for one stored just before
+        if (a < lowest_) lowest_ = a;
+        if (c > highest_) highest_ = c;
     }
 
     Summand<volumes>& part(int k) { return part_[static_cast<std::size_t>(k)]; }
