@@ -11,7 +11,7 @@
 #include "setae/fourier/map_transform.hpp"
 
 namespace setae::fourier {
-namespace {
+namespace inverse_map {
 
 /// A half spectrum inside the map it belongs to: the complex values of lines 1 … inner lie in the rows, those of lines
 /// 0 and ny/2, which the transform along x makes real, beside it.
@@ -26,6 +26,12 @@ struct HalfSpectrum {
           mean_line(extent(map.rows())),
           highest_line(map.cols() % 2 == 0 ? extent(map.rows()) : 0) {}
 };
+
+}  // namespace inverse_map
+
+using inverse_map::HalfSpectrum;
+
+namespace {
 
 void transform_edge(const SpectrumLine& load, const ComplexTransform& along_x, Index m, Buffer<double>& out) {
     Buffer<Complex> line(out.size());
