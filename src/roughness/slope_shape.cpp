@@ -26,7 +26,7 @@ public:
         for (std::size_t k = 0; k < intervals; ++k) {
             const double left = std::bit_cast<double>((first_bits + k) << shift);
             const auto at = static_cast<int>(std::floor((std::log10(left) - lowest_decade) * classes_per_decade));
-            steps_[k] = {std::pow(10.0, lowest_decade + (at + 1) / classes_per_decade), within(at), within(at + 1)};
+            steps_[k] = {std::pow(10.0, lowest_decade + (at + 1) / classes_per_decade), {within(at), within(at + 1)}};
         }
     }
 
@@ -34,13 +34,13 @@ public:
         if (!(square >= smallest)) return 0;
         if (!(square < largest)) return class_count - 1;
         const auto& step = steps_[(std::bit_cast<std::uint64_t>(square) >> shift) - first_bits];
-        return square >= step.border ? step.above : step.below;
+        return step.classes[square >= step.border ? 1 : 0];  // an index, as no branch could be foreseen
     }
 
 private:
     struct Step {
         double border;
-        std::uint32_t below, above;  ///< classes of numbers below the border and of the others
+        std::array<std::uint32_t, 2> classes;  ///< of numbers below the border and of the others
     };
     static std::uint32_t within(int at) {
         return static_cast<std::uint32_t>(std::clamp(at, 0, static_cast<int>(class_count) - 1));
