@@ -11,7 +11,7 @@
 #include "setae/fourier/map_transform.hpp"
 
 namespace setae::fourier {
-namespace {
+namespace inverse_map {
 
 /// A half spectrum inside the map it belongs to: the complex values of lines 1 … inner lie in the rows, those of lines
 /// 0 and ny/2, which the transform along x makes real, beside it.
@@ -26,6 +26,12 @@ struct HalfSpectrum {
           mean_line(extent(map.rows())),
           highest_line(map.cols() % 2 == 0 ? extent(map.rows()) : 0) {}
 };
+
+}  // namespace inverse_map
+
+using inverse_map::HalfSpectrum;
+
+namespace {
 
 void transform_edge(const SpectrumLine& load, const ComplexTransform& along_x, Index m, Buffer<double>& out) {
     Buffer<Complex> line(out.size());
@@ -69,13 +75,18 @@ void transform_row(const InverseRealTransform& along_y, Index i, HalfSpectrum& h
 
 }  // namespace
 
-void inverse_transform_map(const SpectrumLine& load, Eigen::Ref<Array2D> map, parallel::Threads threads) {
+struct InverseMapTransform::Parts {
+    HalfSpectrum half;
+    InverseRealTransform along_y;
+};
+
+InverseMapTransform::InverseMapTransform(const SpectrumLine& load, Eigen::Ref<Array2D> map, parallel::Threads threads) {
     const Index nx = map.rows(), ny = map.cols();
     if (nx < 1 || ny < 1)
         throw InvalidArgument(fmt::format("a transform to {} x {} points; expected at least 1 x 1", nx, ny));
     const ComplexTransform along_x(nx, ComplexTransform::Sign::plus);
-    const InverseRealTransform along_y(ny);
-    HalfSpectrum half(map);
+    parts_ = std::make_unique<Parts>(HalfSpectrum(map), InverseRealTransform(ny));
+    auto& half = parts_->half;
     const Index blocks = block_count(half.inner), edges = ny % 2 == 0 ? 2 : 1;
     parallel::for_each_index(extent(blocks + edges), threads, [&](std::size_t task) {
         const Index index = static_cast<Index>(task);
@@ -83,10 +94,22 @@ void inverse_transform_map(const SpectrumLine& load, Eigen::Ref<Array2D> map, pa
         else if (index == blocks) transform_edge(load, along_x, 0, half.mean_line);
         else transform_edge(load, along_x, ny / 2, half.highest_line);
     });
-    parallel::for_each_index(extent(block_count(nx)), threads, [&](std::size_t block) {
-        const Index first = static_cast<Index>(block) * lines_per_block;
-        for (Index i = first; i < std::min(nx, first + lines_per_block); ++i) transform_row(along_y, i, half);
+}
+
+InverseMapTransform::~InverseMapTransform() = default;
+InverseMapTransform::InverseMapTransform(InverseMapTransform&&) noexcept = default;
+InverseMapTransform& InverseMapTransform::operator=(InverseMapTransform&&) noexcept = default;
+
+void InverseMapTransform::make_rows(Index first, Index last, parallel::Threads threads) {
+    parallel::for_each_index(extent(block_count(last - first)), threads, [&](std::size_t block) {
+        const Index begin = first + static_cast<Index>(block) * lines_per_block;
+        for (Index i = begin; i < std::min(last, begin + lines_per_block); ++i)
+            transform_row(parts_->along_y, i, parts_->half);
     });
+}
+
+void inverse_transform_map(const SpectrumLine& load, Eigen::Ref<Array2D> map, parallel::Threads threads) {
+    InverseMapTransform(load, map, threads).make_rows(0, map.rows(), threads);
 }
 
 }  // namespace setae::fourier

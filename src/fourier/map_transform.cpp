@@ -63,17 +63,23 @@ void transform_lines(const ArrayView2D& map, const std::function<void(Index, dou
 
 void transform_map(Index nx, Index ny, const std::function<void(Index, double*)>& load, const BlockConsumer& consume,
                    parallel::Threads threads) {
+    transform_padded_map(nx, ny, nx, load, consume, threads);
+}
+
+void transform_padded_map(Index nx, Index ny, Index rows, const std::function<void(Index, double*)>& load,
+                          const BlockConsumer& consume, parallel::Threads threads) {
     require_shape(nx, ny);
+    require_shape(rows, ny);
     const RealTransform along_y(ny);
     const ComplexTransform along_x(nx);
     const Index modes = along_y.modes();
-    Buffer<Complex> half(extent(nx * modes));
+    Buffer<Complex> half(extent(rows * modes));
 
-    parallel::for_each_index(extent(block_count(nx)), threads, [&](std::size_t index) {
+    parallel::for_each_index(extent(block_count(rows)), threads, [&](std::size_t index) {
         thread_local Buffer<double> line;
         line.resize(extent(ny));
         const Index first = static_cast<Index>(index) * lines_per_block;
-        for (Index i = first; i < std::min(nx, first + lines_per_block); ++i) {
+        for (Index i = first; i < std::min(rows, first + lines_per_block); ++i) {
             load(i, line.data());
             Complex* spectrum = half.data() + i * modes;
             if (are_zero(line)) std::fill_n(spectrum, modes, Complex{});  // a map within zeros has many such lines
@@ -85,10 +91,12 @@ void transform_map(Index nx, Index ny, const std::function<void(Index, double*)>
         const Index count = std::min(lines_per_block, modes - static_cast<Index>(index) * lines_per_block);
         lines.resize(extent(count * padded<Complex>(nx)));
         const auto block = block_of(static_cast<Index>(index), modes, nx, lines.data());
-        for (Index i = 0; i < nx; ++i) {
+        for (Index i = 0; i < rows; ++i) {
             const Complex* row = half.data() + i * modes + block.first;
             for (Index m = 0; m < block.lines; ++m) lines[extent(m * block.stride + i)] = row[m];
         }
+        for (Index m = 0; m < block.lines; ++m)
+            std::fill_n(lines.data() + m * block.stride + rows, nx - rows, Complex{});
         for (Index m = 0; m < block.lines; ++m) along_x.apply(lines.data() + m * block.stride);
         consume(block);
     });

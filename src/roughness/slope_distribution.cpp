@@ -133,11 +133,11 @@ std::array<PowerSums, 4> tile_sums(const topography::HeightMap& map, Index begin
     return result;
 }
 
-/// Blocks are tiles of a 4 × 4 partition: neighbours in both directions stay together.
-Slopes slopes_of(const topography::HeightMap& map, parallel::Threads threads) {
+/// Along x, y and both diagonals, in blocks that are tiles of a 4 × 4 partition: neighbours in both directions stay
+/// together.
+std::array<Blocks, 4> blocks_of(const topography::HeightMap& map, parallel::Threads threads) {
     constexpr Index tiles = 4;
     const auto nx = map.heights.rows(), ny = map.heights.cols();
-    const auto [dx, dy] = map.pixel_size();
     const auto edge = [](Index tile, Index n) { return std::min((tile * n + tiles - 1) / tiles, n - 1); };
     std::array<Blocks, 4> blocks{};
     parallel::for_each_index(block_count, threads, [&](std::size_t block) {
@@ -145,20 +145,31 @@ Slopes slopes_of(const topography::HeightMap& map, parallel::Threads threads) {
         const auto sums = tile_sums(map, edge(row, nx), edge(row + 1, nx), edge(column, ny), edge(column + 1, ny));
         for (std::size_t direction = 0; direction < 4; ++direction) blocks[direction][block] = sums[direction];
     });
+    return blocks;
+}
+
+std::vector<DirectionalSlope> directions_of(const topography::HeightMap& map, const std::array<Blocks, 4>& blocks) {
+    const auto [dx, dy] = map.pixel_size();
     const double tilt = std::atan2(dy, dx);
+    return {directional(0.0, blocks[0]), directional(0.5 * pi, blocks[1]), directional(tilt, blocks[2]),
+            directional(-tilt, blocks[3])};
+}
+
+Slopes slopes_of(const topography::HeightMap& map, parallel::Threads threads) {
+    const auto blocks = blocks_of(map, threads);
+    const auto nx = map.heights.rows(), ny = map.heights.cols();
+    const double dx = map.pixel_size()[0];
     Slopes slopes;
-    slopes.directions = {directional(0.0, blocks[0]), directional(0.5 * pi, blocks[1]), directional(tilt, blocks[2]),
-                         directional(-tilt, blocks[3])};
+    slopes.directions = directions_of(map, blocks);
     PowerSums along_x;
     for (const auto& block : blocks[0]) along_x += block;
     slopes.defined = static_cast<Index>(along_x.s[0]);
     std::array<Histogram, block_count> histograms;
     histograms.fill({along_x.s[1] / along_x.s[0], slopes.directions.front().rms});
-    parallel::for_each_index(block_count, threads, [&, step = dx](std::size_t block) {
+    parallel::for_each_index(block_count, threads, [&](std::size_t block) {
         const Index part = static_cast<Index>(block);
         for (Index i = part * (nx - 1) / block_count; i < (part + 1) * (nx - 1) / block_count; ++i)
-            for (Index j = 0; j + 1 < ny; ++j)
-                histograms[block].add((map.heights(i + 1, j) - map.heights(i, j)) / step);
+            for (Index j = 0; j + 1 < ny; ++j) histograms[block].add((map.heights(i + 1, j) - map.heights(i, j)) / dx);
     });
     for (const auto& histogram : histograms)
         for (std::size_t bin = 0; bin < slopes.counts.size(); ++bin) slopes.counts[bin] += histogram.counts[bin];
@@ -288,6 +299,10 @@ SlopeDistribution slope_distribution(const topography::Measurement& measurement,
     distribution.isotropy_p_value = map ? isotropy_p_value(slopes.directions) : undefined;
     add_alerts(distribution, subject);
     return distribution;
+}
+
+std::vector<DirectionalSlope> directional_slopes(const topography::HeightMap& map, parallel::Threads threads) {
+    return directions_of(map, blocks_of(map, threads));
 }
 
 }  // namespace setae::roughness

@@ -26,7 +26,7 @@ public:
         for (std::size_t k = 0; k < intervals; ++k) {
             const double left = std::bit_cast<double>((first_bits + k) << shift);
             const auto at = static_cast<int>(std::floor((std::log10(left) - lowest_decade) * classes_per_decade));
-            steps_[k] = {std::pow(10.0, lowest_decade + (at + 1) / classes_per_decade), at};
+            steps_[k] = {std::pow(10.0, lowest_decade + (at + 1) / classes_per_decade), {within(at), within(at + 1)}};
         }
     }
 
@@ -34,15 +34,17 @@ public:
         if (!(square >= smallest)) return 0;
         if (!(square < largest)) return class_count - 1;
         const auto& step = steps_[(std::bit_cast<std::uint64_t>(square) >> shift) - first_bits];
-        const int at = step.left + (square >= step.border ? 1 : 0);
-        return static_cast<std::size_t>(std::clamp(at, 0, static_cast<int>(class_count) - 1));
+        return step.classes[square >= step.border ? 1 : 0];  // an index, as no branch could be foreseen
     }
 
 private:
     struct Step {
         double border;
-        int left;  ///< class of numbers below the border
+        std::array<std::uint32_t, 2> classes;  ///< of numbers below the border and of the others
     };
+    static std::uint32_t within(int at) {
+        return static_cast<std::uint32_t>(std::clamp(at, 0, static_cast<int>(class_count) - 1));
+    }
     /// Thirty-two intervals per octave, each at most 3.2 % wide; a class is 5.9 % wide.
     static constexpr int shift = 52 - 5;
     static constexpr double smallest = 0x1p-20, largest = 0x1p14;
@@ -53,20 +55,13 @@ private:
 };
 
 struct Classes {
-    struct Sum {
-        double count = 0.0, square = 0.0;
-    };
+    /// Count and sum of squares in one register, so that both are added at once.
+    using Sum [[gnu::vector_size(2 * sizeof(double))]] = double;
     std::array<Sum, class_count> of_class{};
 
-    void add(std::size_t at, double square) {
-        of_class[at].count += 1.0;
-        of_class[at].square += square;
-    }
+    void add(std::size_t at, double square) { of_class[at] += Sum{1.0, square}; }
     void add(const Classes& other) {
-        for (std::size_t k = 0; k < class_count; ++k) {
-            of_class[k].count += other.of_class[k].count;
-            of_class[k].square += other.of_class[k].square;
-        }
+        for (std::size_t k = 0; k < class_count; ++k) of_class[k] += other.of_class[k];
     }
 };
 
@@ -109,10 +104,10 @@ SlopeShape slope_shape(const topography::HeightMap& map, double rms_slope, paral
     Classes all;
     for (const auto& part : parts) all.add(part);
     double total = 0.0;
-    for (const auto& [count, square] : all.of_class) total += count;
+    for (const auto& sum : all.of_class) total += sum[0];
     SlopeShape shape{Array1D::Zero(class_count), Array1D::Zero(class_count)};
     for (std::size_t k = 0; k < class_count; ++k) {
-        const auto& [count, square] = all.of_class[k];
+        const double count = all.of_class[k][0], square = all.of_class[k][1];
         shape.share[static_cast<Index>(k)] = count / total;
         if (count > 0.0) shape.square[static_cast<Index>(k)] = square / count;
     }

@@ -43,9 +43,20 @@ void remove(const Terms& terms, Eigen::Ref<Array2D> heights, parallel::Threads t
 
 }  // namespace
 
-HeightMap detrended(HeightMap map, Trend trend, parallel::Threads threads) {
+HeightMap detrended(HeightMap&& map, Trend trend, parallel::Threads threads) {
     if (trend != Trend::none) remove(terms_of(degrees_of(trend), false), map.heights, threads);
-    return map;
+    return std::move(map);
+}
+
+HeightMap detrended(const HeightMap& map, Trend trend, parallel::Threads threads) {
+    if (trend == Trend::none) return map;
+    const auto terms = terms_of(degrees_of(trend), false);
+    PolynomialFit fit(terms, map.heights.cols());
+    fit.add(map.heights, 0, nullptr, threads);
+    const auto equations = fit.equations();
+    HeightMap result{Array2D(map.heights.rows(), map.heights.cols()), map.size, map.periodic, map.metadata};
+    subtract(equations.origin, best(terms, equations), map.heights, result.heights, threads);
+    return result;
 }
 
 TiledMap detrended(TiledMap map, Trend trend, Index lines_together, parallel::Threads threads) {

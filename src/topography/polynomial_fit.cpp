@@ -29,8 +29,9 @@ struct Moments {
     Array2D heights, points;
 };
 
-/// heights(j) −= origin + Σ_b c_b basis(b, first + j); a large origin costs no digits.
-void subtract_row(double origin, const Array1D& c, const Array2D& table, Index first, double* heights, Index n) {
+/// rest(j) = heights(j) − origin − Σ_b c_b basis(b, first + j), in place too; a large origin costs no digits.
+void subtract_row(double origin, const Array1D& c, const Array2D& table, Index first, const double* heights,
+                  double* rest, Index n) {
     constexpr Index stretch = 512;  // stays in the nearest cache
     double values[stretch];
     for (Index begin = 0; begin < n; begin += stretch) {
@@ -40,8 +41,18 @@ void subtract_row(double origin, const Array1D& c, const Array2D& table, Index f
             const double* const basis = table.row(b).data() + first + begin;
             for (Index j = 0; j < count; ++j) values[j] += c[b] * basis[j];
         }
-        for (Index j = 0; j < count; ++j) heights[begin + j] = (heights[begin + j] - origin) - values[j];
+        for (Index j = 0; j < count; ++j) rest[begin + j] = (heights[begin + j] - origin) - values[j];
     }
+}
+
+void subtract_rows(double origin, const Array2D& coefficients, const ArrayView2D& band, Index first, Index ny,
+                   Eigen::Ref<Array2D> rest, parallel::Threads threads) {
+    const auto table = numerics::legendre_table(coefficients.cols() - 1, ny);
+    numerics::for_each_row(band.rows(), band.cols(), threads, [&](Index i) {
+        const auto along_x = numerics::legendre_values(coefficients.rows() - 1, centred(i, band.rows()));
+        const Array1D c = (along_x.matrix().transpose() * coefficients.matrix()).transpose().array();
+        subtract_row(origin, c, table, first, band.row(i).data(), rest.row(i).data(), band.cols());
+    });
 }
 
 }  // namespace
@@ -174,12 +185,12 @@ NormalEquations polyline_equations(const Profile& profile, const PolylinePlaces&
 
 void subtract(double origin, const Array2D& coefficients, Eigen::Ref<Array2D> band, Index first, Index ny,
               parallel::Threads threads) {
-    const auto table = numerics::legendre_table(coefficients.cols() - 1, ny);
-    numerics::for_each_row(band.rows(), band.cols(), threads, [&](Index i) {
-        const auto along_x = numerics::legendre_values(coefficients.rows() - 1, centred(i, band.rows()));
-        const Array1D c = (along_x.matrix().transpose() * coefficients.matrix()).transpose().array();
-        subtract_row(origin, c, table, first, band.row(i).data(), band.cols());
-    });
+    subtract_rows(origin, coefficients, band, first, ny, band, threads);
+}
+
+void subtract(double origin, const Array2D& coefficients, const ArrayView2D& heights, Eigen::Ref<Array2D> rest,
+              parallel::Threads threads) {
+    subtract_rows(origin, coefficients, heights, 0, heights.cols(), rest, threads);
 }
 
 }  // namespace setae::topography

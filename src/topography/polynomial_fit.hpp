@@ -65,4 +65,8 @@ struct PolylinePlaces {
 void subtract(double origin, const Array2D& coefficients, Eigen::Ref<Array2D> band, Index first, Index ny,
               parallel::Threads threads);
 
+/// The heights of a whole map without both.
+void subtract(double origin, const Array2D& coefficients, const ArrayView2D& heights, Eigen::Ref<Array2D> rest,
+              parallel::Threads threads);
+
 }  // namespace setae::topography

@@ -7,14 +7,25 @@
 #include <malloc.h>
 #endif
 
+#include "setae/parallel/for_each.hpp"
+#include "setae/platform/memory.hpp"
+
 namespace setae::parallel {
 
 void keep_freed_memory() {
 #ifdef __GLIBC__
     constexpr int mebibyte = 1 << 20;
-    mallopt(M_TRIM_THRESHOLD, 256 * mebibyte);
+    constexpr std::size_t room = std::size_t{1024} * mebibyte;
+    constexpr int processors_per_heap = 4;
+    mallopt(M_TRIM_THRESHOLD, 1536 * mebibyte);
     mallopt(M_TOP_PAD, mebibyte);
-    mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // where glibc's own adjustment, which these settings end, would arrive
+    mallopt(M_MMAP_MAX, 0);  // memory of a mapping of its own goes back to the system as soon as it is freed
+    // an array that one thread frees is room for those of the others
+    mallopt(M_ARENA_MAX, (Threads{}.resolved() + processors_per_heap - 1) / processors_per_heap);
+    // what is freed untouched costs nothing and stays the heap's end, which large pages then fill
+    void* const heap = std::malloc(room);
+    if (heap != nullptr) platform::prefer_large_pages(heap, room);
+    std::free(heap);
 #endif
 }
 

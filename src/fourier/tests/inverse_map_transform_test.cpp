@@ -57,6 +57,18 @@ INSTANTIATE_TEST_SUITE_P(EvenAndOdd, InverseShapes,
                                          std::tuple{8, 6}, std::tuple{7, 9}, std::tuple{16, 35}, std::tuple{33, 40},
                                          std::tuple{5, 130}));
 
+TEST(InverseMapTransform, MakesTheRowsAskedFor) {
+    const auto half = half_spectrum(some_map(40, 27));
+    const Array2D whole = inverse(half, 27, 1);
+    Array2D map(40, 27);
+    fourier::InverseMapTransform transform([&](Index m, Complex* modes) { load_from(half, m, modes); }, map, {2});
+    transform.make_rows(30, 40, {2});
+    transform.make_rows(0, 3, {1});
+    transform.make_rows(3, 3, {1});
+    EXPECT_TRUE((map.bottomRows(10) == whole.bottomRows(10)).all());
+    EXPECT_TRUE((map.topRows(3) == whole.topRows(3)).all());
+}
+
 TEST(InverseMapTransform, OfOneModeIsItsWave) {
     ComplexMap half = ComplexMap::Zero(5, 12);
     half(3, 2) = {0.5, -0.25};

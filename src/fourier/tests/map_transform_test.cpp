@@ -44,6 +44,16 @@ ComplexMap transformed_map(const Array2D& map, int threads = 1) {
     });
 }
 
+TEST(PaddedMapTransform, IsThatOfTheMapWithItsZeros) {
+    Array2D map = Array2D::Zero(30, 21);
+    map.topRows(11) = random_map(11, 21);
+    const auto padded = collect(11, 30, [&](const auto& consume) {
+        fourier::transform_padded_map(
+            30, 21, 11, [&](Index i, double* line) { std::copy_n(map.row(i).data(), 21, line); }, consume, {2});
+    });
+    EXPECT_TRUE((padded == transformed_map(map)).all());
+}
+
 ComplexMap transformed_lines(const Array2D& map, int threads = 1) {
     return collect(map.cols(), map.rows() / 2 + 1, [&](const auto& consume) {
         fourier::transform_lines(map, [](Index, double*) {}, consume, {threads});

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "local_medians.hpp"
 #include "order_statistic.hpp"
 #include "pipeline/step_record.hpp"
 #include "setae/core/constants.hpp"
@@ -25,8 +26,6 @@ using topography::HeightMap;
 using topography::LineScan;
 using topography::Mask;
 
-constexpr Index largest_reach = 10;
-
 /// Rows and columns of heights without a copy; a line is one row.
 struct Field {
     const double* heights;
@@ -37,11 +36,6 @@ struct Field {
 
 /// Points from one on each side, cut off on both sides alike where the field ends.
 Index narrowed(Index reach, Index place, Index count) { return std::min({reach, place, count - 1 - place}); }
-
-/// How heights rise from a point to the next, down the rows and along the columns.
-struct Tilt {
-    double down = 0.0, along = 0.0;
-};
 
 /// Median of h − h(i, j) over the defined points around (i, j), the tilt taken off; NaN where there is none. Points
 /// that `left_out` marks do not count, and with `symmetric` nor do those that lie opposite to them.
@@ -70,93 +64,46 @@ Tilt median_tilt(const Field& field, Array2D& scratch, parallel::Threads threads
                                     ? field.at(i + down, j + along) - field.at(i, j)
                                     : undefined;
         });
-        const OrderStatistics differences(scratch.data(), scratch.size(), false);
+        const OrderStatistics differences(scratch.data(), scratch.size(), false, threads);
         return differences.defined() > 0 ? differences.quantile(0.5) : 0.0;
     };
     return {median(1, 0), median(0, 1)};
 }
 
-/// Points of a row whose medians are found side by side, so that comparisons become vector instructions.
-constexpr Index together = 8;
-using Lanes = Eigen::Array<double, together, 1>;
-
-/// The smaller numbers of two to the first, the larger ones to the second.
-void order(Lanes& low, Lanes& high) {
-    const Lanes a = low, b = high;
-    low = a.min(b);
-    high = a.max(b);
-}
-
-/// The numbers of a set that can still be in the middle: the smallest and the largest one of enough of them cannot be.
-class Middle {
-public:
-    /// all: how many numbers there are, an even number.
-    explicit Middle(std::size_t all) : most_(all / 2 + 2) {}
-
-    void add(const Lanes& numbers) {
-        kept_[size_++] = numbers;
-        if (size_ == most_ && size_ > 2) drop_ends();
-    }
-    /// The median of an even number of them, after the last.
-    [[nodiscard]] Lanes median() {
-        while (size_ > 2) drop_ends();
-        return 0.5 * (kept_[0] + kept_[1]);
-    }
-
-private:
-    void drop_ends() {
-        for (std::size_t k = 0; 2 * k + 1 < size_; ++k) order(kept_[k], kept_[size_ - 1 - k]);
-        for (std::size_t k = 1; 2 * k < size_; ++k) order(kept_[0], kept_[k]);
-        for (std::size_t k = size_ / 2; k + 1 < size_; ++k) order(kept_[k], kept_[size_ - 1]);
-        kept_[0] = kept_[size_ - 2];
-        size_ -= 2;
-        most_ = size_ + 1;
-    }
-
-    std::size_t most_, size_ = 0;
-    std::array<Lanes, (2 * largest_reach + 1) * (2 * largest_reach + 1) / 2 + 2> kept_;
-};
-
-/// local_median() of the points (i, j) … (i, j + 7), whose surroundings lie inside the field and are defined.
-Lanes medians_together(const Field& field, const Tilt& tilt, Index i, Index j, Index reach_i, Index reach_j) {
-    Middle middle(static_cast<std::size_t>((2 * reach_i + 1) * (2 * reach_j + 1) - 1));
-    const double* here = field.heights + i * field.columns + j;
-    for (Index a = -reach_i; a <= reach_i; ++a)
-        for (Index b = -reach_j; b <= reach_j; ++b) {
-            if (a == 0 && b == 0) continue;
-            const double* there = here + a * field.columns + b;
-            const double down = static_cast<double>(a) * tilt.down, along = static_cast<double>(b) * tilt.along;
-            using View = Eigen::Map<const Lanes>;
-            middle.add(View(there) - View(here) - down - along);
-        }
-    return middle.median();
-}
-
-/// Whether all heights are defined that medians_together() looks at.
-bool defined_around(const Field& field, Index i, Index j, Index reach_i, Index reach_j) {
+/// Whether all heights of a stretch of rows around row i are defined.
+bool defined_around(const Field& field, Index i, Index reach_i, Index first, Index count) {
     double sum = 0.0;
-    for (Index a = i - reach_i; a <= i + reach_i; ++a) {
-        const double* row = field.heights + a * field.columns + j;
-        for (Index b = -reach_j; b < together + reach_j; ++b) sum += row[b];
-    }
+    for (Index a = i - reach_i; a <= i + reach_i; ++a)
+        sum += Eigen::Map<const Array1D>(field.heights + a * field.columns + first, count).sum();
     return std::isfinite(sum);
 }
 
 /// r: heights minus the median of their surroundings; NaN where either is undefined.
 void find_differences(const Field& field, const Tilt& tilt, Index reach, parallel::Threads threads, Array2D& r) {
+    constexpr Index together = medians_together, stretch = 16 * together;
     for_each_row(field.rows, field.columns * (2 * reach + 1), threads, [&](Index i) {
         const Index reach_i = narrowed(reach, i, field.rows);
         const auto one = [&](Index j) {
             r(i, j) = -local_median(field, tilt, i, j, reach_i, narrowed(reach, j, field.columns), nullptr, false);
         };
+        const auto several = [&](Index j, Index count) {
+            if (!defined_around(field, i, reach_i, j - reach, count + 2 * reach)) return false;
+            find_local_medians(field.heights + i * field.columns + j, field.columns, tilt, {reach_i, reach},
+                               count / together, &r(i, j));
+            for (Index k = j; k < j + count; ++k) r(i, k) = -r(i, k);
+            return true;
+        };
         Index j = 0;
         for (; j < std::min(reach, field.columns); ++j) one(j);
-        for (; j + together + reach <= field.columns; j += together) {
-            if (!defined_around(field, i, j, reach_i, reach)) {
-                for (Index k = j; k < j + together; ++k) one(k);
+        while (j + together + reach <= field.columns) {
+            const Index groups = std::min(stretch, field.columns - reach - j) / together;
+            if (several(j, groups * together)) {
+                j += groups * together;
                 continue;
             }
-            Eigen::Map<Lanes>(&r(i, j)) = -medians_together(field, tilt, i, j, reach_i, reach);
+            for (Index end = j + groups * together; j < end; j += together)
+                if (!several(j, together))
+                    for (Index k = j; k < j + together; ++k) one(k);
         }
         for (; j < field.columns; ++j) one(j);
     });
@@ -203,8 +150,8 @@ void mark_spikes(const Field& field, const Tilt& tilt, const Array2D& r, Index r
 }
 
 /// Robust standard deviation of numbers about 0, from the first quantile of their absolute values that is not 0.
-double robust_deviation(const Array2D& r) {
-    const OrderStatistics statistics(r.data(), r.size(), true);
+double robust_deviation(const Array2D& r, parallel::Threads threads) {
+    const OrderStatistics statistics(r.data(), r.size(), true, threads);
     if (statistics.defined() == 0) return 0.0;
     for (const double probability : {0.5, 0.9, 0.99})
         if (const double quantile = statistics.quantile(probability); quantile > 0.0)
@@ -231,7 +178,7 @@ Spikes spikes_of(const Field& field, const SpikeOptions& options, const topograp
     const auto tilt = median_tilt(field, r, threads);
     find_differences(field, tilt, options.reach, threads, r);
     Spikes spikes;
-    spikes.deviation = robust_deviation(r);
+    spikes.deviation = robust_deviation(r, threads);
     spikes.threshold = options.threshold * spikes.deviation;
     spikes.mask = Mask::Zero(field.rows, field.columns);
     mark_spikes(field, tilt, r, options.reach, spikes);

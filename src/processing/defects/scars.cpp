@@ -60,9 +60,12 @@ double rms_difference(const HeightMap& map, parallel::Threads threads) {
     return all.count > 0.0 ? std::sqrt(all.squares / all.count) : 0.0;
 }
 
-/// Marks the runs of one row along y that stand out of the points that end them; sign −1 looks at valleys.
-void mark_row(const double* heights, Index n, Index width, double low, double high, double sign, std::uint8_t* marks) {
+/// Marks the runs of one row along y that stand out of the points that end them; sign −1 looks at valleys. Whether
+/// there are some.
+bool mark_row(const double* heights, Index n, Index width, double low, double high, double sign, std::uint8_t* marks) {
+    bool marked = false;
     for (Index start = 0; start + 2 < n; ++start) {
+        if (!(sign * (heights[start + 1] - heights[start]) >= low)) continue;
         const double before = sign * heights[start];
         double least = sign * heights[start + 1], base_of_run = undefined;
         Index run = 0;  // the longest one that stands out
@@ -76,49 +79,65 @@ void mark_row(const double* heights, Index n, Index width, double low, double hi
         }
         for (Index m = start + 1; m <= start + run; ++m)
             marks[m] = std::max(marks[m], sign * heights[m] - base_of_run >= high ? scar : beside);
+        marked = marked || run > 0;
     }
+    return marked;
 }
 
+/// Marks of a map, and which rows have some.
+struct Marks {
+    Mask points;
+    std::vector<std::uint8_t> in_row;
+
+    [[nodiscard]] bool any(Index i) const { return in_row[static_cast<std::size_t>(i)] != 0; }
+};
+
 /// Points beside a scar along x belong to it.
-void spread_along_x(Mask& marks) {
+void spread_along_x(Marks& marks) {
+    auto& points = marks.points;
     const auto join = [&](Index from, Index to) {
-        for (Index j = 0; j < marks.cols(); ++j)
-            if (marks(from, j) == scar && marks(to, j) == beside) marks(to, j) = scar;
+        if (!marks.any(from) || !marks.any(to)) return;
+        for (Index j = 0; j < points.cols(); ++j)
+            if (points(from, j) == scar && points(to, j) == beside) points(to, j) = scar;
     };
-    for (Index i = 1; i < marks.rows(); ++i) join(i - 1, i);
-    for (Index i = marks.rows() - 1; i > 0; --i) join(i, i - 1);
+    for (Index i = 1; i < points.rows(); ++i) join(i - 1, i);
+    for (Index i = points.rows() - 1; i > 0; --i) join(i, i - 1);
 }
 
 /// Keeps runs of scars along x that are long enough, as 1; everything else becomes 0.
-void keep_long(Mask& marks, Index length) {
-    std::vector<Index> run(static_cast<std::size_t>(marks.cols()), 0);
+void keep_long(Marks& marks, Index length) {
+    auto& points = marks.points;
+    std::vector<Index> run(static_cast<std::size_t>(points.cols()), 0);
     const auto end = [&](Index behind, Index j) {
-        auto& points = run[static_cast<std::size_t>(j)];
-        if (points < length)
-            for (Index i = behind - points; i < behind; ++i) marks(i, j) = 0;
-        points = 0;
+        auto& in_run = run[static_cast<std::size_t>(j)];
+        if (in_run < length)
+            for (Index i = behind - in_run; i < behind; ++i) points(i, j) = 0;
+        in_run = 0;
     };
-    for (Index i = 0; i < marks.rows(); ++i)
-        for (Index j = 0; j < marks.cols(); ++j) {
-            const bool in_scar = marks(i, j) == scar;
-            marks(i, j) = in_scar ? 1 : 0;
+    for (Index i = 0; i < points.rows(); ++i) {
+        if (!marks.any(i) && (i == 0 || !marks.any(i - 1))) continue;
+        for (Index j = 0; j < points.cols(); ++j) {
+            const bool in_scar = points(i, j) == scar;
+            points(i, j) = in_scar ? 1 : 0;
             if (in_scar) ++run[static_cast<std::size_t>(j)];
             else end(i, j);
         }
-    for (Index j = 0; j < marks.cols(); ++j) end(marks.rows(), j);
+    }
+    for (Index j = 0; j < points.cols(); ++j) end(points.rows(), j);
 }
 
 Mask scars_of_sign(const RemoveScars& step, const HeightMap& map, double difference, double sign,
                    parallel::Threads threads) {
     const auto [nx, ny] = map.shape();
-    Mask marks = Mask::Zero(nx, ny);
+    Marks marks{Mask::Zero(nx, ny), std::vector<std::uint8_t>(static_cast<std::size_t>(nx))};
     for_each_row(nx, ny, threads, [&, columns = ny](Index i) {
-        mark_row(map.heights.data() + i * columns, columns, step.width, step.low * difference, step.high * difference,
-                 sign, marks.data() + i * columns);
+        marks.in_row[static_cast<std::size_t>(i)] =
+            mark_row(map.heights.data() + i * columns, columns, step.width, step.low * difference,
+                     step.high * difference, sign, marks.points.data() + i * columns);
     });
     spread_along_x(marks);
     keep_long(marks, step.length);
-    return marks;
+    return std::move(marks.points);
 }
 
 /// New heights of one row's scars, from the nearest points before and behind that are none.

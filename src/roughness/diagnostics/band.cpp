@@ -61,10 +61,10 @@ Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads t
 }
 
 Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& options) {
-    const auto& map = evidence.clean;
+    const auto& map = *evidence.clean;
     constexpr Index first = 2, last = 8, all_modes_needed = 32;  // detrending takes most of the first mode
     if (map.periodic || map.heights.rows() / 2 < all_modes_needed) return {};
-    const auto spectrum = scan_spectrum(map, options.threads);
+    const auto& spectrum = *evidence.scan_spectrum;
     const Index count = last - first + 1;
     const Array1D mode = Array1D::LinSpaced(count, static_cast<double>(first), static_cast<double>(last)),
                   power = spectrum.density.segment(first - 1, count);
@@ -78,7 +78,7 @@ Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& optio
     if (!(slope.exponent - certain * slope.standard_error > 1.0)) return {};
     const double growth = std::pow(10.0, 0.5 * (slope.exponent - 1.0)),
                  growth_error = 0.5 * std::log(10.0) * slope.standard_error * growth;
-    const double rms = rms_height(evidence.level.heights), longest = map.size[0];
+    const double rms = evidence.rms_level, longest = map.size[0];
     return Finding{
         {"LOW_Q_GAP", evidence.subject,
          fmt::format(

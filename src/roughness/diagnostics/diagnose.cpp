@@ -36,13 +36,13 @@ std::vector<Finding> diagnosed(const Evidence& evidence, const topography::Measu
                                const DiagnosisOptions& options) {
     std::vector<Finding> findings;
     add(findings, undefined_heights(evidence));
-    add(findings, quantised(evidence));
+    add(findings, quantised(evidence, options.threads));
     if (evidence.flat) return findings;
     // in the order of the page of diagnostics; each looks at the same evidence by itself
     const std::vector<std::function<std::vector<Finding>()>> tests{
-        [&] { return clipped(evidence); },
+        [&] { return clipped(evidence, options.threads); },
         [&] { return as_list(large_tilt(evidence)); },
-        [&] { return as_list(curvature_left(evidence)); },
+        [&] { return as_list(curvature_left(evidence, options.threads)); },
         [&] { return as_list(spikes(evidence, options.threads)); },
         [&] { return as_list(scars(evidence)); },
         [&] { return as_list(pixel_noise(evidence, options)); },
@@ -107,7 +107,7 @@ std::vector<Finding> diagnose_kind(const Profile& profile, const DiagnosisOption
     const auto evidence = evidence_of(at_equal_steps(function), options.threads);
     if (!evidence.flat) {
         add(findings, large_tilt(evidence));
-        add(findings, curvature_left(evidence));
+        add(findings, curvature_left(evidence, options.threads));
         add(findings, tip_cutoff(function, options.threads));
         add(findings, low_wavevector_gap(evidence, options));
     }

@@ -38,7 +38,7 @@ MeanSteps mean_steps(const Array2D& h) {
 }
 
 Found line_offsets(const Evidence& evidence, const DiagnosisOptions& options) {
-    const auto& map = evidence.clean;
+    const auto& map = *evidence.clean;
     const auto pixel = map.pixel_size();
     const auto [lines, along] = mean_steps(map.heights);
     if (!(lines.variance > 0.0)) return {};
@@ -79,8 +79,7 @@ struct Pair {
 };
 
 Found anisotropy(const Evidence& evidence, const topography::HeightMap& map, const DiagnosisOptions& options) {
-    const auto distribution = roughness::slope_distribution(map);
-    const auto& d = distribution.directions;
+    const auto d = roughness::directional_slopes(map, options.threads);
     std::vector<Pair> pairs{{&d[2], &d[3]}};
     if (std::abs(d[2].angle - 0.25 * pi) < 0.01) pairs.push_back({&d[0], &d[1]});
     double strongest = 0.0, error = 0.0;
@@ -118,14 +117,16 @@ Found anisotropy(const Evidence& evidence, const topography::HeightMap& map, con
 std::vector<Finding> directions(const Evidence& evidence, const DiagnosisOptions& options) {
     std::vector<Finding> found;
     constexpr Index fewest = 16;
-    const auto& heights = evidence.clean.heights;
+    const auto& heights = evidence.clean->heights;
     if (evidence.is_line || heights.rows() < fewest || heights.cols() < fewest) return found;
     auto aligned = evidence.clean;
     if (auto offsets = line_offsets(evidence, options)) {
         found.push_back(std::move(*offsets));
-        aligned.heights.rowwise() -= heights.colwise().mean();
+        auto without = *evidence.clean;
+        without.heights.rowwise() -= heights.colwise().mean();
+        aligned = std::make_shared<const topography::HeightMap>(std::move(without));
     }
-    if (auto finding = anisotropy(evidence, aligned, options)) found.push_back(std::move(*finding));
+    if (auto finding = anisotropy(evidence, *aligned, options)) found.push_back(std::move(*finding));
     return found;
 }
 

@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "setae/diagnostics/diagnose.hpp"
 #include "setae/processing/despike.hpp"
+#include "setae/spectra/power_spectrum.hpp"
 #include "setae/topography/mask.hpp"
 
 namespace setae::diagnostics {
+
+using SharedMap = std::shared_ptr<const topography::HeightMap>;
 
 /// What the tests look at: heights on a grid, points along the fast axis x in rows, scan lines in columns; a line has
 /// one column.
 struct Evidence {
     std::string subject;
-    topography::HeightMap map;    ///< as measured, NaN = undefined
-    topography::HeightMap level;  ///< without its tilt
-    topography::HeightMap clean;  ///< without tilt, scars and spikes, undefined points filled
+    SharedMap map;    ///< as measured, NaN = undefined
+    SharedMap level;  ///< without its tilt
+    SharedMap clean;  ///< without tilt, scars and spikes, undefined points filled; `level` itself where nothing changed
+    double rms_map = 0.0, rms_level = 0.0;                   ///< rms_height() of both
+    std::optional<spectra::MeasuredSpectrum> scan_spectrum;  ///< of `clean`, of enough points
     std::optional<topography::Mask>
         scars;  ///< points of strokes along x, where there are more than a surface has by itself
     std::optional<processing::Spikes> spikes;  ///< nothing where there are none, or too few points to look for them
@@ -26,6 +33,7 @@ struct Evidence {
     Index defined = 0;
 };
 
+/// The map must live as long as the evidence.
 /// @throws UndefinedDataError where no height is defined.
 [[nodiscard]] Evidence evidence_of(const topography::HeightMap& map, parallel::Threads threads);
 [[nodiscard]] Evidence evidence_of(const topography::LineScan& scan, parallel::Threads threads);
@@ -35,6 +43,8 @@ struct Evidence {
 
 /// Root of the mean squared distance of the defined heights from their mean [m].
 [[nodiscard]] double rms_height(const Array2D& heights);
+/// Of two maps of one shape side by side, which takes as long as one.
+[[nodiscard]] std::array<double, 2> rms_heights(const Array2D& first, const Array2D& second);
 
 /// Root mean square of the forward differences along x over their step [1].
 [[nodiscard]] double rms_slope_along_x(const Array2D& heights, double step);
@@ -51,9 +61,9 @@ using Found = std::optional<Finding>;
 
 [[nodiscard]] Found undefined_heights(const Evidence& evidence);
 [[nodiscard]] Found large_tilt(const Evidence& evidence);
-[[nodiscard]] Found curvature_left(const Evidence& evidence);
-[[nodiscard]] Found quantised(const Evidence& evidence);
-[[nodiscard]] std::vector<Finding> clipped(const Evidence& evidence);
+[[nodiscard]] Found curvature_left(const Evidence& evidence, parallel::Threads threads);
+[[nodiscard]] Found quantised(const Evidence& evidence, parallel::Threads threads);
+[[nodiscard]] std::vector<Finding> clipped(const Evidence& evidence, parallel::Threads threads);
 [[nodiscard]] Found spikes(const Evidence& evidence, parallel::Threads threads);
 [[nodiscard]] Found scars(const Evidence& evidence);
 [[nodiscard]] Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options);

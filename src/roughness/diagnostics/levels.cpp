@@ -9,6 +9,7 @@
 #include "evidence.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/row_blocks.hpp"
 
 namespace setae::diagnostics {
 namespace {
@@ -40,15 +41,24 @@ std::vector<Level> levels_of(const std::vector<double>& sorted, double range) {
 }
 
 /// Share of neighbours along x that have the same height.
-double plateau_share(const Array2D& heights) {
+double plateau_share(const Array2D& heights, parallel::Threads threads) {
+    struct Counts {
+        Index same = 0, pairs = 0;
+    };
+    const Index ny = heights.cols();
     Index same = 0, pairs = 0;
-    for (Index i = 0; i + 1 < heights.rows(); ++i)
-        for (Index j = 0; j < heights.cols(); ++j) {
-            const double rise = heights(i + 1, j) - heights(i, j);
-            if (std::isnan(rise)) continue;
-            ++pairs;
-            same += rise == 0.0;
-        }
+    for (const auto& part : numerics::by_row_blocks(numerics::RowBlocks(heights.rows() - 1, ny), threads, Counts{},
+                                                    [&](Index first, Index last, Counts& counts) {
+                                                        const double *here = heights.data(), *next = here + ny;
+                                                        for (Index k = first * ny; k < last * ny; ++k) {
+                                                            const double rise = next[k] - here[k];
+                                                            counts.pairs += rise == rise;
+                                                            counts.same += rise == 0.0;
+                                                        }
+                                                    })) {
+        same += part.same;
+        pairs += part.pairs;
+    }
     return pairs > 0 ? static_cast<double>(same) / static_cast<double>(pairs) : 0.0;
 }
 
@@ -90,27 +100,39 @@ double sampled_quantile(const Array2D& heights, double share) {
 
 /// The outermost levels at an end of the range, in increasing order, more than twice those compared where there are so
 /// many: of many heights only those near the end are sorted.
-std::vector<Level> levels_at_end(const Array2D& heights, bool top) {
+std::vector<Level> levels_at_end(const Array2D& heights, bool top, parallel::Threads threads) {
     constexpr Index many = Index{1} << 16;
     constexpr double outer_share = 0.005;
     if (heights.size() < many) return all_levels(heights);
     const double bound = sampled_quantile(heights, top ? 1.0 - outer_share : outer_share);
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    std::vector<double> outer;
-    for (Index k = 0; k < heights.size(); ++k) {
-        const double h = heights.data()[k];
-        lowest = h < lowest ? h : lowest;
-        highest = h > highest ? h : highest;
-        if (top ? h >= bound : h <= bound) outer.push_back(h);
+    struct Part {
+        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+        std::vector<double> outer;
+    };
+    Part all;
+    for (const auto& part : numerics::by_row_blocks(numerics::RowBlocks(heights.size(), 1), threads, Part{},
+                                                    [&](Index first, Index last, Part& found) {
+                                                        double lowest = found.lowest, highest = found.highest;
+                                                        for (Index k = first; k < last; ++k) {
+                                                            const double h = heights.data()[k];
+                                                            lowest = h < lowest ? h : lowest;
+                                                            highest = h > highest ? h : highest;
+                                                            if (top ? h >= bound : h <= bound) found.outer.push_back(h);
+                                                        }
+                                                        found.lowest = lowest, found.highest = highest;
+                                                    })) {
+        all.lowest = std::min(all.lowest, part.lowest);
+        all.highest = std::max(all.highest, part.highest);
+        all.outer.insert(all.outer.end(), part.outer.begin(), part.outer.end());
     }
-    if (outer.empty()) return all_levels(heights);
-    std::sort(outer.begin(), outer.end());
-    auto levels = levels_of(outer, highest - lowest);
+    if (all.outer.empty()) return all_levels(heights);
+    std::sort(all.outer.begin(), all.outer.end());
+    auto levels = levels_of(all.outer, all.highest - all.lowest);
     return levels.size() > 2 * levels_compared + 1 ? levels : all_levels(heights);
 }
 
-Found clipped_at(const Evidence& evidence, bool top) {
-    const auto levels = levels_at_end(evidence.map.heights, top);
+Found clipped_at(const Evidence& evidence, bool top, parallel::Threads threads) {
+    const auto levels = levels_at_end(evidence.map->heights, top, threads);
     const auto at = [&](std::size_t k) { return top ? levels[levels.size() - 1 - k] : levels[k]; };
     if (levels.size() <= 2 * levels_compared) return {};
     double beside = 0.0;
@@ -133,23 +155,23 @@ Found clipped_at(const Evidence& evidence, bool top) {
 
 }  // namespace
 
-Found quantised(const Evidence& evidence) {
+Found quantised(const Evidence& evidence, parallel::Threads threads) {
     if (evidence.flat)
         return Finding{
             {"QUANTISED", evidence.subject,
              fmt::format("all {} defined heights are equal: nothing of a surface is in them", evidence.defined),
              "look whether the right channel was read and the instrument was in contact"},
             {effect("rms_height", "h_rms", 0.0, "m")}};
-    const double share = plateau_share(evidence.map.heights);
+    const double share = plateau_share(evidence.map->heights, threads);
     constexpr double many_plateaus = 0.05;
     constexpr Index fewest_heights = 64;
     if (evidence.defined < fewest_heights || !(share > many_plateaus)) return {};
-    const auto levels = all_levels(evidence.map.heights);
+    const auto levels = all_levels(evidence.map->heights);
     if (levels.size() < 3 || 2 * std::ssize(levels) > evidence.defined) return {};
     const auto step = common_step(levels);
     if (!step) return {};
-    const double rms = rms_height(evidence.level.heights), error = *step / std::sqrt(12.0);
-    const double slope = rms_slope_along_x(evidence.level.heights, evidence.map.pixel_size()[0]);
+    const double rms = evidence.rms_level, error = *step / std::sqrt(12.0);
+    const double slope = rms_slope_along_x(evidence.level->heights, evidence.map->pixel_size()[0]);
     // rounding errors of neighbours are independent where heights differ by more than a step, and equal on plateaus
     return Finding{
         {"QUANTISED", evidence.subject,
@@ -162,10 +184,10 @@ Found quantised(const Evidence& evidence) {
          effect("rms_slope_x_as_measured", "h'_rms", slope, "1")}};
 }
 
-std::vector<Finding> clipped(const Evidence& evidence) {
+std::vector<Finding> clipped(const Evidence& evidence, parallel::Threads threads) {
     std::vector<Finding> found;
     for (const bool top : {true, false})
-        if (auto finding = clipped_at(evidence, top)) found.push_back(std::move(*finding));
+        if (auto finding = clipped_at(evidence, top, threads)) found.push_back(std::move(*finding));
     return found;
 }
 

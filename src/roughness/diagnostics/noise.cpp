@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "evidence.hpp"
-#include "scan_spectrum.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/spectra/parametric_noise.hpp"
@@ -14,12 +13,12 @@
 namespace setae::diagnostics {
 
 Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options) {
-    const auto& map = evidence.clean;
+    const auto& map = *evidence.clean;
     const Index points = map.heights.rows(), modes = (points - 1) / 2, lines = map.heights.cols();
     const Index first = std::max<Index>(4, points / 16), count = modes - first + 1;
     constexpr Index fewest_modes = 12;
     if (count < fewest_modes) return {};
-    const auto spectrum = scan_spectrum(map, options.threads);
+    const auto& spectrum = *evidence.scan_spectrum;
     const double step = map.pixel_size()[0], nyquist = pi / step;
     const Array1D x = spectrum.wavevector.segment(first - 1, count) / nyquist,
                   power = spectrum.density.segment(first - 1, count);

@@ -43,16 +43,16 @@ double curvature_along(const Array2D& removed, double step, bool along_x) {
     return n > 0 ? sum / static_cast<double>(n) / (step * step) : 0.0;
 }
 
-Array2D without_parabola(const Evidence& evidence) {
-    if (!evidence.is_line) return topography::detrended(evidence.level, topography::Trend::parabola).heights;
-    const topography::LineScan line{evidence.level.heights.col(0), evidence.level.size[0], false, {}};
+Array2D without_parabola(const Evidence& evidence, parallel::Threads threads) {
+    if (!evidence.is_line) return topography::detrended(*evidence.level, topography::Trend::parabola, threads).heights;
+    const topography::LineScan line{evidence.level->heights.col(0), evidence.level->size[0], false, {}};
     return topography::detrended(line, topography::Trend::parabola).heights;
 }
 
 }  // namespace
 
 Found undefined_heights(const Evidence& evidence) {
-    const Index all = evidence.map.heights.size(), missing = all - evidence.defined;
+    const Index all = evidence.map->heights.size(), missing = all - evidence.defined;
     if (missing == 0) return {};
     const double share = static_cast<double>(missing) / static_cast<double>(all);
     return Finding{{"UNDEF", evidence.subject,
@@ -62,11 +62,10 @@ Found undefined_heights(const Evidence& evidence) {
 }
 
 Found large_tilt(const Evidence& evidence) {
-    const double before = rms_height(evidence.map.heights), after = rms_height(evidence.level.heights),
-                 tilt = removed_rms(before, after);
+    const double before = evidence.rms_map, after = evidence.rms_level, tilt = removed_rms(before, after);
     if (!(tilt > large_tilt_ratio * after)) return {};
-    const Array2D plane = evidence.map.heights - evidence.level.heights;
-    const auto pixel = evidence.map.pixel_size();
+    const Array2D plane = evidence.map->heights - evidence.level->heights;
+    const auto pixel = evidence.map->pixel_size();
     const double along_x = slope_along(plane, pixel[0], true),
                  along_y = evidence.is_line ? 0.0 : slope_along(plane, pixel[1], false);
     const double slope = std::hypot(along_x, along_y);
@@ -80,17 +79,16 @@ Found large_tilt(const Evidence& evidence) {
          effect("rms_height_without_tilt", "h_rms", after, "m")}};
 }
 
-Found curvature_left(const Evidence& evidence) {
+Found curvature_left(const Evidence& evidence, parallel::Threads threads) {
     const Index needed = 12;
-    if (evidence.map.heights.rows() < needed || (!evidence.is_line && evidence.map.heights.cols() < needed) ||
+    if (evidence.map->heights.rows() < needed || (!evidence.is_line && evidence.map->heights.cols() < needed) ||
         evidence.defined < 2 * needed)
         return {};
-    const Array2D rest = without_parabola(evidence);
-    const double before = rms_height(evidence.level.heights), after = rms_height(rest),
-                 bow = removed_rms(before, after);
+    const Array2D rest = without_parabola(evidence, threads);
+    const double before = evidence.rms_level, after = rms_height(rest), bow = removed_rms(before, after);
     if (!(bow > large_curvature_ratio * after)) return {};
-    const Array2D bowl = evidence.level.heights - rest;
-    const auto pixel = evidence.map.pixel_size();
+    const Array2D bowl = evidence.level->heights - rest;
+    const auto pixel = evidence.map->pixel_size();
     const double along_x = curvature_along(bowl, pixel[0], true),
                  along_y = evidence.is_line ? 0.0 : curvature_along(bowl, pixel[1], false);
     const double strongest = std::abs(along_x) > std::abs(along_y) ? along_x : along_y;

@@ -33,14 +33,14 @@ Lift lift(const spectra::MeasuredSpectrum& with, const spectra::MeasuredSpectrum
 Found spikes(const Evidence& evidence, parallel::Threads threads) {
     if (!evidence.spikes || evidence.spikes->count == 0) return {};
     const auto& found = *evidence.spikes;
-    topography::HeightMap with = evidence.clean;
+    topography::HeightMap with = *evidence.clean;
     for (Index k = 0; k < with.heights.size(); ++k)
-        if (found.mask.data()[k] != 0) with.heights.data()[k] = evidence.level.heights.data()[k];
+        if (found.mask.data()[k] != 0) with.heights.data()[k] = evidence.level->heights.data()[k];
     const double step = with.pixel_size()[0];
-    const double rms_with = rms_height(with.heights), rms_without = rms_height(evidence.clean.heights);
+    const double rms_with = rms_height(with.heights), rms_without = rms_height(evidence.clean->heights);
     const double slope_with = rms_slope_along_x(with.heights, step),
-                 slope_without = rms_slope_along_x(evidence.clean.heights, step);
-    const auto [factor, wavelength] = lift(scan_spectrum(with, threads), scan_spectrum(evidence.clean, threads));
+                 slope_without = rms_slope_along_x(evidence.clean->heights, step);
+    const auto [factor, wavelength] = lift(scan_spectrum(with, threads), *evidence.scan_spectrum);
     const std::string psd =
         wavelength > 0.0
             ? fmt::format(

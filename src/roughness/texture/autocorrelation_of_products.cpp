@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "autocorrelation_of_products.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -8,69 +9,92 @@
 #include "setae/core/errors.hpp"
 #include "setae/core/extent.hpp"
 #include "setae/fourier/fast_length.hpp"
-#include "setae/fourier/inverse_map_transform.hpp"
 #include "setae/fourier/map_transform.hpp"
 
 namespace setae::texture {
-namespace {
-
-/// Sum over all points of v(x) v(x + t) at every wrapped lag of an nx × ny grid; load(i, row) writes row i.
-template <class Load>
-Array2D products(Index nx, Index ny, Load load, parallel::Threads threads) {
+/// Sum over all points of v(x) v(x + t) at every wrapped lag of an nx × ny grid; load(i, row) writes row i of those
+/// before the padding.
+AutocorrelationOfProducts::Products::Products(Index nx, Index ny, Index rows,
+                                              const std::function<void(Index, double*)>& load,
+                                              parallel::Threads threads)
+    : sums(nx, ny) {
     Array2D power(ny / 2 + 1, nx);
-    fourier::transform_map(
-        nx, ny, load,
+    fourier::transform_padded_map(
+        nx, ny, rows, load,
         [&power](const fourier::SpectrumBlock& block) {
             for (Index m = 0; m < block.lines; ++m)
                 for (Index k = 0; k < block.modes; ++k) power(block.first + m, k) = std::norm(block.line(m)[k]);
         },
         threads);
-    Array2D sums(nx, ny);
     const double scale = 1.0 / (static_cast<double>(nx) * static_cast<double>(ny));
-    fourier::inverse_transform_map(
+    transform.emplace(
         [&](Index m, fourier::Complex* modes) {
             for (Index k = 0; k < nx; ++k) modes[k] = power(m, k) * scale;
         },
         sums, threads);
-    return sums;
 }
 
-}  // namespace
-
 AutocorrelationOfProducts::AutocorrelationOfProducts(const topography::HeightMap& map, double mean,
-                                                     parallel::Threads threads) {
-    const auto nx = map.heights.rows(), ny = map.heights.cols();
-    const auto grid_x = map.periodic ? nx : fourier::fast_length(2 * nx - 1),
-               grid_y = map.periodic ? ny : fourier::fast_length(2 * ny - 1);
-    reach_x_ = map.periodic ? nx / 2 : nx - 1;
-    reach_y_ = map.periodic ? ny / 2 : ny - 1;
+                                                     parallel::Threads threads)
+    : nx_(map.heights.rows()),
+      ny_(map.heights.cols()),
+      reach_x_(map.periodic ? nx_ / 2 : nx_ - 1),
+      reach_y_(map.periodic ? ny_ / 2 : ny_ - 1),
+      periodic_(map.periodic),
+      threads_(threads) {
+    const auto grid_x = map.periodic ? nx_ : fourier::fast_length(2 * nx_ - 1),
+               grid_y = map.periodic ? ny_ : fourier::fast_length(2 * ny_ - 1);
     const auto load = [&](auto value) {
-        return [&map, nx, ny, grid_y, value](Index i, double* row) {
-            for (Index j = 0; j < grid_y; ++j) row[j] = i < nx && j < ny ? value(map.heights(i, j)) : 0.0;
+        return [&map, grid_y, value](Index i, double* row) {
+            const Index ny = map.heights.cols();
+            const double* const heights = map.heights.data() + i * ny;
+            for (Index j = 0; j < ny; ++j) row[j] = value(heights[j]);
+            std::fill(row + ny, row + grid_y, 0.0);
         };
     };
-    values_ = products(grid_x, grid_y, load([mean](double h) { return h == h ? h - mean : 0.0; }), threads);
-    const bool whole = (map.heights == map.heights).all();
-    const auto lag = [](Index k, Index n) { return static_cast<double>(std::min(k, n - k)); };
-    const auto pairs_at = [&](Index i, Index j) {
-        return (static_cast<double>(nx) - lag(i, grid_x)) * (static_cast<double>(ny) - lag(j, grid_y));
-    };
-    Array2D counted;
-    if (!whole) counted = products(grid_x, grid_y, load([](double h) { return h == h ? 1.0 : 0.0; }), threads).round();
-    /// Mean product of the pairs at a lag, undefined where there are none.
-    const auto mean_at = [&](Index i, Index j) {
-        if (whole && map.periodic) return values_(i, j);
-        const double pairs = whole ? pairs_at(i, j) : counted(i, j);
-        return pairs > 0.0 ? values_(i, j) / pairs : undefined;
-    };
-    const double square = mean_at(0, 0);
-    if (!(square > 0.0))
+    values_.emplace(grid_x, grid_y, nx_, load([mean](double h) { return h == h ? h - mean : 0.0; }), threads);
+    if (!(map.heights == map.heights).all())
+        counts_.emplace(grid_x, grid_y, nx_, load([](double h) { return h == h ? 1.0 : 0.0; }), threads);
+    find_rows(0);
+    if (!(square_ > 0.0))
         throw UndefinedDataError(topography::label(map.metadata) +
                                  ": all heights are equal, so their autocorrelation is undefined");
-    parallel::for_each_index(extent(grid_x), threads, [&](std::size_t row) {
-        const auto i = static_cast<Index>(row);
-        for (Index j = 0; j < grid_y; ++j) values_(i, j) = mean_at(i, j) / square;
+}
+
+/// Mean product of the pairs at a lag, undefined where there are none.
+double AutocorrelationOfProducts::mean_at(Index i, Index j) const {
+    const auto grid_x = values_->sums.rows(), grid_y = values_->sums.cols();
+    const double product = values_->sums(i, j);
+    if (!counts_ && periodic_) return product;
+    const auto lag = [](Index k, Index n) { return static_cast<double>(std::min(k, n - k)); };
+    const double pairs =
+        counts_ ? std::round(counts_->sums(i, j))
+                : (static_cast<double>(nx_) - lag(i, grid_x)) * (static_cast<double>(ny_) - lag(j, grid_y));
+    return pairs > 0.0 ? product / pairs : undefined;
+}
+
+void AutocorrelationOfProducts::make_rows(Index first, Index last) {
+    values_->transform->make_rows(first, last, threads_);
+    if (counts_) counts_->transform->make_rows(first, last, threads_);
+    auto& sums = values_->sums;
+    if (first == 0) square_ = mean_at(0, 0);
+    if (!(square_ > 0.0)) return;
+    parallel::for_each_index(extent(last - first), threads_, [&](std::size_t row) {
+        const auto i = first + static_cast<Index>(row);
+        for (Index j = 0; j < sums.cols(); ++j) sums(i, j) = mean_at(i, j) / square_;
     });
+}
+
+void AutocorrelationOfProducts::find_rows(Index lag) {
+    constexpr Index together = 64;
+    const Index rows = values_->sums.rows(), all = rows / 2 + 1;
+    if (lag < found_) return;
+    // lags −1, −2, … lie at the end; beyond the middle they meet those that increase
+    const Index end = std::min(all, (lag / together + 1) * together);
+    make_rows(found_, end);
+    const Index first = std::max(end, rows - end + 1), last = std::max(end, rows - std::max<Index>(found_, 1) + 1);
+    make_rows(first, last);
+    found_ = end;
 }
 
 }  // namespace setae::texture

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdlib>
+#include <functional>
+#include <optional>
+
+#include "setae/fourier/inverse_map_transform.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/topography/measurement.hpp"
 
@@ -9,7 +14,7 @@ namespace setae::texture {
 /// Mean products of heights z about their mean at every lag of the full circle, over those at lag 0.
 ///
 /// Scale-dependent statistics use height differences (scales/autocorrelation.hpp); the standard's parameters are of
-/// products.
+/// products. Lags along x are found as far as they are asked for.
 class AutocorrelationOfProducts {
 public:
     /// @throws UndefinedDataError for a constant map.
@@ -20,14 +25,34 @@ public:
     [[nodiscard]] Index reach_y() const { return reach_y_; }
 
     /// f at lag (i, j), |i| <= reach_x, |j| <= reach_y; NaN without a pair.
-    [[nodiscard]] double operator()(Index i, Index j) const {
-        const auto nx = values_.rows(), ny = values_.cols();
-        return values_(i < 0 ? i + nx : i, j < 0 ? j + ny : j);
+    [[nodiscard]] double operator()(Index i, Index j) {
+        if (std::abs(i) >= found_) find_rows(std::abs(i));
+        const auto& f = values_->sums;
+        return f(i < 0 ? i + f.rows() : i, j < 0 ? j + f.cols() : j);
     }
 
 private:
-    Array2D values_;  ///< lags wrap
-    Index reach_x_ = 0, reach_y_ = 0;
+    /// Sums over pairs at the rows of wrapped lags made so far.
+    struct Products {
+        Products(Index nx, Index ny, Index rows, const std::function<void(Index, double*)>& load,
+                 parallel::Threads threads);
+
+        Array2D sums;
+        std::optional<fourier::InverseMapTransform> transform;
+    };
+
+    /// Rows of lags −lag … lag and some more.
+    void find_rows(Index lag);
+    void make_rows(Index first, Index last);
+    [[nodiscard]] double mean_at(Index i, Index j) const;
+
+    Index nx_, ny_, reach_x_, reach_y_;
+    bool periodic_;
+    parallel::Threads threads_;
+    std::optional<Products> values_;  ///< f itself in the rows found
+    std::optional<Products> counts_;  ///< of pairs, where heights are undefined
+    double square_ = 0.0;             ///< mean product at lag 0
+    Index found_ = 0;                 ///< lags |i| below this are there
 };
 
 }  // namespace setae::texture

@@ -44,18 +44,20 @@ CurveInterpolant::CurveInterpolant(const Elements& elements, parallel::Threads t
     constexpr int first_parts = 512, most_passes = 5;
     for (int k = 0; k < first_parts && span > 0.0; ++k) nodes_.push_back(range.lowest + span * k / first_parts);
     nodes_.push_back(range.highest);
-    const auto sums_at = [&](const std::vector<double>& heights) {
+    const auto sums_at = [&](const std::vector<double>& heights, Volumes volumes) {
         return sum_curve(elements,
                          HeightLocator(Eigen::Map<const Array1D>(heights.data(), static_cast<Index>(heights.size()))),
-                         Volumes::yes, threads);
+                         volumes, threads);
     };
-    sums_ = sums_at(nodes_);
+    // the first pass as a rule serves to place nodes alone
+    sums_ = sums_at(nodes_, Volumes::no);
     for (int pass = 1; pass < most_passes; ++pass) {
         auto more = refined(nodes_, sums_, 1e-9 * span);
         if (more.size() == nodes_.size()) break;
         nodes_ = std::move(more);
-        sums_ = sums_at(nodes_);
+        sums_ = sums_at(nodes_, Volumes::yes);
     }
+    if (sums_.volume.size() == 0) sums_ = sums_at(nodes_, Volumes::yes);
     const double mean = nodes_.front() + sums_.moment / sums_.weight;
     const auto n = nodes_.size();
     for (std::size_t k = 0; k < n; ++k) {

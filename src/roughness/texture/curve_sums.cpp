@@ -9,6 +9,26 @@ namespace {
 double square(double x) { return x * x; }
 double cube(double x) { return x * x * x; }
 
+/// What is summed at a height: a weight, and beside it a moment or volume where volumes are asked for. Both lie in one
+/// register, so that they are added at once.
+template <Volumes volumes>
+struct Summand {
+    using Values [[gnu::vector_size(2 * sizeof(double))]] = double;
+    Values values{};
+
+    void add(double weight, double volume) { values += Values{weight, volume}; }
+    [[nodiscard]] double weight() const { return values[0]; }
+    [[nodiscard]] double volume() const { return values[1]; }
+};
+template <>
+struct Summand<Volumes::no> {
+    double value = 0.0;
+
+    void add(double weight, double) { value += weight; }
+    [[nodiscard]] double weight() const { return value; }
+    [[nodiscard]] static double volume() { return 0.0; }
+};
+
 /// The sums of one block; an element is "whole" for all heights up to its lowest corner, which one entry at their
 /// number tells.
 template <Volumes volumes>
@@ -16,31 +36,28 @@ class BlockSums {
 public:
     explicit BlockSums(const HeightLocator& locate) : heights_(locate.heights()), origin_(heights_[0]) {
         const auto n = static_cast<std::size_t>(locate.count());
-        whole_.assign(n + 1, 0.0);
-        part_.assign(n, 0.0);
-        if constexpr (volumes == Volumes::yes) {
-            whole_moment_.assign(n + 1, 0.0);
-            part_volume_.assign(n, 0.0);
-        }
+        whole_.resize(n + 1);
+        part_.resize(n);
     }
 
     void operator()(const Triangle& t) {
         const double moment = ((t.a - origin_) + (t.b - origin_) + (t.c - origin_)) / 3.0;
         begin(t.a, t.c, t.below_a, 1.0, moment);
         if (t.below_a == t.below_c) return;
-        const double lower = 1.0 / ((t.b - t.a) * (t.c - t.a)), upper = 1.0 / ((t.c - t.b) * (t.c - t.a));
-        for (int k = t.below_a; k < t.below_b; ++k) {
-            const double above_a = heights_[k] - t.a;
-            part_[static_cast<std::size_t>(k)] += 1.0 - square(above_a) * lower;
-            if constexpr (volumes == Volumes::yes)
-                part_volume_[static_cast<std::size_t>(k)] +=
-                    moment - (heights_[k] - origin_) + cube(above_a) * lower / 3.0;
+        if (t.below_a < t.below_b) {
+            const double lower = 1.0 / ((t.b - t.a) * (t.c - t.a));
+            for (int k = t.below_a; k < t.below_b; ++k) {
+                const double above_a = heights_[k] - t.a;
+                part(k).add(1.0 - square(above_a) * lower,
+                            moment - (heights_[k] - origin_) + cube(above_a) * lower / 3.0);
+            }
         }
-        for (int k = t.below_b; k < t.below_c; ++k) {
-            const double below_c = t.c - heights_[k];
-            part_[static_cast<std::size_t>(k)] += square(below_c) * upper;
-            if constexpr (volumes == Volumes::yes)
-                part_volume_[static_cast<std::size_t>(k)] += cube(below_c) * upper / 3.0;
+        if (t.below_b < t.below_c) {
+            const double upper = 1.0 / ((t.c - t.b) * (t.c - t.a));
+            for (int k = t.below_b; k < t.below_c; ++k) {
+                const double below_c = t.c - heights_[k];
+                part(k).add(square(below_c) * upper, cube(below_c) * upper / 3.0);
+            }
         }
     }
 
@@ -49,20 +66,20 @@ public:
         begin(s.a, s.c, s.below_a, s.weight, moment);
         for (int k = s.below_a; k < s.below_c; ++k) {
             const double share = (s.c - heights_[k]) / (s.c - s.a);
-            part_[static_cast<std::size_t>(k)] += s.weight * share;
-            if constexpr (volumes == Volumes::yes)
-                part_volume_[static_cast<std::size_t>(k)] += s.weight * 0.5 * share * (s.c - heights_[k]);
+            part(k).add(s.weight * share, s.weight * 0.5 * share * (s.c - heights_[k]));
         }
     }
 
     void add_to(CurveSums& sums, Array1D& whole, Array1D& whole_moment) const {
-        const auto n = static_cast<Index>(part_.size());
-        using View = Eigen::Map<const Array1D>;
-        whole += View(whole_.data(), n + 1);
-        sums.above += View(part_.data(), n);
-        if constexpr (volumes == Volumes::yes) {
-            whole_moment += View(whole_moment_.data(), n + 1);
-            sums.volume += View(part_volume_.data(), n);
+        for (Index k = 0; k < whole.size(); ++k) {
+            const auto& own = whole_[static_cast<std::size_t>(k)];
+            whole[k] += own.weight();
+            if constexpr (volumes == Volumes::yes) whole_moment[k] += own.volume();
+        }
+        for (Index k = 0; k < sums.above.size(); ++k) {
+            const auto& own = part_[static_cast<std::size_t>(k)];
+            sums.above[k] += own.weight();
+            if constexpr (volumes == Volumes::yes) sums.volume[k] += own.volume();
         }
         sums.lowest = std::min(sums.lowest, lowest_);
         sums.highest = std::max(sums.highest, highest_);
@@ -70,15 +87,17 @@ public:
 
 private:
     void begin(double a, double c, int below_a, double weight, double moment) {
-        whole_[static_cast<std::size_t>(below_a)] += weight;
-        if constexpr (volumes == Volumes::yes) whole_moment_[static_cast<std::size_t>(below_a)] += moment;
-        lowest_ = std::min(lowest_, a);
-        highest_ = std::max(highest_, c);
+        whole_[static_cast<std::size_t>(below_a)].add(weight, moment);
+        // rarely so: no number waits for one stored just before
+        if (a < lowest_) lowest_ = a;
+        if (c > highest_) highest_ = c;
     }
+
+    Summand<volumes>& part(int k) { return part_[static_cast<std::size_t>(k)]; }
 
     const double* heights_;
     double origin_;
-    std::vector<double> whole_, whole_moment_, part_, part_volume_;
+    std::vector<Summand<volumes>> whole_, part_;
     double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -lowest_;
 };
 

@@ -43,7 +43,7 @@ double passage(double before, double at_0, double at_1, double after, double lev
 }
 
 /// The rim of the part around lag 0 where f > level, found by filling that part from the middle.
-Rim rim_of(const AutocorrelationOfProducts& f, double level, std::array<double, 2> pixel) {
+Rim rim_of(AutocorrelationOfProducts& f, double level, std::array<double, 2> pixel) {
     const auto reach_x = f.reach_x(), reach_y = f.reach_y();
     const auto width = 2 * reach_y + 1;
     std::vector<bool> filled(static_cast<std::size_t>((2 * reach_x + 1) * width), false);
@@ -105,8 +105,7 @@ double refined(const Rim& rim, const RimPoint& extreme, double pixel) {
 }
 
 /// ∫ f^k over a disc of lags, k = 2, 3, 4.
-std::array<double, 3> correlation_areas(const AutocorrelationOfProducts& f, double radius,
-                                        std::array<double, 2> pixel) {
+std::array<double, 3> correlation_areas(AutocorrelationOfProducts& f, double radius, std::array<double, 2> pixel) {
     std::array<double, 3> sums{};
     const auto reach_x = std::min(f.reach_x(), static_cast<Index>(radius / pixel[0])),
                reach_y = std::min(f.reach_y(), static_cast<Index>(radius / pixel[1]));
@@ -140,7 +139,7 @@ Alert alert(const topography::HeightMap& map, const char* code, std::string mess
 double autocorrelation_length(const topography::LineScan& scan, const SpatialOptions& options) {
     require_threshold(options.threshold);
     const topography::HeightMap column{scan.heights, {scan.size, 1.0}, scan.periodic, scan.metadata};
-    const AutocorrelationOfProducts f(column, height_parameters(scan).mean, {1});
+    AutocorrelationOfProducts f(column, height_parameters(scan).mean, {1});
     for (Index k = 1; k <= f.reach_x(); ++k) {
         if (!(f(k, 0) <= options.threshold)) continue;
         const double after = k < f.reach_x() ? f(k + 1, 0) : undefined;
@@ -155,7 +154,7 @@ SpatialParameters spatial_parameters(const topography::HeightMap& map, const Spa
                                      parallel::Threads threads) {
     require_threshold(options.threshold);
     const double mean = height_parameters(map, threads).mean;
-    const AutocorrelationOfProducts products(map, mean, threads);
+    AutocorrelationOfProducts products(map, mean, threads);
     const auto rim = rim_of(products, options.threshold, map.pixel_size());
     const auto direction = strongest_direction(map, mean, threads);
     SpatialParameters result;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -98,7 +99,7 @@ Basins basins_of(const Grid& grid, parallel::Threads threads) {
         }
     });
     // tops of one plateau are one peak
-    Sets tops(n);
+    std::optional<Sets> tops;  // few maps have plateaus
     for (Index i = 0; i < grid.nx(); ++i)
         for (Index j = 0; j < grid.ny(); ++j) {
             const auto point = static_cast<Label>(i * grid.ny() + j);
@@ -107,8 +108,9 @@ Basins basins_of(const Grid& grid, parallel::Threads threads) {
                 if (other == none || uphill[static_cast<std::size_t>(other)] != static_cast<Label>(other) ||
                     grid.at(other) != grid.at(point))
                     return;
-                const auto a = tops.find(point), b = tops.find(static_cast<Label>(other));
-                if (a != b) tops.join(std::min(a, b), std::max(a, b));
+                if (!tops) tops.emplace(n);
+                const auto a = tops->find(point), b = tops->find(static_cast<Label>(other));
+                if (a != b) tops->join(std::min(a, b), std::max(a, b));
             });
         }
     Basins basins{std::vector<Label>(n, none), {}, {}};
@@ -124,7 +126,7 @@ Basins basins_of(const Grid& grid, parallel::Threads threads) {
         }
         auto label = basins.of_point[static_cast<std::size_t>(point)];
         if (label == none) {
-            const auto top = tops.find(point);
+            const auto top = tops ? tops->find(point) : point;
             label = basins.of_point[static_cast<std::size_t>(top)];
             if (label == none) {
                 label = static_cast<Label>(basins.peak.size());
@@ -157,11 +159,17 @@ bool is_before(const Saddle& a, const Saddle& b) {
 /// border, one contact follows the other and the highest of such a run is kept.
 std::vector<Saddle> contacts_of(const Grid& grid, const Basins& basins) {
     std::vector<Saddle> contacts;
+    const Index ny = grid.ny();
+    const auto all_alike = [&](Index i, Index j) {
+        if (j == 0 || j + 1 == ny || i + 1 == grid.nx()) return false;
+        const Label* const label = basins.of_point.data() + i * ny + j;
+        return ((label[1] ^ *label) | (label[ny - 1] ^ *label) | (label[ny] ^ *label) | (label[ny + 1] ^ *label)) == 0;
+    };
     for (Index i = 0; i < grid.nx(); ++i)
         for (Index j = 0; j < grid.ny(); ++j) {
             const auto point = i * grid.ny() + j;
             const auto label = basins.of_point[static_cast<std::size_t>(point)];
-            if (label == none) continue;
+            if (label == none || all_alike(i, j)) continue;
             grid.for_neighbours(i, j, first_forward, [&](Index other) {
                 if (other == none) return;
                 const auto beside = basins.of_point[static_cast<std::size_t>(other)];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "setae/core/arrays.hpp"
 #include "setae/fourier/transform.hpp"
@@ -22,5 +23,23 @@ using SpectrumLine = std::function<void(Index m, Complex* modes)>;
 /// Same bytes for any number of threads.
 /// @throws InvalidArgument for a map without points; what `load` throws.
 void inverse_transform_map(const SpectrumLine& load, Eigen::Ref<Array2D> map, parallel::Threads threads);
+
+/// The same in two steps, for a map of which some rows are wanted: the transform along x at once, that along y of the
+/// rows asked for.
+class InverseMapTransform {
+public:
+    /// map: lives as long as this; of its rows those made by make_rows() are heights, the others are not to be read.
+    InverseMapTransform(const SpectrumLine& load, Eigen::Ref<Array2D> map, parallel::Threads threads);
+    ~InverseMapTransform();
+    InverseMapTransform(InverseMapTransform&&) noexcept;
+    InverseMapTransform& operator=(InverseMapTransform&&) noexcept;
+
+    /// Rows first … last − 1, each once.
+    void make_rows(Index first, Index last, parallel::Threads threads);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace setae::fourier

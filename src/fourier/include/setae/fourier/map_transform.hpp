@@ -46,4 +46,9 @@ void transform_lines(const ArrayView2D& map, const std::function<void(Index, dou
 void transform_map(Index nx, Index ny, const std::function<void(Index, double*)>& load, const BlockConsumer& consume,
                    parallel::Threads threads);
 
+/// The same of a map whose lines i = rows … nx − 1 are zeros, which are neither loaded nor kept: memory rows · (ny/2 +
+/// 1) complex values. @throws InvalidArgument for rows < 1, too.
+void transform_padded_map(Index nx, Index ny, Index rows, const std::function<void(Index, double*)>& load,
+                          const BlockConsumer& consume, parallel::Threads threads);
+
 }  // namespace setae::fourier

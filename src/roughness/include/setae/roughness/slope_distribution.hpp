@@ -41,4 +41,8 @@ struct SlopeDistribution {
 [[nodiscard]] SlopeDistribution slope_distribution(const topography::Measurement& measurement,
                                                    parallel::Threads threads = {});
 
+/// SlopeDistribution::directions of a map by themselves, of any number of defined slopes.
+[[nodiscard]] std::vector<DirectionalSlope> directional_slopes(const topography::HeightMap& map,
+                                                               parallel::Threads threads = {});
+
 }  // namespace setae::roughness

@@ -20,7 +20,8 @@ enum class Trend {
 /// Lines and maps: sum over points. Profiles: exact integral over the polyline, so that the result does not depend on
 /// collinear points. Positions are centred and scaled first, so an offset of x costs no digits.
 /// @throws UndefinedDataError where fewer points are defined than the trend has coefficients.
-[[nodiscard]] HeightMap detrended(HeightMap map, Trend trend, parallel::Threads threads = {});
+[[nodiscard]] HeightMap detrended(HeightMap&& map, Trend trend, parallel::Threads threads = {});
+[[nodiscard]] HeightMap detrended(const HeightMap& map, Trend trend, parallel::Threads threads = {});
 [[nodiscard]] LineScan detrended(LineScan scan, Trend trend);
 [[nodiscard]] Profile detrended(Profile profile, Trend trend);
 [[nodiscard]] Measurement detrended(Measurement measurement, Trend trend, parallel::Threads threads = {});
