@@ -326,8 +326,8 @@ std::vector<std::string> hysteresis_sentences(const study::Hysteresis& h) {
     for (const auto& ranking : rankings_of(h)) sentences.push_back(best_sentence(ranking));
     if (sentences.empty())
         sentences.push_back(fmt::format(
-            "{} with W_app and W_ret measured: no law of W_ret is chosen by them, {} on {} surfaces are needed; what "
-            "follows rests on (10), E_loss = W_int A_true",
+            "{} with W_app and W_ret measured: too few to choose a retraction model, {} on {} surfaces are needed; what "
+            "follows is a lower bound, W_ret = W_app",
             counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"), hysteresis::fewest_ranked_pairs,
             hysteresis::fewest_ranked_surfaces));
     else if (h.deciding) sentences.push_back(deciding_sentence(*h.deciding));
