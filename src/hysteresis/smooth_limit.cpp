@@ -8,14 +8,15 @@
 namespace setae::hysteresis {
 namespace {
 
-enum Input : std::size_t { approach, retraction, work, parameter };
+/// Inputs of a mirror, in their order.
+enum MirrorInput : std::size_t { mirror_approach, mirror_retraction, mirror_work, mirror_parameter };
 
 /// A mirror: nothing is stored, and all of it is in contact.
 PairState mirror(const RetractionModel& model, const std::vector<double>& in, double jumps_per_area) {
     PairState state;
-    state.work_of_adhesion = in[work];
-    state.work_approach = in[approach];
-    if (model.tip != Tip::none) state.tip_factor = in[retraction] / in[approach];
+    state.work_of_adhesion = in[mirror_work];
+    state.work_approach = in[mirror_approach];
+    if (model.tip != Tip::none) state.tip_factor = in[mirror_retraction] / in[mirror_approach];
     if (model.law == Law::conformal_loss || model.law == Law::fitted_conformal_loss)
         state.jumps_per_area = jumps_per_area;
     return state;
@@ -45,14 +46,14 @@ SmoothLimit smooth_limit(const FittedModel& fitted, const SmoothReference& refer
                                           reference.work_approach.value, reference.work_retraction.value));
     const auto work_of = [&](const std::vector<double>& in) {
         const auto line = retraction_line(fitted.model, mirror(fitted.model, in, jumps_per_area), {});
-        return line.slope * in[parameter] + line.constant;
+        return line.slope * in[mirror_parameter] + line.constant;
     };
     const std::vector<TracedValue> inputs{reference.work_approach, reference.work_retraction, work_of_adhesion,
                                           fitted.parameter};
     return {.model = fitted.model,
             .work_retraction = setae::propagated(work_of, inputs),
-            .distance =
-                setae::propagated([&](const std::vector<double>& in) { return work_of(in) - in[retraction]; }, inputs),
+            .distance = setae::propagated(
+                [&](const std::vector<double>& in) { return work_of(in) - in[mirror_retraction]; }, inputs),
             .tends_to_reference = has_smooth_limit(fitted.model)};
 }
 

@@ -58,7 +58,7 @@ TEST(PredictedLoop, TendsToJkrAsRoughnessTendsToZero) {
     const double force = 1.5 * pi * radius * W_int,
                  loss = 1.2749410291 * pi * W_int * radius *
                         std::cbrt(9.0 / 16.0 * pi * pi * W_int * W_int * radius / (modulus * modulus));
-    double previous = 1.0;
+    double previous = 50.0;
     for (const double h : {1e-7, 1e-8, 1e-9, 1e-10}) {  // of one shape, so that r − 1 falls as h² and U_el as h²
         const double slope = h / 1e-7 * 0.35;
         const Side side{.parameters = {.rms_slope = slope, .elastic_energy_per_modulus = 1e-8 * std::pow(h / 1e-7, 2)}};

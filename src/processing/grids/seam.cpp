@@ -74,7 +74,10 @@ double mean_of_defined(const Heights& heights) {
 double taper(HeightMap& map, double share) {
     const auto x = window_of(map.heights.rows(), share), y = window_of(map.heights.cols(), share);
     const double mean = mean_of_defined(map.heights);
-    for (Index i = 0; i < x.size(); ++i) map.heights.row(i) = mean + (map.heights.row(i) - mean) * x[i] * y.transpose();
+    for (Index i = 0; i < x.size(); ++i) {
+        const Array1D window = x[i] * y;  // heights stay as they were where it is 1
+        map.heights.row(i) = map.heights.row(i) * window.transpose() + mean * (1.0 - window.transpose());
+    }
     const auto whole = static_cast<double>((x == 1.0).count()) * static_cast<double>((y == 1.0).count());
     return 1.0 - whole / static_cast<double>(map.heights.size());
 }
@@ -82,7 +85,7 @@ double taper(HeightMap& map, double share) {
 double taper(LineScan& scan, double share) {
     const auto window = window_of(scan.heights.size(), share);
     const double mean = mean_of_defined(scan.heights);
-    scan.heights = mean + (scan.heights - mean) * window;
+    scan.heights = scan.heights * window + mean * (1.0 - window);
     return 1.0 - static_cast<double>((window == 1.0).count()) / static_cast<double>(scan.heights.size());
 }
 
