@@ -13,7 +13,7 @@
 namespace setae::output {
 namespace {
 
-constexpr double mJ_per_m2 = 1e-3, percent = 1e-2;
+constexpr double millijoule = 1e-3, hundredth = 1e-2;
 
 /// "1.67 times JKR" of a force, or "JKR".
 std::string against_jkr(double force, double jkr) {
@@ -52,8 +52,8 @@ tables::TidyTable theory_table(const study::ContactAnswers& answers) {
     for (const auto& answer : answers.answers) {
         const auto text = study::text_of(answer.theory);
         table.rows.push_back({std::string(text.title) + (answer.recommended ? " (recommended)" : ""),
-                              uncertain_number(answer.work_of_adhesion, mJ_per_m2),
-                              uncertain_number(answer.area_fraction, percent), std::string(text.assumes)});
+                              uncertain_number(answer.work_of_adhesion, millijoule),
+                              uncertain_number(answer.area_fraction, hundredth), std::string(text.assumes)});
     }
     return table;
 }
@@ -63,7 +63,7 @@ tables::TidyTable retraction_table(const adhesion::PredictedLoop& loop) {
         "Retraction, by model", {"model", "W_ret [mJ/m²]", "pull-off", "loss", "pull-off of a smooth sphere"}, {}};
     const double jkr = loop.reversible.smooth_pull_off_force;
     const auto add = [&](const char* name, const adhesion::RetractionPrediction& model) {
-        table.rows.push_back({std::string(name), uncertain_number(model.work_retraction, mJ_per_m2),
+        table.rows.push_back({std::string(name), uncertain_number(model.work_retraction, millijoule),
                               format_uncertain(model.pull_off_force, "N"),
                               format_uncertain(model.energy_loss.estimate(), "J"),
                               against_jkr(model.smooth_pull_off_force, jkr)});
