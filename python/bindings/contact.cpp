@@ -11,8 +11,8 @@
 #include "setae/answers/contact_comparison.hpp"
 #include "setae/answers/contact_front.hpp"
 #include "setae/answers/contact_line.hpp"
+#include "setae/answers/contact_surface.hpp"
 #include "setae/answers/hard_wall.hpp"
-#include "setae/answers/made_surface.hpp"
 #include "setae/answers/persson_contact.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
@@ -134,21 +134,24 @@ void bind_attraction(Class& request) {
 }
 
 /// The surface that touches: a measurement's, or made from a spectrum.
-processing::PipelineResult touching(const Item& item, const answers::MadeSurfaceRequest& made) {
-    if (item.heights) {
-        if (made.given())
-            throw InvalidArgument(
-                "pixels, cell and surface are of a surface made from a spectrum; expected them without heights");
-        return prepared_of(item);
-    }
+processing::PipelineResult touching(const Item& item, const answers::MadeSurfaceRequest& made, const std::string& edges,
+                                    answers::BeyondMap beyond) {
     const auto& request = item.request;
-    return answers::contact_surface(item.path, request.file, request.processing.pipeline(), made);
+    const answers::ContactSurfaceRequest asked{.measured = {.trend = request.trend, .edges = edges}, .made = made};
+    const auto pipeline = request.processing.pipeline();
+    if (!item.heights) return answers::contact_surface(item.path, request.file, pipeline, asked, beyond);
+    if (made.given())
+        throw InvalidArgument(
+            "pixels, cell and surface are of a surface made from a spectrum; expected them without heights");
+    return answers::into_contact(prepared_of(item), pipeline, {}, asked.measured, beyond);
 }
 
 SolvedContact pressed(const Item& item, const answers::HardWallRequest& request,
-                      const answers::MadeSurfaceRequest& made, const std::atomic<bool>& cancelled) {
+                      const answers::MadeSurfaceRequest& made, const std::string& edges,
+                      const std::atomic<bool>& cancelled) {
     request.require_complete();
-    const auto prepared = touching(item, made);
+    const auto beyond = request.free ? answers::BeyondMap::nothing : answers::BeyondMap::itself;
+    const auto prepared = touching(item, made, edges, beyond);
     const auto stop_where_asked = [&](const half_space::SolveProgress&) {
         if (cancelled) throw Interrupted();
     };
@@ -159,19 +162,20 @@ SolvedContact pressed(const Item& item, const answers::HardWallRequest& request,
 }
 
 SolvedContact attracted(const Item& item, const answers::HardWallRequest& request,
-                        const answers::InteractionRequest& attraction, const answers::MadeSurfaceRequest& made) {
+                        const answers::InteractionRequest& attraction, const answers::MadeSurfaceRequest& made,
+                        const std::string& edges) {
     request.require_complete();
     (void)attraction.interaction();
-    const auto prepared = touching(item, made);
+    const auto prepared = touching(item, made, edges, answers::BeyondMap::itself);
     auto answer = answers::adhesive_contact(item.path, prepared.measurement, request, attraction);
     auto json = output::as_text(answers::to_json(answer, prepared.records));
     return {answer.cell.pressures(), answer.cell.gaps(), std::move(answer.quantities), std::move(json)};
 }
 
 Sweep swept(const Item& item, const answers::SweepRequest& request, const answers::MadeSurfaceRequest& made,
-            const std::atomic<bool>& cancelled) {
+            const std::string& edges, const std::atomic<bool>& cancelled) {
     request.require_complete();
-    const auto prepared = touching(item, made);
+    const auto prepared = touching(item, made, edges, answers::BeyondMap::itself);
     const auto go_on = [&](const answers::SweepProgress&) {
         if (cancelled) throw Interrupted();
         return true;
@@ -182,7 +186,7 @@ Sweep swept(const Item& item, const answers::SweepRequest& request, const answer
 }
 
 Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::MadeSurfaceRequest made,
-               int realisations, const std::atomic<bool>& cancelled) {
+               const std::string& edges, int realisations, const std::atomic<bool>& cancelled) {
     request.require_complete();
     if (realisations < 1) throw InvalidArgument("realisations must be at least 1");
     if (realisations > 1 && !made.given())
@@ -191,7 +195,7 @@ Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::
     std::vector<topography::Measurement> surfaces;
     std::vector<processing::StepRecord> records;
     for (int i = 0; i < realisations; ++i, ++made.seed) {
-        auto prepared = touching(item, made);
+        auto prepared = touching(item, made, edges, answers::BeyondMap::nothing);
         if (i == 0) records = prepared.records;
         surfaces.push_back(std::move(prepared.measurement));
     }
@@ -237,13 +241,13 @@ void bind_solve(nb::module_& module) {
     module.def(
         "contact",
         [](const Item& item, const Request& asked, const answers::InteractionRequest& attracting,
-           const answers::MadeSurfaceRequest& made) {
+           const answers::MadeSurfaceRequest& made, const std::string& edges) {
             return unlocked([&](const std::atomic<bool>& cancelled) {
-                return attracting.given() ? attracted(item, asked, attracting, made)
-                                          : pressed(item, asked, made, cancelled);
+                return attracting.given() ? attracted(item, asked, attracting, made, edges)
+                                          : pressed(item, asked, made, edges, cancelled);
             });
         },
-        nb::arg("item"), nb::arg("request"), nb::arg("attraction"), nb::arg("made"),
+        nb::arg("item"), nb::arg("request"), nb::arg("attraction"), nb::arg("made"), nb::arg("edges"),
         "as `setae contact solve --json` prints it");
 }
 
@@ -275,10 +279,12 @@ void bind_sweep(nb::module_& module) {
         .def_ro("json", &Sweep::json);
     module.def(
         "contact_sweep",
-        [](const Item& item, const Request& asked, const answers::MadeSurfaceRequest& made) {
-            return unlocked([&](const std::atomic<bool>& cancelled) { return swept(item, asked, made, cancelled); });
+        [](const Item& item, const Request& asked, const answers::MadeSurfaceRequest& made, const std::string& edges) {
+            return unlocked(
+                [&](const std::atomic<bool>& cancelled) { return swept(item, asked, made, edges, cancelled); });
         },
-        nb::arg("item"), nb::arg("request"), nb::arg("made"), "as `setae contact sweep --json` prints it");
+        nb::arg("item"), nb::arg("request"), nb::arg("made"), nb::arg("edges"),
+        "as `setae contact sweep --json` prints it");
 }
 
 void bind_front(nb::module_& module) {
@@ -299,12 +305,13 @@ void bind_front(nb::module_& module) {
         .def_rw("duration", &Request::duration);
     module.def(
         "contact_front",
-        [](const Item& item, const Request& asked, const answers::MadeSurfaceRequest& made, int realisations) {
+        [](const Item& item, const Request& asked, const answers::MadeSurfaceRequest& made, const std::string& edges,
+           int realisations) {
             return unlocked([&](const std::atomic<bool>& cancelled) {
-                return front_of(item, asked, made, realisations, cancelled);
+                return front_of(item, asked, made, edges, realisations, cancelled);
             });
         },
-        nb::arg("item"), nb::arg("request"), nb::arg("made"), nb::arg("realisations"),
+        nb::arg("item"), nb::arg("request"), nb::arg("made"), nb::arg("edges"), nb::arg("realisations"),
         "as `setae contact front --json` prints it");
 }
 

@@ -14,16 +14,16 @@ from ._spectra import Surface, analysis_of, shared_options
 
 
 class WorkOfAdhesion(Answer):
-    """W_app and what it rests on, as ``setae adhesion --json`` prints it. ``float()`` is W_app by (7) [J/m²].
+    """W_app and what it rests on, as ``setae adhesion --json`` prints it. ``float()`` is W_app of contact without load [J/m²].
 
-    ``w["work_of_adhesion_modified"]``, ``w["stored_energy"]``, ``w["true_area_ratio"]`` … by the names of the JSON; ``w["scales"]``: what waves
+    ``w["answers"]``: that of each theory, with what it assumes.  ``w["work_of_adhesion_modified"]``, ``w["stored_energy"]``, ``w["true_area_ratio"]`` … by the names of the JSON; ``w["scales"]``: what waves
     of each scale gain and store.
     """
 
     @property
     def estimate(self) -> Quantity:
-        """W_app = W_int r − γ1 (r − 1) − U_el/A_app."""
-        found: Quantity = self["work_of_adhesion_modified"]
+        """W_app of contact without load by the recommended theory, the same in every command."""
+        found: Quantity = self["work_of_adhesion"]
         return found
 
     def __float__(self) -> float:
@@ -31,11 +31,11 @@ class WorkOfAdhesion(Answer):
 
     @property
     def conforms(self) -> bool:
-        """Whether the soft solid conforms to the roughness by adhesion alone."""
+        """Whether full contact forms spontaneously."""
         return bool(self["conforms"])
 
     def __repr__(self) -> str:
-        return f"WorkOfAdhesion(W_app = {self.estimate}{'' if self.conforms else ', will not conform'})"
+        return f"WorkOfAdhesion(W_app = {self.estimate}{'' if self.conforms else ', ' + str(self['contact'])})"
 
     def _repr_html_(self) -> str:
         return f"<b>{html.escape(str(self.estimate))}</b>{super()._repr_html_()}"
@@ -57,12 +57,13 @@ def work_of_adhesion(
 ) -> WorkOfAdhesion:
     """Apparent work of adhesion of a soft solid on a rough surface.
 
-    W_app = W_int r − γ1 (r − 1) − U_el/A_app, r = A_true/A_app, U_el/A_app = (E*/8) ∫ q C1D dq
-    [Dalvi et al., PNAS 116 (2019) 25484, (7), (8)].
+    Of simulated patches that store U_el/(A W), W = W_int r − γ1 (r − 1): W − U_el/A_app where contact is full, r = A_true/A_app,
+    U_el/A_app = (E*/8) ∫ q C1D dq [Dalvi et al., PNAS 116 (2019) 25484, (7), (8)]. Other theories are beside it, ``["answers"]``.
 
     surface: one that :func:`surface` gave, or measurements, which are then averaged as by the program; ``measurement``: ``tip_radius``,
     ``instrument`` … as of :func:`parameters`.  E, nu: of the soft solid.  W_int: intrinsic work of adhesion.  gamma: surface energy
-    of the soft solid.  radius, preload: of a sphere pressed on and pulled off.
+    of the soft solid.  radius, preload: of a sphere pressed on and pulled off; its pull-off and loss are lower bounds that become JKR's as
+    the roughness tends to zero.
     """
     solids = _setae.Solids(text(E), text(W_int), text(gamma), nu, text(rough_E), rough_nu, text(radius), text(preload))
     if isinstance(surface, Surface):

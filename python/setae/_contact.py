@@ -69,6 +69,8 @@ def contact(
     cell: Text | None = None,
     surface: str | None = None,
     seed: int = 1,
+    trend: str | None = None,
+    edges: str = "automatic",
     size: Text | None = None,
     unit: str | None = None,
     keep_values: bool = False,
@@ -83,6 +85,10 @@ def contact(
 
     A file that is the table of a spectrum, or a study, has a surface made from it: ``pixels`` "512" or "1024x512", ``cell`` its extent,
     ``surface`` which of a study's, ``seed``. Its waves are those of the spectrum that the grid holds.
+
+    Measured heights are levelled as before a spectrum (``trend``), unless they repeat themselves.  edges: "automatic", "periodic" for heights
+    that repeat themselves, or "windowed", which takes them to their mean within a tenth of either edge. A map that does not repeat itself and is
+    repeated raises the warning MAP_NOT_PERIODIC.
 
     Full contact of a wave needs p = E* q A/2:
 
@@ -107,7 +113,7 @@ def contact(
         tolerance=tolerance,
     )
     attraction = filled(_setae.InteractionRequest(), work_of_adhesion=W_int, range=range, law=law)
-    solved: Any = _setae.contact(one(measurement, size, unit, keep_values), request, attraction, made_surface(pixels, cell, surface, seed))
+    solved: Any = _setae.contact(one(measurement, size, unit, keep_values, trend), request, attraction, made_surface(pixels, cell, surface, seed), edges)
     return Contact(solved.json, solved.pressures, solved.gaps, tuple(map(quantity_from, json.loads(solved.quantities()))))
 
 
@@ -161,13 +167,15 @@ def contact_sweep(
     cell: Text | None = None,
     surface: str | None = None,
     seed: int = 1,
+    trend: str | None = None,
+    edges: str = "automatic",
     size: Text | None = None,
     unit: str | None = None,
     keep_values: bool = False,
 ) -> ContactSweep:
     """A rigid rough surface and an elastic body that attract each other, brought together and parted; the cell repeats itself.
 
-    W_int, range, law, the body, and what a surface is made from: as of :func:`contact`.  stage_stiffness: of a stage that is moved, "10 N/m"; else the mean gap is.
+    W_int, range, law, the body, trend and edges, and what a surface is made from: as of :func:`contact`.  stage_stiffness: of a stage that is moved, "10 N/m"; else the mean gap is.
     to_gap, to_pressure: where it turns; without them at full contact.  A cell has a loss of its own, even a flat one.
     largest_move: of any gap in a step, in ranges: 2 takes two thirds of the time, works change by up to 1 %.
     maps: keep the states point by point where it is first pressed, "approach_zero_load", turns, "turn", is first drawn, "separation_zero_load",
@@ -195,7 +203,7 @@ def contact_sweep(
         frictionless=frictionless,
         poisson_ratio=nu,
     )
-    swept: Any = _setae.contact_sweep(one(measurement, size, unit, keep_values), request, made_surface(pixels, cell, surface, seed))
+    swept: Any = _setae.contact_sweep(one(measurement, size, unit, keep_values, trend), request, made_surface(pixels, cell, surface, seed), edges)
     return ContactSweep(swept.columns, swept.units, swept.json, tuple(map(quantity_from, json.loads(swept.quantities()))), swept.maps)
 
 
@@ -237,6 +245,8 @@ def contact_front(
     cell: Text | None = None,
     surface: str | None = None,
     seed: int = 1,
+    trend: str | None = None,
+    edges: str = "automatic",
     size: Text | None = None,
     unit: str | None = None,
     keep_values: bool = False,
@@ -246,7 +256,7 @@ def contact_front(
     W_int: what conforming gains, an area.  to_force or to_displacement: where the loop turns.  stage_stiffness: of a stage that is moved; dead_load: the force is; else the
     sphere's displacement is held.  shortest_wavelength: that counts, four pixels without it.  pixels, cell, surface, seed: a surface made from a spectrum or a study, as of
     :func:`contact`; of ``realisations`` such surfaces, seeds one after the other, ``quantities`` are means with ±.
-    duration: of the way there, "100 s", keeps the edge at every step.
+    duration: of the way there, "100 s", keeps the edge at every step.  trend, edges: as of :func:`contact`; the contact ends within a measured map.
 
     >>> import numpy, setae
     >>> x = numpy.arange(64) / 64
@@ -270,7 +280,7 @@ def contact_front(
         steps=steps,
         duration=duration,
     )
-    found: Any = _setae.contact_front(one(measurement, size, unit, keep_values), request, made_surface(pixels, cell, surface, seed), realisations)
+    found: Any = _setae.contact_front(one(measurement, size, unit, keep_values, trend), request, made_surface(pixels, cell, surface, seed), edges, realisations)
     return ContactFront(found.columns, found.units, found.json, tuple(map(quantity_from, json.loads(found.quantities()))), found.edge, found)
 
 

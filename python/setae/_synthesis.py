@@ -111,9 +111,9 @@ def tip(measurement: Measured, *, points: int = 21, threshold: Text | None = Non
     return Tip(found.json, held(found.tip, "tip"), held(found.surface, "surface"))
 
 
-def one(measurement: Measured, size: Text | None, unit: str | None, keep_values: bool) -> Any:
+def one(measurement: Measured, size: Text | None, unit: str | None, keep_values: bool, trend: str | None = None) -> Any:
     """The one measurement that is meant."""
-    found = items(measurement, {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values})
+    found = items(measurement, {"stated_size": text(size), "stated_unit": text(unit), "keep_values": keep_values, "trend": text(trend)})
     if len(found) != 1:
         raise TypeError(f"{len(found)} measurements; expected one")
     return found[0]

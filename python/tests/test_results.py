@@ -121,7 +121,8 @@ def test_uncertainties_and_pint():
 
 def test_parts_of_an_answer(scan):
     work = setae.work_of_adhesion(setae.surface(scan), E="0.7 MPa", W_int="37 mJ/m2", gamma="25 mJ/m2")
-    assert float(work) == work["work_of_adhesion_modified"].value
+    assert float(work) == work["work_of_adhesion"].value
+    assert work["answers"]["recommended"] == "patches"
     assert isinstance(work["scales"], setae.Answer) and len(work["scales"]["gained"]) == len(work["scales"]["wavevector"])
     with pytest.raises(KeyError):
         work["no such thing"]

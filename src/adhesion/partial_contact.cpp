@@ -129,8 +129,10 @@ UnloadedContact unloaded_contact(double energy_share) {
             .closing_pressure = e > closing_energy_share ? pressure(e) : 0.0};
 }
 
-double partial_balance(double gain, double stored_energy) {
-    return gain > 0.0 ? gain * unloaded_contact(stored_energy / gain).gain : 0.0;
+double partial_balance(double gain, double stored_energy, double patches) {
+    if (!(gain > 0.0)) return 0.0;
+    const auto contact = unloaded_contact(stored_energy / gain);
+    return gain * (contact.gain + patches * contact.gain_error);
 }
 
 double PartialContactPoint::prediction(double work) const {
@@ -152,11 +154,9 @@ TracedValue partial_prediction(const RoughSide& rough, const SoftSide& soft, con
     const TracedValue table({.value = 0.0, .standard_error = 1.0}, simulated_patches_input);
     return traced_function(rough, {work, soft.surface_energy, soft.contact_modulus, table},
                            [](const roughness::SpectralParameters& p, const std::vector<double>& in) {
-                               const double r = p.area_ratio(), gain = in[0] * r - in[1] * (r - 1.0),
-                                            stored = in[2] * p.elastic_energy_per_modulus;
-                               if (!(gain > 0.0)) return 0.0;
-                               const auto contact = unloaded_contact(stored / gain);
-                               return gain * (contact.gain + in[3] * contact.gain_error);
+                               const double r = p.area_ratio();
+                               return partial_balance(in[0] * r - in[1] * (r - 1.0),
+                                                      in[2] * p.elastic_energy_per_modulus, in[3]);
                            });
 }
 

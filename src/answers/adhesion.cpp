@@ -10,6 +10,7 @@
 #include "setae/answers/surface_request.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/contact_answers.hpp"
 #include "setae/output/predicted_quantities.hpp"
 
 namespace setae::answers {
@@ -45,6 +46,7 @@ std::vector<Quantity> quantities(const study::StudyResult& result, const std::op
     const auto& pair = result.pairs.front();
     const auto& surface = result.surfaces.front();
     auto list = output::surface_quantities(surface, surface.used(), result.study.analysis.conversion);
+    list.push_back(output::recommended_quantity(study::recommended_answer(pair)));
     list.push_back(quantity("contact_modulus", "E*", result.elastomers.front().contact_modulus, "Pa"));
     list.push_back(quantity("stored_energy", "U_el/A_app", pair.stored_energy, "J/m2"));
     add_other_routes(list, result, map, threads);
@@ -99,10 +101,12 @@ std::vector<Alert> Adhesion::alerts() const {
 Adhesion adhesion(study::SurfaceWithMap surface, const study::SurfaceAnalysisOptions& analysis,
                   const AdhesionRequest& request, parallel::Threads threads) {
     Adhesion adhesion{.result = study::predicted_study(request.study(analysis), std::move(surface.surface)),
-                      .quantities = {}};
+                      .quantities = {},
+                      .answers = {}};
     auto& list = adhesion.quantities;
     list = quantities(adhesion.result, surface.map, threads);
     const auto& pair = adhesion.result.pairs.front();
+    adhesion.answers = study::contact_answers(adhesion.result, pair);
     if (pair.with_unmeasured_waves) list.push_back(output::unmeasured_quantity(*pair.with_unmeasured_waves));
     if (pair.loop)
         for (auto& quantity : output::loop_quantities(*pair.loop)) list.push_back(std::move(quantity));
@@ -110,11 +114,13 @@ Adhesion adhesion(study::SurfaceWithMap surface, const study::SurfaceAnalysisOpt
 }
 
 output::Json to_json(const Adhesion& adhesion) {
-    const auto& [result, list] = adhesion;
+    const auto& [result, list, answers] = adhesion;
     const auto& pair = result.pairs.front();
     output::Json json;
     for (const auto& q : list) json[q.quantity] = output::to_json(q);
-    json["conforms"] = pair.modified->work.conforms;
+    json["conforms"] = pair.modified->work.conforms && pair.closing() == adhesion::Closing::by_itself;
+    json["contact"] = study::words_of(pair.closing());
+    json["answers"] = output::to_json(answers);
     const auto& scales = *pair.scales;
     json["scales"] = {
         {"wavevector", output::numbers(scales.wavevector)},

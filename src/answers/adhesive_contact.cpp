@@ -2,6 +2,7 @@
 #include "setae/answers/adhesive_contact.hpp"
 
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,8 @@ AdhesiveContactAnswer adhesive_contact(const std::string& file, const topography
     const auto surface = touching_surface(file, measurement);
     half_space::AdhesiveCell cell(surface.heights, surface.grid, body, interaction, {}, threads);
     const auto state = half_space::from_far(cell, adhesive_control(request, cell));
-    auto alerts = alerts_of_grid(file, interaction, body, surface.grid);
+    auto alerts = topography::metadata(measurement).alerts;
+    for (auto& alert : alerts_of_grid(file, interaction, body, surface.grid)) alerts.push_back(std::move(alert));
     if (!state.converged)
         alerts.push_back(
             {"CONTACT_NOT_CONVERGED", file,

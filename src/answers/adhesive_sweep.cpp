@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,11 +86,12 @@ SweepAnswer adhesive_sweep(const std::string& file, const topography::Measuremen
                        .steps = {},
                        .quantities = {},
                        .maps = {},
-                       .alerts = {}};
+                       .alerts = topography::metadata(measurement).alerts};
     sweep(answer, surface, request, threads, progress);
     answer.steps = half_space::loop_table(answer.loop);
     answer.quantities = half_space::loop_quantities(answer.loop);
-    answer.alerts = alerts_of_grid(file, answer.interaction, answer.body, answer.grid);
+    for (auto& alert : alerts_of_grid(file, answer.interaction, answer.body, answer.grid))
+        answer.alerts.push_back(std::move(alert));
     if (!answer.loop.complete)
         answer.alerts.push_back({"CONTACT_NOT_CONVERGED", file, "some steps of the sweep did not converge",
                                  "resolve the range of the attraction with more points"});

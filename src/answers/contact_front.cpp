@@ -261,7 +261,7 @@ std::vector<Quantity> quantities_of(const FrontAnswer& answer) {
 }
 
 std::vector<Alert> alerts_of(const FrontAnswer& answer, const HeightMap& map) {
-    std::vector<Alert> alerts;
+    auto alerts = map.metadata.alerts;
     const auto& file = answer.file;
     const auto& first = answer.runs.front();
     for (const auto& caution : first.validity.cautions)

@@ -41,7 +41,7 @@ HardWallAnswer hard_wall(const std::string& file, const topography::Measurement&
                           .contact = {},
                           .stiffness = 0.0,
                           .quantities = {},
-                          .alerts = {}};
+                          .alerts = topography::metadata(measurement).alerts};
     auto& [path, problem, contact, stiffness, quantities, alerts] = answer;
     if (request.free) problem.edges = surface.line ? half_space::Edges::periodic_along_x : half_space::Edges::free;
     if (!request.hardness.empty()) problem.hardness = parse_quantity(request.hardness, dimension::pressure);

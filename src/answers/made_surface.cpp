@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "setae/answers/diagnosis.hpp"
 #include "setae/answers/persson_contact.hpp"
 #include "setae/answers/synthesis.hpp"
 #include "setae/core/constants.hpp"
@@ -171,37 +170,6 @@ processing::PipelineResult made_surface(const std::string& path, const FileReque
         density_of(part), grid,
         {.key = {request.seed}, .amplitudes = synthesis::Amplitudes::exact, .threads = threads});
     return {std::move(map), {record_of(whole, part, request.seed)}};
-}
-
-processing::PipelineResult contact_surface(const std::string& path, const FileRequest& file,
-                                           const processing::Pipeline& pipeline, const MadeSurfaceRequest& request,
-                                           parallel::Threads threads) {
-    const bool made = is_of_spectrum(path, file);
-    if (!made && request.given())
-        throw InvalidArgument(path +
-                              ": --pixels, --cell and --surface are of a surface made from a spectrum or a study; "
-                              "expected them without a map");
-    auto surface = made ? made_surface(path, file, request, threads)
-                        : processing::PipelineResult{measurements_of(path, file).front(), {}};
-    auto processed =
-        processing::apply(pipeline, std::move(surface.measurement),
-                          made ? processing::LoadMeasurement{} : study::measurement_loader(file.read_options()));
-    processed.records.insert(processed.records.begin(), surface.records.begin(), surface.records.end());
-    return processed;
-}
-
-std::vector<processing::PipelineResult> contact_surfaces(const std::string& path, const FileRequest& file,
-                                                         const processing::Pipeline& pipeline,
-                                                         const MadeSurfaceRequest& request, int count,
-                                                         parallel::Threads threads) {
-    if (count > 1 && !is_of_spectrum(path, file))
-        throw InvalidArgument(path + ": several realisations are of a surface made from a spectrum or a study; "
-                                     "expected one of a map");
-    std::vector<processing::PipelineResult> surfaces;
-    auto made = request;
-    for (int i = 0; i < count; ++i, ++made.seed)
-        surfaces.push_back(contact_surface(path, file, pipeline, made, threads));
-    return surfaces;
 }
 
 }  // namespace setae::answers

@@ -12,6 +12,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/hysteresis/retraction_model.hpp"
+#include "setae/output/contact_answers.hpp"
 #include "setae/roughness/energy_below.hpp"
 
 namespace setae::answers {
@@ -87,6 +88,7 @@ PairDesign design_of(const study::StudyResult& study, const study::PairResult& p
     result.design = kind;
     result.pair.work = state.conforming_gain();
     result.pair.energy_in_band = stored.share(lowest, lowest * kind.band());
+    result.pair.answers = study::contact_answers(study, pair);
     return result;
 } catch (const UndefinedDataError& error) {
     return {.reason = error.what()};
@@ -175,6 +177,20 @@ output::Json json_of(const std::vector<patches::JumpClass>& classes) {
     return list;
 }
 
+/// The pair's answers with the simulated cell of a row.
+study::ContactAnswers answers_with(const SurveyRow& row, const PatchPair& pair) {
+    auto answers = pair.answers;
+    answers.answers.push_back({study::ContactTheory::simulated_cell,
+                               {.value = pair.work * row.gain_from_far.value,
+                                .standard_error = pair.work * row.gain_from_far.standard_error,
+                                .method = "mean over patches"},
+                               {.value = row.area_from_far.value,
+                                .standard_error = row.area_from_far.standard_error,
+                                .method = "mean over patches"},
+                               false});
+    return answers;
+}
+
 output::Json json_of(const PatchMean& mean) { return {{"value", mean.value}, {"standard_error", mean.standard_error}}; }
 
 }  // namespace
@@ -237,7 +253,7 @@ tables::TidyTable patch_survey_table(const PatchSurveyAnswer& answer) {
          {"U_el/AW", "band", "ρ/h", "area", "gain/W", "± gain", "(7)/W", "preloaded", "p closes", "T opens"})
         table.columns.emplace_back(name);
     if (of_study)
-        for (const char* name : {"in band", "gain [J/m2]", "(7) [J/m2]", "measured [J/m2]"})
+        for (const char* name : {"in band", "W_app [J/m2]", "gain [J/m2]", "(7) [J/m2]", "measured [J/m2]"})
             table.columns.emplace_back(name);
     if (answer.loops)
         for (const char* name : {"W_appr/W", "W_sep/W", "loss/W", "± loss", "in jumps", "T most"})
@@ -260,6 +276,7 @@ tables::TidyTable patch_survey_table(const PatchSurveyAnswer& answer) {
         if (of_study) {
             const auto& pair = answer.pairs[i];
             add(pair.energy_in_band);
+            add(pair.answers.recommended().work_of_adhesion.value);
             add(pair.work * row.gain_from_far.value);
             add(pair.work * balance_of(row));
             add(pair.measured ? pair.measured->value : undefined);
@@ -277,14 +294,16 @@ tables::TidyTable patch_screen_table(const PatchSurveyAnswer& answer) {
     if (answer.pairs.empty()) return patch_survey_table(answer);
     constexpr double milli = 1e-3;
     tables::TidyTable table;
-    table.columns = {"surface", "elastomer", "U_el/AW", "area", "gain [mJ/m2]", "±", "(7) [mJ/m2]", "measured [mJ/m2]"};
+    table.columns = {"surface", "elastomer", "U_el/AW", "W_app [mJ/m2]", "simulated cell",
+                     "±",       "its area",  "(7)",     "measured"};
     for (std::size_t i = 0; i < answer.rows.size(); ++i) {
         const auto& row = answer.rows[i];
         const auto& pair = answer.pairs[i];
         const double unit = pair.work / milli;
-        table.rows.push_back({pair.surface, pair.elastomer, row.design.energy_share, row.area_from_far.value,
-                              unit * row.gain_from_far.value, unit * row.gain_from_far.standard_error,
-                              unit * balance_of(row), pair.measured ? pair.measured->value / milli : undefined});
+        table.rows.push_back({pair.surface, pair.elastomer, row.design.energy_share,
+                              pair.answers.recommended().work_of_adhesion.value / milli, unit * row.gain_from_far.value,
+                              unit * row.gain_from_far.standard_error, row.area_from_far.value, unit * balance_of(row),
+                              pair.measured ? pair.measured->value / milli : undefined});
     }
     return table;
 }
@@ -323,6 +342,7 @@ output::Json to_json(const PatchSurveyAnswer& answer) {
             json["work"] = pair.work;
             json["energy_in_band"] = pair.energy_in_band;
             json["gain"] = pair.work * row.gain_from_far.value;
+            json["answers"] = output::to_json(answers_with(row, pair));
             json["measured_work"] = pair.measured ? output::Json(pair.measured->value) : output::Json();
         }
         rows.push_back(std::move(json));

@@ -144,6 +144,10 @@ std::vector<AlertKind> of_surfaces() {
         {"TIP_NOT_CONVERGED", about, "the estimate of a tip from its own scan still sharpened in its last round"},
         {"TIP_BELOW_PIXEL", about, "the apex radius of a tip estimated from its own scan is below the scan's pixel",
          "a parabola through the apex and its neighbours is not resolved by them"},
+        {"MAP_NOT_PERIODIC", about,
+         "a measured map is repeated in a contact, and its heights do not go on where it meets itself: the step at the seam "
+         "is more than twice the step between neighbouring points, or rises like a tilt",
+         "a seam changes the area near it alone; a map of many wavelengths has few such places"},
         {"CONTACT_NOT_CONVERGED", about, "pressures of a contact were not found as closely as asked for"},
         {"ADHESION_GRID", about, "pixels catch the edge of an adhesive contact: w dx/(E* ρ²) is above 0.5",
          "works are right to 1 % at 0.5; at 1 opening takes a sixth too much"},

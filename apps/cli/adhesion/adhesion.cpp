@@ -8,9 +8,12 @@
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/answers/adhesion.hpp"
+#include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
+#include "setae/output/contact_answers.hpp"
 #include "setae/output/predicted_quantities.hpp"
 #include "setae/output/quantity_table.hpp"
+#include "setae/tables/tidy_table.hpp"
 
 namespace setae::cli::adhesion_command {
 namespace {
@@ -23,8 +26,10 @@ constexpr const char* explanation =
     "modified W_app = W_int r - gamma_1 (r - 1) - U_el/A_app                                  [D19] (7)\n"
     "Persson-Tosatti W_app = W_int (1 + h'^2/2) - U_el/A_app                                  [D19] (S13)\n"
     "without area change of the soft side W_app = W_int r - U_el/A_app                        [D19] (2)\n"
-    "loop     a_max by (1) with W_app; E_loss = W_int r pi a_max^2                             [D19] (1), (10)\n"
-    "         W_ret from E_loss = (W_ret - W_app) pi a_max^2 + jump in (W_app) + jump out (W_ret); F = 3/2 pi R W  (S1)\n"
+    "answer   W_app = W gain(U_el/AW), W = W_int r - gamma_1 (r - 1), of simulated patches; (7) where contact is full\n"
+    "         beside it: (7), and Persson's theory with W, without load                        docs/theory/conformity.md\n"
+    "loop     a_max by (1) with W_app; W_ret >= W_app, F >= 3/2 pi R W_app, E_loss >= the jumps of JKR   [D19] (1), (S1)\n"
+    "         for comparison E_loss = W_int r pi a_max^2, without a smooth limit                [D19] (10)\n"
     "bridging wavevectors q above which the roughness stores more than it gains                THEORY 8\n"
     "pressed  q above which it stores more than 0.25 of that: closes under pressure alone      docs/theory/conformity.md\n";
 
@@ -51,7 +56,12 @@ ExitCode run(const Arguments& arguments) {
     print(output::adhesion_answer(adhesion.result));
     // the answer says where a work of adhesion is floored
     std::erase_if(adhesion.quantities, [](const auto& q) { return q.quantity.ends_with("_floored"); });
-    print("\n" + output::quantity_table("", adhesion.quantities, output_size().width));
+    const auto width = output_size().width;
+    print("\n" + tables::as_text_within(output::theory_table(adhesion.answers), width) + "  " +
+          wrapped(adhesion.answers.reason, width, 2) + "\n\n");
+    if (const auto& loop = adhesion.result.pairs.front().loop)
+        print(tables::as_text_within(output::retraction_table(*loop), width) + "\n");
+    print(output::quantity_table("", adhesion.quantities, width));
     show(others);
     return code;
 }

@@ -85,7 +85,7 @@ ExitCode run(const Arguments& arguments) {
         return ExitCode::done;
     }
     const auto width = output_size().width;
-    print(wrapped(answers::front_sentence(answer), width, 2) + "\n\n" + made_surface_text(surfaces.front(), width) +
+    print(wrapped(answers::front_sentence(answer), width, 2) + "\n\n" + surface_text(surfaces.front(), width) +
           output::quantity_table("", answer.quantities, width));
     show(answer.alerts);
     return ExitCode::done;

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "convert/heights_output.hpp"
-#include "program/messages.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/quantity_table.hpp"
@@ -44,24 +43,35 @@ void ContactSurface::add_to(Options& options) {
         .of_inputs();
     file.add_to(options);
     processing.add_to(options);
+    options
+        .add(
+            "--trend", measured.trend,
+            "removed from measured heights: none, mean, tilt, parabola; default: as before a spectrum, none of heights that "
+            "repeat themselves")
+        .offering({"none", "mean", "tilt", "parabola"})
+        .read_by([](const std::string& text) { (void)topography::trend_from_name(text); });
+    options
+        .add(
+            "--edges", measured.edges,
+            "automatic: a map whose heights do not go on across its edges is repeated with a warning; periodic: it repeats "
+            "itself; windowed: heights go to their mean within a tenth of either edge")
+        .one_of({"automatic", "periodic", "windowed"})
+        .default_shown();
     options.add("--pixels", made.pixels, "of a surface made from a spectrum: 512 or 1024x512");
     options.add("--cell", made.cell, "its extent, such as \"2 um\"; default: twice the longest wave");
     options.add("--surface", made.surface, "which of a study's surfaces");
     options.add("--seed", made.seed, "of the places of its waves").default_shown();
 }
 
-processing::PipelineResult ContactSurface::processed(parallel::Threads threads) const {
+processing::PipelineResult ContactSurface::processed(answers::BeyondMap beyond, parallel::Threads threads) const {
     if (path.empty()) throw InvalidArgument("no file; expected a map");
-    auto surface = answers::contact_surface(path, file, processing.pipeline(), made, threads);
-    show(topography::metadata(surface.measurement).alerts);
-    return surface;
+    return answers::contact_surface(path, file, processing.pipeline(), *this, beyond, threads);
 }
 
 std::vector<processing::PipelineResult> ContactSurface::realisations(int count, parallel::Threads threads) const {
     if (path.empty()) throw InvalidArgument("no file; expected a map, a table of a spectrum or a study");
-    auto surfaces = answers::contact_surfaces(path, file, processing.pipeline(), made, count, threads);
-    show(topography::metadata(surfaces.front().measurement).alerts);
-    return surfaces;
+    return answers::contact_surfaces(path, file, processing.pipeline(), *this, answers::BeyondMap::nothing, count,
+                                     threads);
 }
 
 void ContactMaps::require_ending() const {
@@ -93,9 +103,13 @@ void ContactMaps::write(const half_space::Grid& grid, bool periodic, const std::
     }
 }
 
-std::string made_surface_text(const processing::PipelineResult& surface, std::size_t width) {
-    if (surface.records.empty() || surface.records.front().step != answers::making_step) return "";
-    return output::quantity_table("surface made from the spectrum", surface.records.front().numbers, width) + "\n";
+std::string surface_text(const processing::PipelineResult& surface, std::size_t width) {
+    if (surface.records.empty()) return "";
+    if (surface.records.front().step == answers::making_step)
+        return output::quantity_table("surface made from the spectrum", surface.records.front().numbers, width) + "\n";
+    std::string lines = "heights before the contact\n";
+    for (const auto& record : surface.records) lines += as_line(record);
+    return lines + "\n";
 }
 
 }  // namespace setae::cli

@@ -10,7 +10,7 @@
 #include "plot/figure_output.hpp"
 #include "program/options.hpp"
 #include "setae/answers/contact_problem.hpp"
-#include "setae/answers/made_surface.hpp"
+#include "setae/answers/contact_surface.hpp"
 #include "setae/file_figures/contact_map_figure.hpp"
 #include "setae/processing/pipeline.hpp"
 
@@ -23,17 +23,16 @@ void add_body_options(Options& options, answers::BodyRequest& body);
 void add_interaction_options(Options& options, answers::InteractionRequest& interaction);
 
 /// A file whose surface touches, or from whose spectrum one is made.
-struct ContactSurface {
+struct ContactSurface : answers::ContactSurfaceRequest {
     std::string path;
     FileOptions file;
     PipelineOption processing;
-    answers::MadeSurfaceRequest made;
 
     void add_to(Options& options);
-    /// What the file holds, or is made from it, after its processing. @throws InvalidArgument for no file, and as
-    /// reading and answers::made_surface() do.
-    [[nodiscard]] processing::PipelineResult processed(parallel::Threads threads) const;
-    /// Several that are made with one seed after the other. @throws InvalidArgument for several of a map.
+    /// answers::contact_surface(). @throws InvalidArgument for no file, and as it does.
+    [[nodiscard]] processing::PipelineResult processed(answers::BeyondMap beyond, parallel::Threads threads) const;
+    /// answers::contact_surfaces() of contacts that end within a map. @throws InvalidArgument for no file, and as it
+    /// does.
     [[nodiscard]] std::vector<processing::PipelineResult> realisations(int count, parallel::Threads threads) const;
 };
 
@@ -52,7 +51,7 @@ struct ContactMaps {
                bool quiet) const;
 };
 
-/// What a surface that was made is; nothing for one that was read.
-[[nodiscard]] std::string made_surface_text(const processing::PipelineResult& surface, std::size_t width);
+/// What a surface that was made is, or what was done to the heights of one that was read.
+[[nodiscard]] std::string surface_text(const processing::PipelineResult& surface, std::size_t width);
 
 }  // namespace setae::cli

@@ -64,7 +64,7 @@ ExitCode press(const processing::PipelineResult& processed, const Arguments& arg
     }
     const auto width = output_size().width;
     print(wrapped(half_space::contact_sentence(problem, contact, stiffness), width) + "\n\n" +
-          made_surface_text(processed, width) + output::quantity_table("", quantities, width) +
+          surface_text(processed, width) + output::quantity_table("", quantities, width) +
           fmt::format("{} after {} iterations: duality gap {:.1e}, penetration {}\n",
                       half_space::name_of(contact.status), contact.iterations, contact.certificate.duality_gap,
                       format_value(contact.certificate.penetration, "m")));
@@ -84,8 +84,8 @@ ExitCode attract(const processing::PipelineResult& processed, const Arguments& a
         return ExitCode::done;
     }
     const auto width = output_size().width;
-    print(wrapped(half_space::adhesive_sentence(solved.cell, state), width) + "\n\n" +
-          made_surface_text(processed, width) + output::quantity_table("", solved.quantities, width) +
+    print(wrapped(half_space::adhesive_sentence(solved.cell, state), width) + "\n\n" + surface_text(processed, width) +
+          output::quantity_table("", solved.quantities, width) +
           fmt::format("{} after {} iterations: residual {:.1e}\n", state.converged ? "converged" : "not_converged",
                       state.iterations, state.residual));
     show(solved.alerts);
@@ -95,7 +95,8 @@ ExitCode attract(const processing::PipelineResult& processed, const Arguments& a
 ExitCode run(const Arguments& arguments) {
     arguments.maps.require_ending();
     arguments.require_complete();
-    const auto processed = arguments.surface.processed(arguments.common.workers());
+    const auto beyond = arguments.free ? answers::BeyondMap::nothing : answers::BeyondMap::itself;
+    const auto processed = arguments.surface.processed(beyond, arguments.common.workers());
     return arguments.given() ? attract(processed, arguments) : press(processed, arguments);
 }
 

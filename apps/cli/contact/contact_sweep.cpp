@@ -89,7 +89,7 @@ ExitCode run(const Arguments& given) {
     require_table_or_figure(arguments.output);
     arguments.states.require_ending();
     arguments.require_complete();
-    const auto processed = arguments.surface.processed(arguments.common.workers());
+    const auto processed = arguments.surface.processed(answers::BeyondMap::itself, arguments.common.workers());
     const auto answer = sweep(processed.measurement, arguments);
     write_table_or_figure(
         arguments.output, answer.steps,
@@ -103,7 +103,7 @@ ExitCode run(const Arguments& given) {
     }
     const auto width = output_size().width;
     print(wrapped(half_space::loop_sentence(answer.loop, answer.interaction), width) + "\n\n" +
-          made_surface_text(processed, width) + output::quantity_table("", answer.quantities, width) +
+          surface_text(processed, width) + output::quantity_table("", answer.quantities, width) +
           fmt::format("{} steps\n", answer.loop.steps.size()));
     show(answer.alerts);
     return ExitCode::done;

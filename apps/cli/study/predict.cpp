@@ -30,7 +30,7 @@ namespace {
 constexpr const char* explanation =
     "every pair of the study, measured or not: W_ret, pull-off and the energy that a whole loop loses, from roughness alone\n"
     "  W_app           (7) with the study's W_int\n"
-    "  W_ret           the law that says the measured pairs best; (10), E_loss = W_int A_true, where fewer than 6 have W_ret\n"
+    "  W_ret           the retraction model that fits the measured pairs best; W_app, a lower bound, where fewer than 6 have W_ret\n"
     "  pairs that do not come into full contact of themselves, U_el/AW > 0.3, go by the best law of all pairs\n"
     "laws, φ = W_ret/W_app of a smooth reference on the same elastomer, alone or times every other\n"
     "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted;\n"

@@ -10,6 +10,7 @@
 #include "json_writer.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/output/budget.hpp"
+#include "setae/output/contact_answers.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/output/predicted_quantities.hpp"
@@ -381,9 +382,10 @@ Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draw
             predicted_json(*pair.persson_tosatti, {.value = pair.persson_tosatti->work.floored}, "[D19] (S13)");
         json["without_area_change"] =
             predicted_json(*pair.without_area_change, {.value = pair.without_area_change->work.floored}, "[D19] (2)");
-        json["partial_contact"] = {
-            {"area_fraction", number(pair.contact.area_fraction)},
-            {"work_of_adhesion", to_json(quantity("work_of_adhesion", "W_app", pair.partial_contact->estimate(), "J/m2"))}};
+        json["answers"] = to_json(study::contact_answers(pair));
+        json["partial_contact"] = {{"area_fraction", number(pair.contact.area_fraction)},
+                                   {"work_of_adhesion", to_json(quantity("work_of_adhesion", "W_app",
+                                                                         pair.partial_contact->estimate(), "J/m2"))}};
         if (pair.general)
             json["general"] = to_json(named("work_of_adhesion", "W_app", pair.general->raw, "J/m2",
                                             "of end states, or [D19] (5), (6) where form = printed"));

@@ -11,6 +11,7 @@
 #include "markup.hpp"
 #include "setae/core/units.hpp"
 #include "setae/output/verdict.hpp"
+#include "setae/study/contact_answers.hpp"
 
 namespace setae::report {
 namespace {
@@ -172,9 +173,10 @@ DataTable pairs_predicted(const StudyResult& result) {
     DataTable table{
         "pairs-predicted",
         "Pairs: predicted from roughness",
-        "<i>W</i><sub>app</sub> by (7) with its value before the floor at 0, by (S13) and (2); measured minus predicted; energy stored; half of it at wavelengths longer than <i>λ</i><sub>1/2</sub>.",
+        "<i>W</i><sub>app</sub> of contact without load as every command answers (simulated patches; where contact is full that is (7)); by (7) with its value before the floor at 0, by (S13) and (2); measured minus predicted; energy stored; half of it at wavelengths longer than <i>λ</i><sub>1/2</sub>.",
         {{"surface", ""},
          {"elastomer", ""},
+         {"*W*_app", "J/m2"},
          {"*W*_app (7)", "J/m2"},
          {"*W*_app (S13)", "J/m2"},
          {"*W*_app (2)", "J/m2"},
@@ -190,14 +192,12 @@ DataTable pairs_predicted(const StudyResult& result) {
         if (!pair.modified) continue;
         const auto base = fmt::format("/pairs/{}", i);
         const auto quantity = [&](const char* name) { return QuantityCell{joined(base, name)}; };
-        table.rows.push_back({TextCell{pair.surface}, TextCell{pair.elastomer}, quantity("modified/work_of_adhesion"),
-                              quantity("persson_tosatti/work_of_adhesion"),
-                              quantity("without_area_change/work_of_adhesion"), quantity("residual"),
-                              quantity("stored_energy"), quantity("true_area_ratio"),
-                              quantity("wavelength_of_half_the_stored_energy"), quantity("predicted_energy_loss"),
-                              TextCell{!pair.modified->work.conforms ? "will not conform"
-                                       : pair.scales                 ? name(pair.closing())
-                                                                     : ""}});
+        table.rows.push_back(
+            {TextCell{pair.surface}, TextCell{pair.elastomer}, quantity("partial_contact/work_of_adhesion"),
+             quantity("modified/work_of_adhesion"), quantity("persson_tosatti/work_of_adhesion"),
+             quantity("without_area_change/work_of_adhesion"), quantity("residual"), quantity("stored_energy"),
+             quantity("true_area_ratio"), quantity("wavelength_of_half_the_stored_energy"),
+             quantity("predicted_energy_loss"), TextCell{pair.scales ? study::words_of(pair.closing()) : ""}});
     }
     return table;
 }
@@ -227,18 +227,19 @@ DataTable budget(const StudyResult& result) {
 /// Quoted numbers against the inputs they rest on, small shares left to budget.csv.
 DataTable inputs_of_numbers(const Json& study) {
     constexpr double least = 0.01;
-    DataTable table{"budget-inputs",
-                    "Which input gives how much of a ±",
-                    "Inputs by their names in the study's file; those with less than 1 % of a variance stand in budget.csv. The last column is the ± that is left when this input is known to "
-                    "half its ±.",
-                    {{"number", ""},
-                     {"surface", ""},
-                     {"elastomer", ""},
-                     {"input", ""},
-                     {"± alone", ""},
-                     {"share of the variance", "1"},
-                     {"± with half of it", ""}},
-                    {}};
+    DataTable table{
+        "budget-inputs",
+        "Which input gives how much of a ±",
+        "Inputs by their names in the study's file; those with less than 1 % of a variance stand in budget.csv. The last column is the ± that is left when this input is known to "
+        "half its ±.",
+        {{"number", ""},
+         {"surface", ""},
+         {"elastomer", ""},
+         {"input", ""},
+         {"± alone", ""},
+         {"share of the variance", "1"},
+         {"± with half of it", ""}},
+        {}};
     const auto& budgets = entry(study, "/budgets");
     for (std::size_t i = 0; i < budgets.size(); ++i) {
         const auto text = [&](const char* key) {
@@ -249,7 +250,8 @@ DataTable inputs_of_numbers(const Json& study) {
             if (inputs[k].at("share_of_variance").get<double>() < least) continue;
             const auto base = fmt::format("/budgets/{}/inputs/{}", i, k);
             const auto error = [&](const char* key) {
-                return TextCell{format_value(inputs[k].at(key).get<double>(), budgets[i].at("unit").get<std::string>(), 2)};
+                return TextCell{
+                    format_value(inputs[k].at(key).get<double>(), budgets[i].at("unit").get<std::string>(), 2)};
             };
             table.rows.push_back({text("symbol"), text("surface"), text("elastomer"),
                                   TextCell{inputs[k].at("input").get<std::string>()}, error("standard_error"),
@@ -262,18 +264,19 @@ DataTable inputs_of_numbers(const Json& study) {
 
 /// Pairs predicted without their surface, then without their elastomer.
 DataTable left_out(const Json& study) {
-    DataTable table{"left-out",
-                    "How well the others predict a pair",
-                    "Every pair is predicted by (7) at the <i>W</i><sub>int</sub> of all pairs but those of its surface, then but those of its elastomer; the ± hold the scatter that the "
-                    "others show. This is what to expect of the next surface, the next elastomer.",
-                    {{"left out", ""},
-                     {"surface", ""},
-                     {"elastomer", ""},
-                     {"measured *W*_app", "J/m2"},
-                     {"predicted", "J/m2"},
-                     {"residual", "J/m2"},
-                     {"within 95 %", ""}},
-                    {}};
+    DataTable table{
+        "left-out",
+        "How well the others predict a pair",
+        "Every pair is predicted by (7) at the <i>W</i><sub>int</sub> of all pairs but those of its surface, then but those of its elastomer; the ± hold the scatter that the "
+        "others show. This is what to expect of the next surface, the next elastomer.",
+        {{"left out", ""},
+         {"surface", ""},
+         {"elastomer", ""},
+         {"measured *W*_app", "J/m2"},
+         {"predicted", "J/m2"},
+         {"residual", "J/m2"},
+         {"within 95 %", ""}},
+        {}};
     const auto& list = entry(study, "/left_out");
     for (std::size_t i = 0; i < list.size(); ++i) {
         const auto quantity = [&](const char* key) { return QuantityCell{fmt::format("/left_out/{}/{}", i, key)}; };
@@ -287,15 +290,16 @@ DataTable left_out(const Json& study) {
 
 /// What the pairs alone say of what somebody told.
 DataTable profiles(const Json& study) {
-    DataTable table{"profiles",
-                    "Inputs against the pairs",
-                    "Each input taken for exact: <i>W</i><sub>int</sub> with two of its ± less and more than told, and what the pairs alone say of it, in its ± from what is told. Beyond 2, "
-                    "look at the input again; a ± far above 1 means that the pairs do not tell.",
-                    {{"input", ""},
-                     {"*W*_int, input 2 ± less", "J/m2"},
-                     {"*W*_int, input 2 ± more", "J/m2"},
-                     {"by the pairs, in its ±", "1"}},
-                    {}};
+    DataTable table{
+        "profiles",
+        "Inputs against the pairs",
+        "Each input taken for exact: <i>W</i><sub>int</sub> with two of its ± less and more than told, and what the pairs alone say of it, in its ± from what is told. Beyond 2, "
+        "look at the input again; a ± far above 1 means that the pairs do not tell.",
+        {{"input", ""},
+         {"*W*_int, input 2 ± less", "J/m2"},
+         {"*W*_int, input 2 ± more", "J/m2"},
+         {"by the pairs, in its ±", "1"}},
+        {}};
     const auto& list = entry(study, "/profiles");
     for (std::size_t i = 0; i < list.size(); ++i) {
         const auto at = fmt::format("/profiles/{}", i);
@@ -614,7 +618,8 @@ DataTable cutoff_scan(const StudyResult& result, const Json& study) {
             table.rows.push_back({quantity("shortest_wavelength"), TextCell{spectra},
                                   quantity("modified/work_of_adhesion"), quantity("modified/r_squared"),
                                   quantity("persson_tosatti/work_of_adhesion"), quantity("persson_tosatti/r_squared"),
-                                  quantity("modified/generalised"), NumberCell{joined(place, "modified/log_likelihood")}});
+                                  quantity("modified/generalised"),
+                                  NumberCell{joined(place, "modified/log_likelihood")}});
         }
     };
     add("/cutoff_scan", result.by_average ? "likelihood" : "as given");

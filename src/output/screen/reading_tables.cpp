@@ -12,6 +12,7 @@
 #include "setae/core/units.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
+#include "setae/study/contact_answers.hpp"
 #include "tables/table_support.hpp"
 #include "verdict/answer.hpp"
 
@@ -46,10 +47,7 @@ std::string deviation_of(const StudyResult& result, const study::PairResult& pai
     return "–";
 }
 
-std::string note_of(const study::PairResult& pair) {
-    if (pair.modified && !pair.modified->work.conforms) return "will not conform";
-    return pair.scales ? name(pair.closing()) : "";
-}
+std::string note_of(const study::PairResult& pair) { return pair.scales ? study::words_of(pair.closing()) : ""; }
 
 /// A prediction that cannot be negative, with its error.
 std::string work_by(const std::optional<adhesion::PredictedWork>& predicted) {
@@ -57,11 +55,18 @@ std::string work_by(const std::optional<adhesion::PredictedWork>& predicted) {
     return uncertain_number(predicted->estimate, mJ_per_m2);
 }
 
+/// The program's answer for a pair, the same in every command.
+std::string answer_of(const study::PairResult& pair) {
+    if (!pair.partial_contact) return "–";
+    return uncertain_number(study::recommended_answer(pair).work_of_adhesion, mJ_per_m2);
+}
+
 /// A fit's row by a balance's name.
 void add_fit(tables::TidyTable& table, const std::string& balance, const adhesion::WorkFit& fit,
              const char* unit = "J/m2") {
     const auto& tested = fit.errors_in_both;
-    table.rows.push_back({balance, number_with_interval(work_of(fit), mJ_per_m2), fmt::format("{:.3f}", fit.generalised.r_squared),
+    table.rows.push_back({balance, number_with_interval(work_of(fit), mJ_per_m2),
+                          fmt::format("{:.3f}", fit.generalised.r_squared),
                           !tested                       ? "–"
                           : tested->extra_scatter > 0.0 ? format_value(tested->extra_scatter, unit, 2)
                                                         : "none",
@@ -185,12 +190,12 @@ tables::TidyTable references(const StudyResult& result) {
 
 tables::TidyTable pairs(const StudyResult& result) {
     tables::TidyTable table{"Work of adhesion on approach [mJ/m²]",
-                            {"surface", "elastomer", "measured", "predicted (7)", "deviation", ""},
+                            {"surface", "elastomer", "measured", "predicted", "by (7)", "deviation", ""},
                             {}};
     for (const auto& p : result.pairs)
         if (p.modified || p.approach)
-            table.rows.push_back({p.surface, p.elastomer, optional_number(p.approach, mJ_per_m2), work_by(p.modified),
-                                  deviation_of(result, p), note_of(p)});
+            table.rows.push_back({p.surface, p.elastomer, optional_number(p.approach, mJ_per_m2), answer_of(p),
+                                  work_by(p.modified), deviation_of(result, p), note_of(p)});
     return table;
 }
 

@@ -326,11 +326,10 @@ std::vector<std::string> hysteresis_sentences(const study::Hysteresis& h) {
     for (const auto& ranking : rankings_of(h)) sentences.push_back(best_sentence(ranking));
     if (sentences.empty())
         sentences.push_back(fmt::format(
-            "{} with W_app and W_ret measured cannot tell models of W_ret apart, {} on {} surfaces can; what follows rests "
-            "on {}",
+            "{} with W_app and W_ret measured cannot tell retraction models apart, {} on {} surfaces can; what follows is a "
+            "lower bound, W_ret = W_app",
             counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"), hysteresis::fewest_ranked_pairs,
-            hysteresis::fewest_ranked_surfaces,
-            h.pairs.empty() ? std::string("(10)") : h.pairs.front().model.formula()));
+            hysteresis::fewest_ranked_surfaces));
     else if (h.deciding) sentences.push_back(deciding_sentence(*h.deciding));
     return sentences;
 }

@@ -10,6 +10,7 @@
 #include "setae/core/words.hpp"
 #include "setae/output/budget.hpp"
 #include "setae/output/hysteresis_output.hpp"
+#include "setae/study/contact_answers.hpp"
 
 namespace setae::output {
 namespace {
@@ -129,15 +130,18 @@ std::vector<std::string> sentences_of_prediction(const StudyResult& result) {
     for (const auto& pair : result.pairs)
         if (pair.modified) pairs.push_back(&pair);
     if (pairs.empty()) return {};
-    const auto work = [](const study::PairResult* pair) { return pair->modified->estimate.value; };
+    const auto work = [](const study::PairResult* pair) {
+        return study::recommended_answer(*pair).work_of_adhesion.value;
+    };
     const auto name = [](const study::PairResult* pair) {
         return fmt::format("{} on {}", pair->elastomer, pair->surface);
     };
     const auto [least, most] =
         std::minmax_element(pairs.begin(), pairs.end(), [&](auto a, auto b) { return work(a) < work(b); });
     const auto said = [](const study::PairResult* pair) {
-        return pair->modified->work.conforms ? format_uncertain(pair->modified->estimate, "J/m2")
-                                             : std::string("0, it will not conform");
+        const auto answer = study::recommended_answer(*pair);
+        return fmt::format("{} on {:.3g} % of the area", format_uncertain(answer.work_of_adhesion, "J/m2"),
+                           100.0 * answer.area_fraction.value);
     };
     auto text = fmt::format("Predicted: W_app of {} is {}", name(*most), said(*most));
     if (pairs.size() > 1) text += fmt::format(", of {} {}", name(*least), said(*least));
@@ -172,8 +176,7 @@ std::optional<Estimate> loss_less_approach(const StudyResult& result) {
     if (!result.loop || !result.modified) return std::nullopt;
     const auto &loss = result.loop->through_origin.generalised.work_of_adhesion,
                &approach = result.modified->generalised.work_of_adhesion;
-    return TracedValue{loss.value - approach.value,
-                       combined({{1.0, loss.components}, {-1.0, approach.components}})}
+    return TracedValue{loss.value - approach.value, combined({{1.0, loss.components}, {-1.0, approach.components}})}
         .estimate();
 }
 

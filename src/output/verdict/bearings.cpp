@@ -20,6 +20,8 @@ const std::vector<Bearing>& bearings() {
     static const std::vector<Bearing> list{
         {{"NOT_CONVERGED", "TIP_NOT_CONVERGED", "CONTACT_NOT_CONVERGED"},
          "An iteration for {} ended before its changes were small: its result may move."},
+        {{"MAP_NOT_PERIODIC"},
+         "The map of {} is repeated and does not fit itself: contact near its edges is not the surface's."},
         {{"ADHESION_GRID"}, "Pixels of {} catch the edge of an adhesive contact: opening it takes too much work."},
         {{"FRONT_THEORY"}, "The edge of {} is outside the theory of fronts: its works are of first order at best."},
         {{"NO_DATA_SUSPECTED"},

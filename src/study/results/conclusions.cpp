@@ -452,7 +452,7 @@ void Concluding::predict(PairResult& pair, const SurfaceResult& surface, const E
         pair.loop = adhesion::predict_loop(rough, soft, work, {elastomer.traced_radius(), *input.preload});
     if (pair.contact_area)
         pair.predicted_loss = adhesion::predicted_loss(rough, work, {*pair.contact_area, pair.contact_area_inputs});
-    else if (pair.loop) pair.predicted_loss = pair.loop->energy_loss;
+    else if (pair.loop) pair.predicted_loss = pair.loop->conformal_loss.energy_loss;
     pair.scales = adhesion::scale_balance(roughness::cumulative_parameters(to_.spectrum_of(surface).curve),
                                           soft.contact_modulus.value, work.value, soft.surface_energy.value,
                                           rough.parameters.area_shape);

@@ -14,13 +14,13 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/study/study_result.hpp"
 
 namespace setae::study {
 namespace {
 
 using hysteresis::FittedModel;
-using hysteresis::Law;
 using hysteresis::ModelScore;
 using hysteresis::RankedPair;
 using hysteresis::Ranking;
@@ -149,7 +149,7 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     found.tip_factor = roughness.tip_factor;
     if (roughness.speed_factor) found.speed_factor = roughness.speed_factor->factor;
     if (pair.ranked()) found.measured_retraction = pair.retraction();
-    FittedModel fitted{.model = {Law::conformal_loss, Tip::none}, .parameter = {}, .scatter = {}};
+    FittedModel fitted{.model = hysteresis::model_without_measurements(), .parameter = {}, .scatter = {}};
     adhesion::ModelScatter scatter;
     if (const auto* ranking = ranking_of(pair)) {
         found.models = works_of(pair, *ranking);

@@ -12,6 +12,7 @@
 #include "setae/formats/channel.hpp"
 #include "setae/formats/format.hpp"
 #include "setae/numerics/row_blocks.hpp"
+#include "setae/study/levelling.hpp"
 #include "setae/study/measurement_options.hpp"
 #include "setae/study/pipeline_file.hpp"
 #include "setae/study/surface_analysis.hpp"
@@ -21,11 +22,6 @@
 
 namespace setae::study {
 namespace {
-
-/// What an instrument's data are levelled by where nobody says otherwise ([D19]: stylus parabola, AFM and TEM tilt).
-topography::Trend usual_trend(const std::string& instrument) {
-    return instrument == "stylus" ? topography::Trend::parabola : topography::Trend::tilt;
-}
 
 /// By the study, else by the contour's file.
 std::optional<Estimate> foil_thickness(const MeasurementInput& input, const topography::Metadata& metadata) {
@@ -226,9 +222,9 @@ void make_analysable(PreparedMeasurement& prepared) {
     add_gap_alert(prepared);
 }
 
-topography::Trend trend_of(const formats::Channel& channel, const MeasurementInput& input,
-                           const topography::Metadata& metadata) {
-    return input.trend.value_or(channel.info.recommended_trend.value_or(usual_trend(metadata.instrument.type)));
+LevellingAsked asked_of(const formats::Channel& channel, const MeasurementInput& input,
+                        const topography::Metadata& metadata) {
+    return {input.trend, channel.info.recommended_trend, metadata.instrument.type};
 }
 
 std::optional<TiledMeasurement> tiled_measurement(const formats::Channel& channel, const MeasurementInput& input,
@@ -237,18 +233,10 @@ std::optional<TiledMeasurement> tiled_measurement(const formats::Channel& channe
     auto map = formats::tiled(channel);
     if (!map) return {};
     apply_instrument(map->metadata.instrument, input);
-    const auto trend = trend_of(channel, input, map->metadata);
+    const auto trend = trend_after({}, asked_of(channel, input, map->metadata));
     auto inputs = inputs_of(input, map->metadata);
     calibrate(*map, inputs);
     return TiledMeasurement{std::move(*map), trend, channel.info.alerts, std::move(inputs), taken};
-}
-
-/// Whether a pipeline takes more than the mean height away, so that no trend need be removed behind it.
-bool levels(const processing::Pipeline& pipeline) {
-    return std::any_of(pipeline.entries.begin(), pipeline.entries.end(), [](const processing::Entry& entry) {
-        const auto name = processing::name(entry.step);
-        return entry.on && name.starts_with("level_") && name != "level_mean";
-    });
 }
 
 void process(PreparedMeasurement& prepared, const processing::Pipeline& pipeline, const formats::ReadOptions& options) {
@@ -293,8 +281,7 @@ PreparedMeasurement prepare(const formats::Channel& channel, const MeasurementIn
     prepared.probe = probe_of(input, topography::metadata(prepared.measurement), options);
     add_projection_alert(prepared, input);
     add_reentrance_alert(prepared);
-    prepared.trend = levels(pipeline) ? input.trend.value_or(topography::Trend::none)
-                                      : trend_of(channel, input, topography::metadata(prepared.measurement));
+    prepared.trend = trend_after(pipeline, asked_of(channel, input, topography::metadata(prepared.measurement)));
     prepared.measurement = topography::detrended(std::move(prepared.measurement), prepared.trend);
     return prepared;
 }

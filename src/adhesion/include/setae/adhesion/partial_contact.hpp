@@ -33,7 +33,8 @@ inline constexpr double closing_energy_share = 0.25;
 
 /// W_app = W gain(U_el/(A W)): (7) where contact is full, and what contact gains where it is not.
 /// gain: W = W_int r − γ1 (r − 1) [J/m²].  stored_energy: U_el/A [J/m²] >= 0.  0 for W <= 0.
-[[nodiscard]] double partial_balance(double gain, double stored_energy);
+/// patches: how far the simulated gain is off, in units of gain_error.
+[[nodiscard]] double partial_balance(double gain, double stored_energy, double patches = 0.0);
 
 /// A pair as that balance sees it.
 struct PartialContactPoint {

@@ -13,28 +13,39 @@ struct Press {
     double preload = 0.0;  ///< largest force [N], >= 0
 };
 
-/// What a soft sphere does when it is pressed on a rough surface and pulled off, if (7) holds on approach and (10) for
-/// the loss.
+/// A retraction by one model.
+struct RetractionPrediction {
+    TracedValue energy_loss;             ///< ∮F dδ [J]
+    Estimate work_retraction;            ///< W_ret of the pull-off [J/m²]
+    Estimate pull_off_force;             ///< 3/2 π R W_ret (S1) [N]
+    double smooth_pull_off_force = 0.0;  ///< of the same model and sphere at r = 1, U_el = 0 [N]; JKR has 3/2 π R W_int
+};
+
+/// What a soft sphere does when it is pressed on a rough surface and pulled off.
 struct PredictedLoop {
-    Estimate contact_radius;   ///< a_max at the preload: (1) with W_app [m]
-    TracedValue energy_loss;   ///< E_loss = W_int r π a_max² (10), with every input it rests on [J]
-    Estimate ideal_loss;       ///< what a smooth sphere of this W_app loses in its two jumps under fixed grips [J]
-    Estimate work_retraction;  ///< W_ret of the pull-off, see below [J/m²]
-    Estimate pull_off_force;   ///< 3/2 π R W_ret (S1) [N]
-    Estimate pull_off_force_reversible;  ///< 3/2 π R W_app: if nothing but the jumps were lost [N]
+    Estimate contact_radius;  ///< a_max at the preload: (1) with W_app [m]
+    /// W_ret = W_app: the jumps alone lose energy. The only model without a measured retraction that becomes JKR's as
+    /// the roughness tends to zero, and a lower bound of W_ret: the predicted loop.
+    RetractionPrediction reversible;
+    /// E_loss = W_int r π a_max² (10). It has no smooth limit: of a smooth sphere it loses W_int π a_max², JKR's the
+    /// jumps alone. A comparison, never the answer.
+    RetractionPrediction conformal_loss;
 };
 
 /// The loop of a pair.
 ///
-/// The edge stays where the preload left it until W_ret opens it, so that with the two jumps of JKR
+/// W_app is that of the contact without load, partial_prediction(). By (10) the edge stays where the preload left it
+/// until W_ret opens it, so that with the two jumps of JKR
 ///
 ///   E_loss = (W_ret − W_app) π a_max² + E_jump-in(W_app) + E_jump-out(W_ret),
 ///
-/// which is solved for W_ret. Every ± is over all inputs: derivatives by E*, γ1, W_int and R are central differences
-/// over their standard errors, those by the spectrum are of its spread. work_of_adhesion: W_int [J/m²], > 0. Nothing
-/// where (7) says that the surfaces do not conform.
+/// which is solved for W_ret; the reversible loop is that with W_ret = W_app. Every ± is over all inputs: derivatives
+/// by E*, γ1, W_int and R are central differences over their standard errors, those by the spectrum are of its spread.
+/// work_of_adhesion: W_int [J/m²], > 0.
+/// Limit: r → 1, U_el → 0: W_ret = W_app = W_int, F = 3/2 π R W_int, E_loss = contact::jkr::ideal_loop_loss().
+/// Nothing where W_app is 0: no contact forms.
 /// @throws InvalidArgument for R <= 0 or a preload < 0.
-/// Source: [D19] (1), (7), (10), (S1); jumps: setae/contact/jkr.hpp.
+/// Source: [D19] (1), (10), (S1); jumps: setae/contact/jkr.hpp.
 [[nodiscard]] std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide& soft,
                                                         const TracedValue& work_of_adhesion, const Press& press);
 

@@ -6,6 +6,7 @@
 
 #include "setae/core/quantity.hpp"
 #include "setae/output/json.hpp"
+#include "setae/study/contact_answers.hpp"
 #include "setae/study/study_result.hpp"
 
 namespace setae::answers {
@@ -22,11 +23,12 @@ struct AdhesionRequest {
     [[nodiscard]] study::Study study(const study::SurfaceAnalysisOptions& analysis) const;
 };
 
-/// W_app of a soft solid on a surface: by (7), (S13) and (2) of [D19], with what they rest on and, where a sphere was
-/// named, its loop.
+/// W_app of a soft solid on a surface: the recommended answer beside the other theories, (7), (S13) and (2) of [D19]
+/// with what they rest on and, where a sphere was named, its loop.
 struct Adhesion {
     study::StudyResult result;  ///< one surface, one elastomer, one pair
     std::vector<Quantity> quantities;
+    study::ContactAnswers answers;
 
     [[nodiscard]] const study::SurfaceResult& surface() const { return result.surfaces.front(); }
     [[nodiscard]] std::vector<Alert> alerts() const;
@@ -37,7 +39,7 @@ struct Adhesion {
 [[nodiscard]] Adhesion adhesion(study::SurfaceWithMap surface, const study::SurfaceAnalysisOptions& analysis,
                                 const AdhesionRequest& request, parallel::Threads threads = {});
 
-/// Quantities by name, "conforms", "scales", "channel" and "alerts".
+/// Quantities by name, "answers", "contact", "conforms", "scales", "channel" and "alerts".
 [[nodiscard]] output::Json to_json(const Adhesion& adhesion);
 
 }  // namespace setae::answers

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "setae/answers/surface_request.hpp"
 #include "setae/parallel/for_each.hpp"
@@ -57,19 +56,5 @@ struct MadeSurfaceRequest {
 
 /// The name of the step in its record.
 inline constexpr const char* making_step = "synthesize";
-
-/// The surface that touches: made from a spectrum, or read; then processed.
-/// @throws InvalidArgument for a request beside a map, and as made_surface(), measurements_of() and processing do.
-[[nodiscard]] processing::PipelineResult contact_surface(const std::string& path, const FileRequest& file,
-                                                         const processing::Pipeline& pipeline,
-                                                         const MadeSurfaceRequest& request,
-                                                         parallel::Threads threads = {});
-
-/// Several that are made from a spectrum, seeds one after the other.
-/// @throws InvalidArgument for several of a map.
-[[nodiscard]] std::vector<processing::PipelineResult> contact_surfaces(const std::string& path, const FileRequest& file,
-                                                                       const processing::Pipeline& pipeline,
-                                                                       const MadeSurfaceRequest& request, int count,
-                                                                       parallel::Threads threads = {});
 
 }  // namespace setae::answers

@@ -10,6 +10,7 @@
 
 #include "setae/output/json.hpp"
 #include "setae/patches/survey.hpp"
+#include "setae/study/contact_answers.hpp"
 #include "setae/study/study_result.hpp"
 #include "setae/tables/tidy_table.hpp"
 
@@ -38,6 +39,7 @@ struct PatchPair {
     double work = 0.0;            ///< W = W_int r − γ1 (r − 1), what conforming gains [J/m²]
     double energy_in_band = 0.0;  ///< share of U_el that the surface stores in the patch's band; all of it is put there
     std::optional<Estimate> measured;  ///< W_app [J/m²]
+    study::ContactAnswers answers;     ///< of all theories but the simulated cell, which the row is
 };
 
 struct PatchSurveyAnswer {

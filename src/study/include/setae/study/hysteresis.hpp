@@ -50,7 +50,7 @@ struct JointLossFit {
 enum class ModelChoice {
     conforming_pairs,  ///< the best of pairs that come into full contact of themselves
     all_pairs,         ///< the best of all pairs
-    assumed,           ///< (10): too few pairs have W_ret measured
+    assumed,           ///< hysteresis::model_without_measurements(): too few pairs have W_ret measured
 };
 
 /// Measured loops of a pair less the predicted one, at the same displacement.

@@ -107,7 +107,7 @@ struct PairResult {
     std::optional<adhesion::DrawnValue> drawn;   ///< max(0, (7)) by draws of everything it rests on [J/m²]
     /// (10) at W_int and the contact area, measured or of `loop`, with every input it rests on [J]
     std::optional<TracedValue> predicted_loss;
-    std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and (7) conforms
+    std::optional<adhesion::PredictedLoop> loop;  ///< where sphere and preload are given and there is contact
     /// W_app by (7) with waves beyond both ends of the surface's data [J/m²]
     std::optional<Estimate> with_unmeasured_waves;
     std::optional<adhesion::ApparentWork> general;     ///< where the soft side has a law of its surface or interface

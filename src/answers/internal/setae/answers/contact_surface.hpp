@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/answers/made_surface.hpp"
+#include "setae/answers/surface_request.hpp"
+#include "setae/parallel/for_each.hpp"
+#include "setae/processing/pipeline.hpp"
+#include "setae/topography/detrend.hpp"
+
+namespace setae::answers {
+
+/// What lies beyond the edges of a map in a contact.
+enum class BeyondMap {
+    itself,   ///< the map again
+    nothing,  ///< nothing that touches: free edges, or a contact that ends within the map
+};
+
+/// How a measured map or line is taken into a contact.
+struct MeasuredSurfaceRequest {
+    std::string trend;                ///< "none", "mean", "tilt", "parabola"; empty: study::trend_after()
+    std::string edges = "automatic";  ///< "periodic": it repeats itself; "windowed": heights go to their mean there
+
+    /// @throws InvalidArgument for other words.
+    void require_valid() const;
+};
+
+/// The one rule by which every contact command takes measured heights.
+///
+/// 1. Heights repeat themselves where `edges` or their file says so, or where they go on across the seam as they do
+///    inside (processing::seam_of). Nothing is subtracted from them unless a trend is asked for.
+/// 2. All others are levelled by study::trend_after(), as before a spectrum. The record names the step.
+/// 3. Where `edges` is "windowed" they go to their mean at the edges (processing::windowed) and repeat themselves then.
+/// 4. Where a map that does not repeat itself is repeated, its metadata get the alert MAP_NOT_PERIODIC with the rms
+/// height
+///    step at the seam.
+///
+/// read: heights and what was done to them by `pipeline`. recommended: the trend that their file says to remove.
+/// Profiles are returned as they are.
+/// @throws InvalidArgument for other words, and as levelling does.
+[[nodiscard]] processing::PipelineResult into_contact(processing::PipelineResult read,
+                                                      const processing::Pipeline& pipeline,
+                                                      std::optional<topography::Trend> recommended,
+                                                      const MeasuredSurfaceRequest& request, BeyondMap beyond,
+                                                      parallel::Threads threads = {});
+
+/// Whose surface touches.
+struct ContactSurfaceRequest {
+    MeasuredSurfaceRequest measured;  ///< of a map or a line that is read
+    MadeSurfaceRequest made;          ///< of a surface that is made from a spectrum or a study
+};
+
+/// The surface that touches: made from a spectrum, or read; then processed, and taken into the contact.
+/// @throws InvalidArgument for a request of a made surface beside a map, and as made_surface(), into_contact(), reading
+/// and processing do.
+[[nodiscard]] processing::PipelineResult contact_surface(const std::string& path, const FileRequest& file,
+                                                         const processing::Pipeline& pipeline,
+                                                         const ContactSurfaceRequest& request, BeyondMap beyond,
+                                                         parallel::Threads threads = {});
+
+/// Several that are made from a spectrum, seeds one after the other.
+/// @throws InvalidArgument for several of a map.
+[[nodiscard]] std::vector<processing::PipelineResult> contact_surfaces(const std::string& path, const FileRequest& file,
+                                                                       const processing::Pipeline& pipeline,
+                                                                       const ContactSurfaceRequest& request,
+                                                                       BeyondMap beyond, int count,
+                                                                       parallel::Threads threads = {});
+
+}  // namespace setae::answers

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One surface and one elastomer have one work of adhesion, whichever command is asked.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "setae/adhesion/partial_contact.hpp"
+#include "setae/answers/adhesion.hpp"
+#include "setae/answers/patch_survey.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/output/hysteresis_output.hpp"
+#include "setae/output/study_tables.hpp"
+#include "setae/study/hysteresis.hpp"
+#include "setae/study/study_result.hpp"
+
+namespace setae::answers::one_answer_test {
+namespace {
+
+constexpr double work = 0.040, gamma_1 = 0.025;
+
+/// A self-affine surface from published moments, on an elastomer of that modulus.
+study::Study study_of(double youngs_modulus, double roughness = 1.0) {
+    study::Study study;
+    study::SurfaceInput surface;
+    surface.name = "A";
+    surface.moments = study::PublishedMoments{.rms_height = {roughness * 20e-9, 0.0, "given"},
+                                              .rms_slope = {roughness * 0.2, 0.0, "given"},
+                                              .rms_curvature = {roughness * 1e8, 0.0, "given"},
+                                              .short_wavevector = {2e9}};
+    study.surfaces = {surface};
+    study::ElastomerInput elastomer;
+    elastomer.name = "soft solid";
+    elastomer.youngs_modulus = {youngs_modulus, 0.0, "given"};
+    elastomer.surface_energy = {gamma_1, 0.0, "given"};
+    elastomer.sphere_radius = Estimate{5e-3, 0.0};
+    elastomer.preload = 1e-3;
+    study.elastomers = {elastomer};
+    study.counter_youngs_modulus = std::numeric_limits<double>::infinity();
+    study.work_of_adhesion = Estimate{work, 0.0, "given"};
+    return study;
+}
+
+Adhesion adhesion_of(const study::Study& study) {
+    AdhesionRequest request;
+    request.youngs_modulus = std::to_string(study.elastomers.front().youngs_modulus.value) + " Pa";
+    request.work = "40 mJ/m2";
+    request.surface_energy = "25 mJ/m2";
+    request.radius = "5 mm";
+    request.preload = "1 mN";
+    return adhesion({.surface = study::analyse_surface(study.surfaces.front(), study.analysis, {1}), .map = {}},
+                    study.analysis, request);
+}
+
+double recommended_in(const output::Json& answers) {
+    for (const auto& theory : answers["theories"])
+        if (theory["theory"] == answers["recommended"] && theory["recommended"])
+            return theory["work_of_adhesion"]["value"].get<double>();
+    ADD_FAILURE() << "no theory is recommended";
+    return NAN;
+}
+
+PatchSurveyRequest few_patches() {
+    PatchSurveyRequest request;
+    request.points = {32};
+    request.points_a_wave = {8.0};
+    request.waves_a_side = 2;
+    request.squared_ratios = {1.0};
+    request.seeds = 1;
+    return request;
+}
+
+TEST(OneAnswer, IsTheSameInEveryCommand) {
+    for (const double modulus : {1e6, 2e7, 6e7}) {  // full contact, part of the area, little of it
+        const auto study = study_of(modulus);
+        const auto result = study::run_study(study, {1});
+        const auto& pair = result.pairs.at(0);
+        ASSERT_TRUE(pair.partial_contact);
+        const double answer = pair.partial_contact->value;
+        const auto adhesion = to_json(adhesion_of(study));
+        EXPECT_NEAR(adhesion["work_of_adhesion"]["value"].get<double>(), answer, 1e-9 * answer);
+        EXPECT_NEAR(recommended_in(adhesion["answers"]), answer, 1e-9 * answer);
+        const auto of_study = output::to_json(result);
+        EXPECT_NEAR(recommended_in(of_study["pairs"][0]["answers"]), answer, 1e-12 * answer);
+        const auto hysteresis = study::hysteresis_of(result);
+        EXPECT_NEAR(hysteresis.pairs.at(0).work_approach.value, answer, 1e-12 * answer);
+        const auto conform = to_json(patch_survey(result, few_patches()));
+        EXPECT_NEAR(recommended_in(conform["rows"][0]["answers"]), answer, 1e-12 * answer);
+    }
+}
+
+TEST(OneAnswer, StandsBesideTheOtherTheories) {
+    const auto study = study_of(2e7);
+    const auto json = to_json(adhesion_of(study))["answers"];
+    ASSERT_EQ(json["theories"].size(), 3U);
+    const double e = [&] {
+        const auto pair = study::run_study(study, {1}).pairs.at(0);
+        return pair.stored_energy.value / (pair.stored_energy.value + pair.modified->work.raw);
+    }();
+    EXPECT_GT(e, 0.3) << "a pair that full contact does not describe";
+    EXPECT_LT(e, 1.0);
+    for (const auto& theory : json["theories"]) {
+        EXPECT_FALSE(theory["assumes"].get<std::string>().empty());
+        EXPECT_GE(theory["work_of_adhesion"]["value"].get<double>(), 0.0);
+        const double area = theory["area_fraction"]["value"].get<double>();
+        EXPECT_EQ(area < 1.0, theory["theory"] != "full_contact") << theory["theory"];
+    }
+}
+
+// in full contact all theories are the full-contact balance
+TEST(OneAnswer, IsThatOfEveryTheoryInFullContact) {
+    const auto json = to_json(adhesion_of(study_of(1e6)));
+    const double balance = json["work_of_adhesion_modified"]["value"].get<double>();
+    EXPECT_TRUE(json["conforms"].get<bool>());
+    EXPECT_EQ(json["contact"], "spontaneous full contact");
+    for (const auto& theory : json["answers"]["theories"])
+        EXPECT_NEAR(theory["work_of_adhesion"]["value"].get<double>(), balance, 2e-3 * balance) << theory["theory"];
+}
+
+// every printed pull-off: 3/2 πRW of JKR as the roughness tends to zero
+TEST(OneAnswer, TendsToJkrInEveryCommandThatPrintsAPullOff) {
+    const double force = 1.5 * pi * 5e-3 * work;
+    for (const double roughness : {1e-2, 1e-3}) {
+        const auto study = study_of(1.5e6, roughness);
+        const auto json = to_json(adhesion_of(study));
+        EXPECT_NEAR(json["pull_off_force"]["value"].get<double>(), force, 5.0 * roughness * roughness * force);
+        EXPECT_GT(json["conformal_smooth_sphere_pull_off_force"]["value"].get<double>(), 1.5 * force);
+        const auto result = study::run_study(study, {1});
+        const auto of_study = output::to_json(result)["pairs"][0]["loop"];
+        EXPECT_NEAR(of_study["pull_off_force"]["value"].get<double>(), force, 5.0 * roughness * roughness * force);
+        const auto hysteresis = study::hysteresis_of(result);
+        const auto& predicted = hysteresis.pairs.at(0);
+        EXPECT_EQ(predicted.choice, study::ModelChoice::assumed);
+        EXPECT_NEAR(predicted.pull_off_force->value, force, 5.0 * roughness * roughness * force);
+        ASSERT_TRUE(predicted.loop);
+        EXPECT_NEAR(predicted.loop->pull_off_force.value, force, 5.0 * roughness * roughness * force);
+    }
+}
+
+}  // namespace
+}  // namespace setae::answers::one_answer_test
