@@ -131,9 +131,9 @@ void forget_places(MeasurementInput& input) {
         if (*value && (*value)->input.find(".measurements[") != std::string::npos) (*value)->input.clear();
 }
 
-/// Moments that nobody named are those of one spectrum.
+/// Moments that nobody named are those of one spectrum; where the model ends is an input of its own.
 void forget_places(PublishedMoments& moments) {
-    for (auto* value : {&moments.rms_height, &moments.rms_slope, &moments.rms_curvature, &moments.short_wavevector})
+    for (auto* value : {&moments.rms_height, &moments.rms_slope, &moments.rms_curvature})
         if (value->input.find(".moments.") != std::string::npos) value->input.clear();
 }
 
