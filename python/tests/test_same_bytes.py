@@ -108,7 +108,9 @@ def test_psd_of_a_table(printed):
 
 def test_params(printed):
     assert setae.parameters(files()).json() == printed("params", *files())
-    assert setae.parameters("rougher/afm_1.txt").json() == printed("params", "rougher/afm_1.txt")
+    one = setae.parameters("rougher/afm_1.txt")
+    assert one.json() == printed("params", "rougher/afm_1.txt")
+    assert list(one.headline) == [f"{name}_from_spectrum" for name in ("rms_height", "rms_slope", "rms_curvature", "true_area_ratio")]
 
 
 def test_functions_of_scale(printed):
