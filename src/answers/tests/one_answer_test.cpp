@@ -72,7 +72,7 @@ PatchSurveyRequest few_patches() {
 }
 
 TEST(OneAnswer, IsTheSameInEveryCommand) {
-    for (const double modulus : {1e6, 2e7, 6e7}) {  // full contact, part of the area, little of it
+    for (const double modulus : {1e6, 1.2e8, 2.5e8}) {  // full contact, part of the area, little of it
         const auto study = study_of(modulus);
         const auto result = study::run_study(study, {1});
         const auto& pair = result.pairs.at(0);
@@ -91,7 +91,7 @@ TEST(OneAnswer, IsTheSameInEveryCommand) {
 }
 
 TEST(OneAnswer, StandsBesideTheOtherTheories) {
-    const auto study = study_of(2e7);
+    const auto study = study_of(1.2e8);
     const auto json = to_json(adhesion_of(study))["answers"];
     ASSERT_EQ(json["theories"].size(), 3U);
     const double e = [&] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_support.hpp"
 #include "setae/output/hysteresis_output.hpp"
+#include "tables/smooth_limit_output.hpp"
 
 namespace setae::output {
 namespace {
@@ -189,6 +190,7 @@ Json to_json(const study::Hysteresis& h) {
                                  {"largest_input", d.largest_input},
                                  {"standard_errors_apart", number(d.standard_errors)}};
     }
+    json["smooth_limits"] = smooth_limits_json(h);
     if (!h.trials.empty()) {
         json["trials"] = Json::array();
         for (const auto& law : h.trials)

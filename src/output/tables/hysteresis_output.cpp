@@ -13,6 +13,7 @@
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/core/words.hpp"
+#include "smooth_limit_output.hpp"
 
 namespace setae::output {
 namespace {
@@ -346,6 +347,7 @@ std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
     if (!h.trials.empty()) text += "\n" + tables::as_text_within(shown_trials(h), width);
     text += shown_times(h) + shown_pairs(h, width) + shown_residuals(h, width);
     for (const auto& s : h.skipped) text += fmt::format("{} × {}: {}\n", s.surface, s.elastomer, s.reason);
+    if (!h.smooth_limits.empty()) text += "\n" + tables::as_text_within(smooth_limit_table(h), width);
     const auto losses = shown_losses(h);
     if (losses.rows.empty()) return text;
     text += "\n" + tables::as_text_within(losses, width);

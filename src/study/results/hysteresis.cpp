@@ -16,6 +16,7 @@
 #include "setae/core/statistics.hpp"
 #include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/study/study_result.hpp"
+#include "smooth_limits.hpp"
 
 namespace setae::study {
 namespace {
@@ -55,6 +56,7 @@ public:
         for (const auto& pair : pairs_) found_.pairs.push_back(of(pair));
         decompose();
         decide();
+        found_.smooth_limits = smooth_limits(result_, found_.all);
         if (trials) {
             const bool conforming = found_.conforming.best() != nullptr;
             found_.trials = hysteresis::law_trials(seen_by(by_last_points(conforming)),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setae/hysteresis/law_trials.hpp"
+#include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/loops/outcome.hpp"
 #include "setae/study/edge_speeds.hpp"
 
@@ -101,6 +102,13 @@ struct DecidingPair {
     double standard_errors = 0.0;                ///< their difference in standard errors of a measurement there
 };
 
+/// A model against the smooth reference on one elastomer.
+struct ReferenceLimit {
+    std::string elastomer;
+    Estimate reference;             ///< W_ret of it as measured [J/m²]
+    hysteresis::SmoothLimit limit;  ///< W_ret by the model at r = 1, U_el = 0
+};
+
 /// Hysteresis predicted from roughness, ranked against what was measured.
 struct Hysteresis {
     int measured_pairs = 0, conforming_pairs = 0;  ///< with W_ret measured
@@ -111,6 +119,7 @@ struct Hysteresis {
     loops::Outcome<JointLossFit> joint;      ///< behind the pairs' decompositions
     std::vector<PairHysteresis> pairs;
     std::vector<SkippedPair> skipped;
+    std::vector<ReferenceLimit> smooth_limits;  ///< of the ranking of all pairs
     std::vector<hysteresis::LawTrials> trials;  ///< of the ranking that comes first, where they were asked for
     std::optional<DecidingPair> deciding;       ///< between the best law and the likeliest not told apart from it
 };

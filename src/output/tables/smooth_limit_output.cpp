@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "smooth_limit_output.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace setae::output {
+namespace {
+
+/// Least and greatest of what elastomers have.
+struct Span {
+    double least = std::numeric_limits<double>::infinity(), greatest = -std::numeric_limits<double>::infinity();
+
+    void add(double value) { least = std::min(least, value), greatest = std::max(greatest, value); }
+    /// [mJ/m²], one number where both are alike.
+    [[nodiscard]] std::string text() const {
+        const auto low = fmt::format("{:.0f}", 1e3 * least), high = fmt::format("{:.0f}", 1e3 * greatest);
+        return low == high ? low : low + " … " + high;
+    }
+};
+
+}  // namespace
+
+tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis) {
+    tables::TidyTable table{"models on a smooth reference, r = 1 and U_el = 0 [mJ/m²]",
+                            {"model", "W_ret by the model", "measured", "off by", "tends to the reference"},
+                            {}};
+    for (const auto& score : hysteresis.all.models) {
+        Span model, measured, off;
+        bool tends = true, any = false;
+        for (const auto& of : hysteresis.smooth_limits) {
+            if (of.limit.model != score.fitted.model) continue;
+            model.add(of.limit.work_retraction.value);
+            measured.add(of.reference.value);
+            off.add(of.limit.distance.value);
+            tends = of.limit.tends_to_reference;
+            any = true;
+        }
+        if (!any) continue;
+        table.rows.push_back({score.fitted.model.name(), model.text(), measured.text(), off.text(),
+                              std::string(tends ? "yes" : "no: for comparison where surfaces are smooth")});
+    }
+    return table;
+}
+
+Json smooth_limits_json(const study::Hysteresis& hysteresis) {
+    Json list = Json::array();
+    for (const auto& of : hysteresis.smooth_limits) {
+        Json json{{"model", of.limit.model.name()},
+                  {"elastomer", of.elastomer},
+                  {"tends_to_reference", of.limit.tends_to_reference}};
+        const auto put = [&](const char* name, const char* symbol, const Estimate& value) {
+            json[name] = to_json(quantity(name, symbol, value, "J/m2"));
+        };
+        put("work_of_adhesion_retraction", "W_ret", of.limit.work_retraction.estimate());
+        put("reference", "W_ret", of.reference);
+        put("distance", "W_ret - W_ret,reference", of.limit.distance.estimate());
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+}  // namespace setae::output
