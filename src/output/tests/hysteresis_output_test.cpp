@@ -31,11 +31,15 @@ const study::PairHysteresis& pair_of(const study::Hysteresis& h, const std::stri
 TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
     const auto& h = published_hysteresis();
     EXPECT_EQ(h.measured_pairs, 16);
-    EXPECT_EQ(h.conforming_pairs, 9);
+    EXPECT_EQ(h.conforming_pairs, 10);
     EXPECT_EQ(pair_of(h, "UNCD", "E0.7").choice, study::ModelChoice::conforming_pairs);
     EXPECT_EQ(pair_of(h, "NCD", "E10").choice, study::ModelChoice::all_pairs);
     // W_x r of [D19]'s slopes, W_x by least squares of the nine pairs: within its own ±
-    EXPECT_NEAR(pair_of(h, "UNCD", "E0.7").work_retraction.value / 1.68822, 80.1e-3, 4e-3);
+    // a work per true area times the tip's factor of the smooth reference on E0.7
+    const auto& best = *h.conforming.best();
+    EXPECT_EQ(best.fitted.model.name(), "crack_tip_opening_work");
+    EXPECT_NEAR(pair_of(h, "UNCD", "E0.7").work_retraction.value / 1.68822 / (59.3 / 39.6), best.fitted.parameter.value,
+                0.02 * best.fitted.parameter.value);
     // r 1.47496, U_el/(A E*) 9.57 nm of the reconstructed spectrum
     const double gain = published().work_of_adhesion->value * 1.47496 - 25e-3 * 0.47496;
     EXPECT_NEAR(pair_of(h, "NCD", "E0.7").energy_share, 9.57e-9 * 0.91999923e6 / gain, 1e-3);
@@ -43,15 +47,15 @@ TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
 }
 
 // W_ret of sixteen pairs against r α, α of docs/measured/conformity.md at their U_el/AW, by least squares in Python:
-// 85.7 mJ/m², 14.6 mJ/m² rms off; against r alone 70.3 and 36.6. With the crack tip's factor or without cannot be
+// 85.2 mJ/m², 13.6 mJ/m² rms off; against r alone 70.3 and 36.6. With the crack tip's factor or without cannot be
 // distinguished; every model that says less of the true area is clearly worse.
 TEST(HysteresisOfAStudy, OneWorkATrueAreaInContactSaysAllPairs) {
     const auto& h = published_hysteresis();
     const auto opening = std::ranges::find_if(
         h.all.models, [](const auto& score) { return score.fitted.model.name() == "opening_work"; });
     ASSERT_NE(opening, h.all.models.end());
-    EXPECT_NEAR(opening->fitted.parameter.value, 85.7e-3, opening->fitted.parameter.standard_error());
-    EXPECT_NEAR(opening->rms_residual, 14.6e-3, 0.5e-3);
+    EXPECT_NEAR(opening->fitted.parameter.value, 85.2e-3, opening->fitted.parameter.standard_error());
+    EXPECT_NEAR(opening->rms_residual, 13.6e-3, 0.5e-3);
     EXPECT_LT(opening->surface_left_out, 18e-3);
     std::vector<std::string> likely;
     for (const auto* score : h.all.possible())
@@ -64,7 +68,7 @@ TEST(HysteresisOfAStudy, OneWorkATrueAreaInContactSaysAllPairs) {
         }
     // 1 + k: what pins an edge on its way in is not in the approach
     ASSERT_TRUE(h.all.approach_against_pinning);
-    EXPECT_EQ(h.all.approach_against_pinning->distinction(), hysteresis::Distinction::clearly_better);
+    EXPECT_GT(h.all.approach_against_pinning->value, 20.0);
     EXPECT_NEAR(pair_of(h, "UNCD", "E10").contact_fraction, 0.46, 0.01);
     EXPECT_TRUE(h.deciding);
     for (const auto& pair : h.pairs) EXPECT_TRUE(pair.loop) << pair.surface << pair.elastomer << pair.loop.reason;
@@ -122,7 +126,7 @@ TEST(HysteresisOfAStudy, OfFewPairsIsByTheBalanceOfTheLoop) {
     EXPECT_EQ(h.measured_pairs, 4);
     EXPECT_FALSE(h.all.best());
     EXPECT_EQ(h.pairs.front().choice, study::ModelChoice::assumed);
-    EXPECT_EQ(h.pairs.front().model.name(), "conformal_loss");
+    EXPECT_EQ(h.pairs.front().model.name(), "reversible");
     EXPECT_NE(hysteresis_answer(h, 200).find("6 on 4 surfaces can"), std::string::npos)
         << hysteresis_answer(h, 200);
 }
@@ -145,10 +149,10 @@ TEST(HysteresisOfAStudy, WithoutAWorkOfAdhesionIsRefused) {
 TEST(HysteresisText, BeginsWithTheAnswer) {
     const auto& h = published_hysteresis();
     const auto text = hysteresis_text(h, 100);
-    EXPECT_EQ(text.find("W_ret of 9 pairs that come into full contact of themselves: likeliest is opening_work"), 0U)
+    EXPECT_EQ(text.find("W_ret of 10 pairs that come into full contact of themselves: likeliest is crack_tip_opening_work"), 0U)
         << text;
     for (const auto& line :
-         {"models of W_ret, all 16 pairs", "from roughness alone, by opening_work", "where the joules went"})
+         {"models of W_ret, all 16 pairs", "from roughness alone, by crack_tip_opening_work", "where the joules went"})
         EXPECT_NE(text.find(line), std::string::npos) << line;
 }
 

@@ -20,7 +20,7 @@ TEST(HysteresisFigures, ShowPairsAndBars) {
         EXPECT_LE(series.left[0], series.x[0]);
     }
     EXPECT_EQ(drawn, 16);
-    EXPECT_EQ(hollow, 7);
+    EXPECT_EQ(hollow, 6);
     const auto bars = study_figure(result, "losses");
     ASSERT_TRUE(bars.drawable()) << bars.reason;
     EXPECT_EQ(bars.figure.panels[0].y.tick_labels.size(), 16U);
