@@ -211,7 +211,7 @@ std::vector<AlertKind> of_surfaces() {
          "chance"},
         {"MODEL_MISSES_BEYOND", about,
          "reliable values outside the range of a self-affine fit are on average above 1.25 times the model or below 0.8, "
-         "and more than three standard errors apart from it",
+         "and more than four standard errors apart from it",
          "1.25: a quarter of C1D changes the rms slope by 12 %; false alarms in docs/measured/spectra.md"},
         {"FIT_AT_BOUND", about, "a parameter of a self-affine fit ended where it is not allowed to go further"},
         {"STEEP_SLOPES", about,

@@ -185,7 +185,7 @@ public:
     /// An alert where the values depart from the model by more than chance and more than a quarter.
     void report(SelfAffineFit& fit, const char* side) const {
         if (count_ < 2) return;
-        constexpr double errors = 3.0, least = 0.22314355131420976;  // ln 1.25
+        constexpr double errors = 4.0, least = 0.22314355131420976;  // ln 1.25
         const auto model = model_spectrum(fit, Array1D::Constant(1, std::exp(log_wavevector_ / freedom_)));
         const double mean = sum_ / freedom_, relative = model.standard_error[0] / model.density[0],
                      error = std::sqrt(1.0 / freedom_ + relative * relative);

@@ -96,7 +96,7 @@ struct SelfAffineFit {
 /// self-affine surface). The expectation knows the Hann window's main lobe and, where the modes go up to the Nyquist
 /// wavevector, its aliases. Without a range, the alert MODEL_MISSES_BEYOND says where reliable values outside the fit,
 /// up to half of the highest wavevector, are on average more than 1.25 times the model or less than its 0.8, and more
-/// than three standard errors apart from it.
+/// than four standard errors apart from it.
 [[nodiscard]] SelfAffineFit fit_self_affine(const MeasuredSpectrum& spectrum, const SelfAffineFitOptions& options = {});
 
 /// Of several measurements: of their combined spectrum, each undistorted(), where all of its bins have a scatter
