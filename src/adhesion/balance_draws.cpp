@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "drawn_inputs.hpp"
+#include "setae/adhesion/scatter_effects.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/resampling.hpp"
 #include "setae/numerics/random_numbers.hpp"
@@ -28,18 +29,17 @@ BalanceDraws draw_balances(const TracedValue& work, const ModelScatter& scatter,
     Deviates deviates;
     deviates.add(work.components);
     for (const auto& line : lines) deviates.add_inputs_of(line);
-    Effects effects(scatter);
     std::vector<std::vector<double>> predictions(lines.size());
     for (int d = 0; d < count; ++d) {
         const numerics::RandomKey key{seed, static_cast<std::uint64_t>(d)};
         deviates.draw(substream(key, 0));
-        effects.draw(substream(key, 1));
+        ScatterEffects effects(scatter, substream(key, 1));
         const double drawn = work.value + deviates.moved(work.components);
         for (std::size_t k = 0; k < lines.size(); ++k) {
             auto line = lines[k];
             line.slope += deviates.moved(line.slope_inputs);
             line.offset += deviates.moved(line.offset_inputs);
-            if (!line.departure.empty()) line.offset -= effects.of(line);
+            if (!line.departure.empty()) line.offset -= effects.of(line.surface, line.elastomer);
             predictions[k].push_back(line.prediction(drawn));
         }
     }

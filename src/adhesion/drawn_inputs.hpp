@@ -65,30 +65,4 @@ private:
     Array1D values_, pulls_;
 };
 
-/// Effects of the model's scatter, one of every pair, surface and elastomer.
-class Effects {
-public:
-    explicit Effects(const ModelScatter& scatter) : scatter_(scatter) {}
-
-    void draw(numerics::RandomKey key) {
-        key_ = key;
-        known_.clear();
-    }
-    [[nodiscard]] double of(const PairPoint& pair) {
-        return scatter_.pair * one(pair.surface + '\n' + pair.elastomer) + scatter_.surface * one("s" + pair.surface) +
-               scatter_.elastomer * one("e" + pair.elastomer);
-    }
-
-private:
-    double one(const std::string& name) {
-        const auto [at, fresh] = known_.try_emplace(name, 0.0);
-        if (fresh) at->second = numerics::normal_number(key_, known_.size());
-        return at->second;
-    }
-
-    ModelScatter scatter_;
-    numerics::RandomKey key_;
-    std::map<std::string, double> known_;
-};
-
 }  // namespace setae::adhesion

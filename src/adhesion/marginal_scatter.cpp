@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "alike.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -18,16 +19,6 @@ std::vector<double> quantiles(double scale, int count) {
     std::vector<double> values;
     for (int i = 0; i < count; ++i) values.push_back(scale * std::tan(0.5 * pi * (i + 0.5) / count));
     return values;
-}
-
-MatrixXd alike(const std::vector<PairLabels>& pairs, std::string PairLabels::*label) {
-    const auto n = static_cast<Index>(pairs.size());
-    MatrixXd result(n, n);
-    for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j)
-            result(i, j) =
-                pairs[static_cast<std::size_t>(i)].*label == pairs[static_cast<std::size_t>(j)].*label ? 1.0 : 0.0;
-    return result;
 }
 
 /// ln of the normal density about 0 of each column, [..]^−n.

@@ -9,6 +9,7 @@
 
 #include <boost/math/tools/minima.hpp>
 
+#include "alike.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
@@ -17,17 +18,6 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 using Label = std::string PairPoint::*;
-
-/// One where both pairs have the same label.
-MatrixXd alike(const std::vector<PairPoint>& pairs, Label label) {
-    const auto n = static_cast<Index>(pairs.size());
-    MatrixXd result(n, n);
-    for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j)
-            result(i, j) =
-                pairs[static_cast<std::size_t>(i)].*label == pairs[static_cast<std::size_t>(j)].*label ? 1.0 : 0.0;
-    return result;
-}
 
 /// Whether effects of a label can be told from those of pairs: three of them, and one with several pairs.
 bool separable(const std::vector<PairPoint>& pairs, Label label) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "drawn_inputs.hpp"
 #include "pair_least_squares.hpp"
 #include "setae/adhesion/marginal_scatter.hpp"
+#include "setae/adhesion/scatter_effects.hpp"
 #include "setae/core/component_rows.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
@@ -24,12 +24,6 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 /// Of nodes while inputs are looked for; the density itself takes all of them.
 constexpr ScatterNodes coarse_nodes{5, 4, 4};
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 std::vector<PairLabels> labels_of(const std::vector<PairPoint>& pairs) {
     std::vector<PairLabels> labels;
@@ -46,7 +40,7 @@ double prior_scale(const std::vector<PairPoint>& pairs) {
         squares += std::pow(pair.measured.value - pair.prediction(work), 2);
     }
     constexpr double of_median = 0.4, of_residual = 2.0, least = 1e-6;
-    const double median = median_of(measured), largest = *std::ranges::max_element(measured);
+    const double median = upper_median(measured), largest = *std::ranges::max_element(measured);
     const double residual = std::sqrt(squares / static_cast<double>(pairs.size()));
     return std::max(least * largest, std::min(of_median * median, of_residual * residual));
 }
@@ -356,10 +350,10 @@ namespace {
 class DrawnEffects {
 public:
     DrawnEffects(const std::vector<PairPoint>& pairs, const ModelScatter& scatter, numerics::RandomKey key)
-        : pairs_(pairs), scatter_(scatter), key_(key) {}
+        : pairs_(pairs), scatter_(scatter), drawn_(scatter, key) {}
 
     /// Of a pair before its measurement has a say.
-    [[nodiscard]] double prior(const PairPoint& pair) { return of_pair(pair) + of_surface(pair) + of_elastomer(pair); }
+    [[nodiscard]] double prior(const PairPoint& pair) { return drawn_.of(pair.surface, pair.elastomer); }
 
     /// pull: V⁻¹ (measured − drawn), one number a pair.
     void take(const VectorXd& pull) { pull_ = pull; }
@@ -377,19 +371,9 @@ public:
     }
 
 private:
-    double of_pair(const PairPoint& pair) { return scatter_.pair * one(pair.surface + '\n' + pair.elastomer); }
-    double of_surface(const PairPoint& pair) { return scatter_.surface * one("s" + pair.surface); }
-    double of_elastomer(const PairPoint& pair) { return scatter_.elastomer * one("e" + pair.elastomer); }
-    double one(const std::string& name) {
-        const auto [at, fresh] = known_.try_emplace(name, 0.0);
-        if (fresh) at->second = numerics::normal_number(key_, known_.size());
-        return at->second;
-    }
-
     const std::vector<PairPoint>& pairs_;
     ModelScatter scatter_;
-    numerics::RandomKey key_;
-    std::map<std::string, double> known_;
+    ScatterEffects drawn_;
     VectorXd pull_;
 };
 

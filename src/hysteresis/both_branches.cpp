@@ -6,16 +6,12 @@
 
 #include "setae/core/component_rows.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 
 namespace setae::hysteresis {
 namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
-
-double median_of(VectorXd values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 /// Stretching may not cost more than conforming gains while inputs are looked for.
 double bounded_surface_energy(double surface_energy, double work, double area_ratio) {
@@ -73,8 +69,9 @@ BothBranches::BothBranches(const RetractionModel& model, const std::vector<Ranke
         of[contact_area] = &in[F::contact_area].components;
         of[stiffness] = &in[F::machine_stiffness].components;
         TracedValue relative(1.0);
-        if (by_reference) relative = {pair.reference_work->value / mean_reference,
-                                      combined({{1.0 / mean_reference, pair.reference_work->components}})};
+        if (by_reference)
+            relative = {pair.reference_work->value / mean_reference,
+                        combined({{1.0 / mean_reference, pair.reference_work->components}})};
         own.reference_work = relative.value;
         of[reference] = &relative.components;
         for (Index k = 0; k < number_count; ++k) {
@@ -95,7 +92,7 @@ BothBranches::BothBranches(const RetractionModel& model, const std::vector<Ranke
     work_ = {.value = start, .standard_error = relative};
     if (model.law == Law::fitted_pinning) number_ = {.value = 2.0, .standard_error = 3.0};
     else number_ = {.value = 2.0 * start, .standard_error = 3.0 * start};
-    constant_ = median_of(retraction_);
+    constant_ = upper_median(std::vector<double>(retraction_.begin(), retraction_.end()));
 }
 
 Knowledge BothBranches::prior(bool with_constant) const {
@@ -131,8 +128,9 @@ VectorXd BothBranches::at(double work_of_adhesion, double parameter) const {
 double BothBranches::moved(Index pair, Number number, double value, const VectorXd& x) const {
     const double change = pairs_[static_cast<std::size_t>(pair)].deviations[number] * x[first_of(pair) + number];
     if (change == 0.0) return value;
-    return value > 0.0 && number != measured_approach && number != measured_retraction ? value * std::exp(change / value)
-                                                                                       : value + change;
+    return value > 0.0 && number != measured_approach && number != measured_retraction
+               ? value * std::exp(change / value)
+               : value + change;
 }
 
 double BothBranches::predicted(Branch branch, Index i, const VectorXd& x, double approach_error) const {
@@ -150,8 +148,8 @@ double BothBranches::predicted(Branch branch, Index i, const VectorXd& x, double
     set(F::radius, radius);
     set(F::contact_area, contact_area);
     set(F::machine_stiffness, stiffness);
-    in[F::work_of_adhesion] = moved(i, reference, own.reference_work, x) * work_.value *
-                              std::exp(work_.standard_error * x[work]);
+    in[F::work_of_adhesion] =
+        moved(i, reference, own.reference_work, x) * work_.value * std::exp(work_.standard_error * x[work]);
     in[F::surface_energy] = bounded_surface_energy(in[F::surface_energy], in[F::work_of_adhesion], rough.area_ratio);
     in[F::parameter] = model_.fitted() ? number_.value + number_.standard_error * x[number] : 0.0;
     // what was measured is off by the errors of its inputs: the truth is the measured value less these
@@ -197,8 +195,7 @@ BranchLines BothBranches::lines_at(Branch branch, const VectorXd& x, const Knowl
         lines.own_variance[i] = noise * noise + least * least;
         if (branch == Branch::retraction && approach_noise_[i] > 0.0) {
             const double step = approach_noise_[i];
-            lines.by_approach[i] =
-                (predicted(branch, i, x, step) - predicted(branch, i, x, -step)) / (2.0 * step);
+            lines.by_approach[i] = (predicted(branch, i, x, step) - predicted(branch, i, x, -step)) / (2.0 * step);
             lines.own_variance[i] += std::pow(lines.by_approach[i] * approach_noise_[i], 2);
         }
         lines.residual[i] = measured(branch)[i] - predicted(branch, i, x) + lines.jacobian.row(i).dot(x - known.mean);

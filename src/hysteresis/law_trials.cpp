@@ -8,37 +8,15 @@
 #include <fmt/format.h>
 
 #include "both_branches.hpp"
+#include "setae/adhesion/scatter_effects.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
 namespace setae::hysteresis {
 namespace {
 
-using adhesion::ModelScatter;
+using adhesion::ScatterEffects;
 using numerics::RandomKey;
-
-/// Effects of pairs, surfaces and elastomers on one branch.
-class DrawnEffects {
-public:
-    DrawnEffects(const ModelScatter& scatter, RandomKey key) : scatter_(scatter), key_(key) {}
-
-    [[nodiscard]] double of(const RankedPair& pair) {
-        const auto &surface = pair.pair.rough.name, &elastomer = pair.pair.soft.name;
-        return scatter_.pair * one(surface + '\n' + elastomer) + scatter_.surface * one("s" + surface) +
-               scatter_.elastomer * one("e" + elastomer);
-    }
-
-private:
-    double one(const std::string& name) {
-        const auto [at, fresh] = known_.try_emplace(name, 0.0);
-        if (fresh) at->second = numerics::normal_number(key_, known_.size());
-        return at->second;
-    }
-
-    ModelScatter scatter_;
-    RandomKey key_;
-    std::map<std::string, double> known_;
-};
 
 /// What one run says of the model that was planted.
 struct TrialOutcome {
@@ -81,7 +59,7 @@ std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, cons
         return numerics::normal_numbers(numerics::substream(key, stream), 0, n);
     };
     const Array1D noise_of_approach = noise(0), noise_of_retraction = noise(1);
-    DrawnEffects on_approach(score.approach_scatter, numerics::substream(key, 2)),
+    ScatterEffects on_approach(score.approach_scatter, numerics::substream(key, 2)),
         on_retraction(score.fit.scatter, numerics::substream(key, 3));
     const auto& model = score.fitted.model;
     const BothBranches before(model, pairs, {});
@@ -92,16 +70,18 @@ std::vector<RankedPair> planted_pairs(const std::vector<RankedPair>& pairs, cons
     std::vector<double> errors;
     for (Index i = 0; i < n; ++i) {
         auto& pair = planted[static_cast<std::size_t>(i)];
-        const double work = before.predicted(Branch::approach, i, truth) + on_approach.of(pair);
+        const double work =
+            before.predicted(Branch::approach, i, truth) + on_approach.of(pair.pair.rough.name, pair.pair.soft.name);
         errors.push_back(before.noise(Branch::approach)[i] * noise_of_approach[i]);
         pair.approach.value.value = pair.pair.approach->value = std::max(0.0, work + errors.back());
     }
     const BothBranches after(model, planted, {});
     for (Index i = 0; i < n; ++i) {
         auto& pair = planted[static_cast<std::size_t>(i)];
-        pair.retraction.value.value = after.predicted(Branch::retraction, i, truth, -errors[static_cast<std::size_t>(i)]) +
-                                    on_retraction.of(pair) +
-                                    after.noise(Branch::retraction)[i] * noise_of_retraction[i];
+        pair.retraction.value.value =
+            after.predicted(Branch::retraction, i, truth, -errors[static_cast<std::size_t>(i)]) +
+            on_retraction.of(pair.pair.rough.name, pair.pair.soft.name) +
+            after.noise(Branch::retraction)[i] * noise_of_retraction[i];
     }
     return planted;
 }
@@ -126,8 +106,8 @@ std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ra
     parallel::for_each_index(planted.size() * runs, options.threads, [&](std::size_t i) {
         if (options.cancelled && *options.cancelled) throw Cancelled("trials of models were stopped");
         const auto& score = planted[i / runs];
-        outcomes[i / runs][i % runs] = outcome_of(
-            models, score.fitted.model, planted_pairs(pairs, score, options.seed + i % runs), known_work);
+        outcomes[i / runs][i % runs] =
+            outcome_of(models, score.fitted.model, planted_pairs(pairs, score, options.seed + i % runs), known_work);
     });
     std::vector<LawTrials> result;
     for (std::size_t k = 0; k < planted.size(); ++k) result.push_back(summary(planted[k].fitted.model, outcomes[k]));

@@ -23,7 +23,8 @@ constexpr adhesion::ScatterNodes density_nodes{8, 6, 6}, search_nodes{4, 3, 3};
 class Scatter {
 public:
     Scatter(const std::vector<RankedPair>& pairs, const Places& places, double scale)
-        : density(labels_of(pairs, places), scale, density_nodes), search(labels_of(pairs, places), scale, search_nodes) {}
+        : density(labels_of(pairs, places), scale, density_nodes),
+          search(labels_of(pairs, places), scale, search_nodes) {}
     MarginalScatter density, search;
 
 private:
@@ -103,21 +104,13 @@ adhesion::LeftOutPrediction prediction_of(const BothBranches& model, const std::
                                            .elastomer = pair.soft.name,
                                            .measured = measured.value};
     const double predicted = model.predicted(Branch::retraction, i, learnt.known.mean);
-    prediction.predicted = {.value = predicted,
-                            .standard_error = std::sqrt(std::max(0.0, inputs) + scatter),
-                            .method = "posterior"};
+    prediction.predicted = {
+        .value = predicted, .standard_error = std::sqrt(std::max(0.0, inputs) + scatter), .method = "posterior"};
     prediction.residual = measured.value.value - predicted;
     prediction.standard_error = std::sqrt(std::max(0.0, inputs) + scatter + lines.own_variance[i]);
     constexpr double reach = 1.959963984540054;
     prediction.held = std::abs(prediction.residual) <= reach * prediction.standard_error;
     return prediction;
-}
-
-double rms(const BothBranches& model, Branch branch, const VectorXd& x) {
-    double squares = 0.0;
-    for (Index i = 0; i < model.size(); ++i)
-        squares += std::pow(model.measured(branch)[i] - model.predicted(branch, i, x), 2);
-    return std::sqrt(squares / static_cast<double>(model.size()));
 }
 
 }  // namespace
@@ -141,24 +134,31 @@ LeftOutEvidence left_out_evidence(const BothBranches& model, const std::vector<R
             if (group_of(i) != group) seen.push_back(i);
         if (seen.size() < 2) continue;
         const Scatter seen_approach(pairs, seen, scales.approach), seen_retraction(pairs, seen, scales.retraction);
-        const auto on_approach =
-            learn(model, Branch::approach, model.prior(with_constant), seen, seen_approach.search);
-        const auto on_retraction =
-            learn(model, Branch::retraction, on_approach.known, seen, seen_retraction.search);
+        const auto on_approach = learn(model, Branch::approach, model.prior(with_constant), seen, seen_approach.search);
+        const auto on_retraction = learn(model, Branch::retraction, on_approach.known, seen, seen_retraction.search);
         evidence.approach += log_density_of_rest(on_approach.lines, columns(on_approach.lines.residual, noise.approach),
                                                  seen, all_approach, seen_approach);
         // noise of W_app moves the inputs that retraction begins with, and W_app as it is told
-        const MatrixXd of_approach = noise.approach(seen, Eigen::all),
-                       moved = on_approach.gain * of_approach;
+        const MatrixXd of_approach = noise.approach(seen, Eigen::all), moved = on_approach.gain * of_approach;
         const MatrixXd shift = noise.retraction - on_retraction.lines.by_approach.asDiagonal() * noise.approach -
                                on_retraction.lines.jacobian * moved;
-        evidence.retraction += log_density_of_rest(
-            on_retraction.lines, columns(on_retraction.lines.residual, shift), seen, all_retraction, seen_retraction);
+        evidence.retraction += log_density_of_rest(on_retraction.lines, columns(on_retraction.lines.residual, shift),
+                                                   seen, all_retraction, seen_retraction);
         for (const Index i : all)
             if (group_of(i) == group)
                 evidence.predictions.push_back(prediction_of(model, pairs, i, on_retraction, by_surface));
     }
     return evidence;
+}
+
+double rms_of_approach(const BothBranches& model, const std::vector<RankedPair>& pairs, double scale) {
+    const Places all = all_of(model.size());
+    const auto learnt = learn(model, Branch::approach, model.prior(false), all, Scatter(pairs, all, scale).search);
+    double squares = 0.0;
+    for (Index i = 0; i < model.size(); ++i)
+        squares +=
+            std::pow(model.measured(Branch::approach)[i] - model.predicted(Branch::approach, i, learnt.known.mean), 2);
+    return std::sqrt(squares / static_cast<double>(model.size()));
 }
 
 WholeEvidence whole_evidence(const BothBranches& model, const std::vector<RankedPair>& pairs,
@@ -168,11 +168,8 @@ WholeEvidence whole_evidence(const BothBranches& model, const std::vector<Ranked
     const auto on_approach = learn(model, Branch::approach, model.prior(with_constant), all, of_approach.search);
     const auto on_retraction = learn(model, Branch::retraction, on_approach.known, all, of_retraction.search);
     WholeEvidence evidence;
-    evidence.approach_work = model.value_of(BothBranches::work, on_approach.known);
     evidence.work_of_adhesion = model.value_of(BothBranches::work, on_retraction.known);
     evidence.approach_scatter = on_approach.scatter;
-    evidence.rms_approach = rms(model, Branch::approach, on_approach.known.mean);
-    evidence.rms_retraction = rms(model, Branch::retraction, on_retraction.known.mean);
     if (!with_constant) return evidence;
     // of every scatter the constant is normal; its tail is a mixture
     const auto& lines = on_retraction.lines;
@@ -189,8 +186,8 @@ WholeEvidence whole_evidence(const BothBranches& model, const std::vector<Ranked
         const double log_weight =
             -0.5 * whitened.squaredNorm() - node.factor.matrixLLT().diagonal().array().log().sum();
         total.add(log_weight);
-        mixture.push_back({log_weight, start + solved.dot(lines.residual),
-                           std::sqrt(std::max(1e-300, prior - with.dot(solved)))});
+        mixture.push_back(
+            {log_weight, start + solved.dot(lines.residual), std::sqrt(std::max(1e-300, prior - with.dot(solved)))});
     });
     double mean = 0.0, square = 0.0, below = 0.0;
     for (const auto& part : mixture) {
@@ -199,9 +196,11 @@ WholeEvidence whole_evidence(const BothBranches& model, const std::vector<Ranked
         square += weight * (part.mean * part.mean + part.deviation * part.deviation);
         below += weight * normal_probability(-part.mean / part.deviation);
     }
-    const double unit = model.value_of(BothBranches::constant, {VectorXd::Ones(lines.jacobian.cols()),
-                                                                MatrixXd::Zero(lines.jacobian.cols(), lines.jacobian.cols())})
-                            .value;
+    const double unit =
+        model
+            .value_of(BothBranches::constant, {VectorXd::Ones(lines.jacobian.cols()),
+                                               MatrixXd::Zero(lines.jacobian.cols(), lines.jacobian.cols())})
+            .value;
     evidence.constant = {.value = unit * mean,
                          .standard_error = unit * std::sqrt(std::max(0.0, square - mean * mean)),
                          .method = "posterior"};

@@ -29,12 +29,10 @@ struct LeftOutEvidence {
 
 /// What all pairs together say of a model.
 struct WholeEvidence {
-    Estimate work_of_adhesion;    ///< W_int by both branches [J/m²]
-    Estimate approach_work;       ///< W_int by approach alone [J/m²]
+    Estimate work_of_adhesion;  ///< W_int by both branches [J/m²]
     adhesion::ModelScatter approach_scatter;
-    Estimate constant;            ///< what W_ret is off by on all pairs alike [J/m²], where it is free
-    double constant_tail = 1.0;   ///< probability of a constant at least as far from 0 if there were none
-    double rms_approach = 0.0, rms_retraction = 0.0;  ///< measured − predicted there, every pair alike [J/m²]
+    Estimate constant;           ///< what W_ret is off by on all pairs alike [J/m²], where it is free
+    double constant_tail = 1.0;  ///< probability of a constant at least as far from 0 if there were none
 };
 
 /// Noise that measured values might have had besides, one column a draw: of W_app and of W_ret [J/m²].
@@ -51,6 +49,10 @@ struct DrawnNoise {
 [[nodiscard]] LeftOutEvidence left_out_evidence(const BothBranches& model, const std::vector<RankedPair>& pairs,
                                                 const ScatterScales& scales, bool by_surface, bool with_constant,
                                                 const DrawnNoise& noise);
+
+/// Measured W_app less that of W_int and inputs fitted to it, every pair alike, rms [J/m²]. scale: of the scatter
+/// [J/m²].
+[[nodiscard]] double rms_of_approach(const BothBranches& model, const std::vector<RankedPair>& pairs, double scale);
 
 [[nodiscard]] WholeEvidence whole_evidence(const BothBranches& model, const std::vector<RankedPair>& pairs,
                                            const ScatterScales& scales, bool with_constant);

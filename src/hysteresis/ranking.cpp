@@ -13,6 +13,7 @@
 #include "model_evidence.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/statistics.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
 namespace setae::hysteresis {
@@ -33,8 +34,8 @@ std::string too_few(const std::vector<RankedPair>& pairs) {
     std::set<std::string> surfaces;
     for (const auto& pair : pairs) surfaces.insert(pair.pair.rough.name);
     if (pairs.size() >= fewest_ranked_pairs && surfaces.size() >= fewest_ranked_surfaces) return "";
-    return fmt::format("{} pairs on {} surfaces have W_app and W_ret measured; {} on {} can tell models apart", pairs.size(),
-                       surfaces.size(), fewest_ranked_pairs, fewest_ranked_surfaces);
+    return fmt::format("{} pairs on {} surfaces have W_app and W_ret measured; {} on {} can tell models apart",
+                       pairs.size(), surfaces.size(), fewest_ranked_pairs, fewest_ranked_surfaces);
 }
 
 double rms_left_out(const std::vector<adhesion::LeftOutPrediction>& predictions, bool surfaces) {
@@ -61,10 +62,10 @@ Estimate scatter_of_next(const GeneralisedFit& fit) {
 struct Judged {
     std::unique_ptr<BothBranches> model;
     ModelScore score;
-    WholeEvidence whole;
-    VectorXd log_likelihood;  ///< of the data and of each draw
-    VectorXd approach;        ///< of approach alone
-    std::string reason;       ///< why it cannot be judged
+    double rms_approach = 0.0;  ///< measured − fitted W_app, at the widest scales [J/m²]
+    VectorXd log_likelihood;    ///< of the data and of each draw
+    VectorXd approach;          ///< of approach alone
+    std::string reason;         ///< why it cannot be judged
 
     [[nodiscard]] bool ok() const { return reason.empty(); }
 };
@@ -123,7 +124,7 @@ private:
         score.rms_residual = std::sqrt(score.rms_residual / static_cast<double>(points.size()));
         score.log_likelihood = score.fit.log_likelihood;
         of.model = std::make_unique<BothBranches>(model, pairs_, known_work_);
-        of.whole = whole_evidence(*of.model, pairs_, widest_scales(), true);
+        of.rms_approach = rms_of_approach(*of.model, pairs_, widest_scales().approach);
     }
 
     /// Half-Cauchy scales of a fifth of the median measured work.
@@ -134,9 +135,8 @@ private:
             approach.push_back(std::abs(pair.approach.value.value));
             retraction.push_back(std::abs(pair.retraction.value.value));
         }
-        const auto median = [](std::vector<double>& values) {
-            std::ranges::sort(values);
-            return std::max(values[values.size() / 2], 1e-6 * values.back());
+        const auto median = [](const std::vector<double>& values) {
+            return std::max(upper_median(values), 1e-6 * *std::ranges::max_element(values));
         };
         return {of_median * median(approach), of_median * median(retraction)};
     }
@@ -149,7 +149,7 @@ private:
         double approach = std::numeric_limits<double>::infinity(), retraction = approach;
         for (const auto& of : judged_) {
             if (!of.ok()) continue;
-            approach = std::min(approach, of.whole.rms_approach);
+            approach = std::min(approach, of.rms_approach);
             retraction = std::min(retraction, of.score.rms_residual);
         }
         scales_.approach = std::max(least * widest.approach, std::min(widest.approach, of_residual * approach));
@@ -175,14 +175,12 @@ private:
                    biased = whole_evidence(*of.model, pairs_, scales_, true);
         score.work_of_adhesion = whole.work_of_adhesion;
         score.approach_scatter = whole.approach_scatter;
-        score.approach_work = whole.approach_work;
         auto& bias = score.bias;
         bias.value = biased.constant;
         bias.probability = biased.constant_tail;
         bias.odds_with_it = std::exp(with_constant.both()[0] - score.left_out_log_likelihood);
         constexpr double surely = 0.005, likely = 0.05, odds = 10.0;
-        bias.refuses_model =
-            bias.probability < surely || (bias.odds_with_it > odds && bias.probability < likely);
+        bias.refuses_model = bias.probability < surely || (bias.odds_with_it > odds && bias.probability < likely);
         if (pinned_on_approach_at_all(score.fitted.model))
             score.fitted.work_of_adhesion =
                 TracedValue(score.work_of_adhesion, "W_int by " + score.fitted.model.name());
@@ -221,7 +219,8 @@ private:
 
     /// 5 and 95 % points of exp(one − other).
     static Odds odds_of(const VectorXd& one, const VectorXd& other) {
-        const auto number = [](double difference) { constexpr double most = 600.0;  // of a logarithm, for odds that are a number
+        const auto number = [](double difference) {
+            constexpr double most = 600.0;  // of a logarithm, for odds that are a number
             return std::exp(std::clamp(difference, -most, most));
         };
         const double odds_of_data = number(one[0] - other[0]);
@@ -230,7 +229,8 @@ private:
         VectorXd varied = one.tail(one.size() - 1) - other.tail(other.size() - 1);
         std::ranges::sort(varied);
         const auto at = [&](double p) {
-            return number(varied[std::min<Index>(varied.size() - 1, static_cast<Index>(p * static_cast<double>(varied.size())))]);
+            return number(
+                varied[std::min<Index>(varied.size() - 1, static_cast<Index>(p * static_cast<double>(varied.size())))]);
         };
         odds.lower = at(0.05);
         odds.upper = at(0.95);
@@ -253,8 +253,8 @@ private:
             of->score.weight = std::exp(of->log_likelihood[0] - ranked.front()->log_likelihood[0]);
             sum += of->score.weight;
         }
-        const auto reference = std::ranges::find_if(
-            ranked, [](const Judged* of) { return !of->score.bias.refuses_model; });
+        const auto reference =
+            std::ranges::find_if(ranked, [](const Judged* of) { return !of->score.bias.refuses_model; });
         const auto& likeliest = reference == ranked.end() ? *ranked.front() : **reference;
         for (auto* of : ranked) {
             of->score.weight /= sum;
@@ -275,8 +275,7 @@ private:
         }
         if (!best || known_work_ || elastomers.size() < 2) return std::nullopt;
         const auto& model = best->fitted.model;
-        const BothBranches common(model, pairs_, {}),
-            by_reference(model, pairs_, {}, WorkOfElastomers::by_reference);
+        const BothBranches common(model, pairs_, {}), by_reference(model, pairs_, {}, WorkOfElastomers::by_reference);
         const auto noise = drawn_noise(common);
         const auto evidence = [&](const BothBranches& of, bool by_surface) {
             return left_out_evidence(of, pairs_, scales_, by_surface, false, noise);

@@ -23,16 +23,9 @@ using hysteresis::RetractionPair;
 
 /// φ of an elastomer's references, the mean of both branches over all of them.
 std::optional<TracedValue> tip_factor_of(const StudyResult& result, const std::string& elastomer) {
-    std::vector<Estimate> approach, retraction;
-    for (const auto& reference : result.references) {
-        if (reference.elastomer != elastomer || !(reference.approach.value > 0.0) ||
-            !(reference.retraction.value > 0.0))
-            continue;
-        approach.push_back(reference.approach);
-        retraction.push_back(reference.retraction);
-    }
-    if (approach.empty()) return std::nullopt;
-    const std::vector<Estimate> both{mean_of(retraction), mean_of(approach)};
+    const auto works = reference_works(result, elastomer);
+    if (!works) return std::nullopt;
+    const std::vector<Estimate> both{works->retraction, works->approach};
     return TracedValue(setae::propagated([](const Array1D& x) { return x[0] / x[1]; }, both),
                        fmt::format("W_ret/W_app of the reference on {}", elastomer));
 }

@@ -30,6 +30,13 @@ inline constexpr const char* energy_loss = "energy_loss";
 /// unknown.
 [[nodiscard]] std::optional<double> ideal_loss(const ElastomerResult& elastomer, double work_of_adhesion);
 
+/// Both works of the smooth references on an elastomer that state both, their means.
+struct ReferenceWorks {
+    Estimate approach, retraction;  ///< [J/m²]
+    double jumps_per_area = 0.0;  ///< what an ideal sphere's jumps lose of it [J/m²]; 0 where loss or area is not known
+};
+[[nodiscard]] std::optional<ReferenceWorks> reference_works(const StudyResult& result, const std::string& elastomer);
+
 /// W_app of the smooth references on an elastomer, their mean, as an input of its own; nothing without a reference.
 [[nodiscard]] std::optional<TracedValue> reference_work(const StudyResult& result, const std::string& elastomer);
 

@@ -117,6 +117,24 @@ void require_equivalence(StudyResult& result, const char* code, const ReferenceR
 
 }  // namespace
 
+std::optional<ReferenceWorks> reference_works(const StudyResult& result, const std::string& elastomer) {
+    std::vector<Estimate> approach, retraction;
+    ReferenceWorks works;
+    for (const auto& reference : result.references) {
+        if (reference.elastomer != elastomer || !(reference.approach.value > 0.0) ||
+            !(reference.retraction.value > 0.0))
+            continue;
+        approach.push_back(reference.approach);
+        retraction.push_back(reference.retraction);
+        if (reference.ideal_loss && reference.contact_area && *reference.contact_area > 0.0)
+            works.jumps_per_area = *reference.ideal_loss / *reference.contact_area;
+    }
+    if (approach.empty()) return std::nullopt;
+    works.approach = mean_of(approach);
+    works.retraction = mean_of(retraction);
+    return works;
+}
+
 std::optional<TracedValue> reference_work(const StudyResult& result, const std::string& elastomer) {
     std::vector<Estimate> works;
     for (const auto& reference : result.references)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,21 +26,5 @@ struct LeftOutPrediction {
 /// removal leaves fewer than two pairs are passed over.
 /// @throws as fit_generalised() of all pairs.
 [[nodiscard]] std::vector<LeftOutPrediction> predict_left_out(const std::vector<PairPoint>& pairs);
-
-/// How W and the scatter are found from pairs.
-using PairFit = std::function<GeneralisedFit(const std::vector<PairPoint>&)>;
-
-/// What a law with its own fit says of what that fit has not seen.
-struct LeftOut {
-    std::vector<LeftOutPrediction> predictions;
-    /// ln density of all that was measured, every surface by the fit to the others, Σ over surfaces. Pairs of one
-    /// surface together: Student's t of as many degrees of freedom as the scatter of the others was estimated with,
-    /// scale matrix of everything their residuals rest on, the effect of a new surface among it. NaN for fewer than
-    /// three surfaces, or where one leaves fewer than two pairs.
-    double surface_log_density = 0.0;
-};
-
-/// predict_left_out() by another fit.
-[[nodiscard]] LeftOut leave_out(const std::vector<PairPoint>& pairs, const PairFit& fit);
 
 }  // namespace setae::adhesion

@@ -36,10 +36,10 @@ inline constexpr double clearly_better_odds = 20.0, better_odds = 3.0;
 
 /// A constant that W_ret of all pairs is off by, beside the scatter of pairs, surfaces and elastomers.
 struct ConstantBias {
-    Estimate value;                ///< [J/m²]
-    double probability = 1.0;      ///< of one at least as far from 0 where there is none
-    double odds_with_it = 1.0;     ///< for the model with a free constant, on surfaces left out
-    bool refuses_model = false;    ///< probability < 0.005; or odds above 10 and probability < 0.05
+    Estimate value;              ///< [J/m²]
+    double probability = 1.0;    ///< of one at least as far from 0 where there is none
+    double odds_with_it = 1.0;   ///< for the model with a free constant, on surfaces left out
+    bool refuses_model = false;  ///< probability < 0.005; or odds above 10 and probability < 0.05
 };
 
 /// How well a model says what was measured on both branches.
@@ -50,12 +50,11 @@ struct ModelScore {
     double log_likelihood = 0.0;   ///< of all measured W_ret together, at θ and the scatter: ln density [(J/m²)^−n]
     /// Of each surface by the fit to the others, both branches and each alone: ln density [(J/m²)^−n].
     double left_out_log_likelihood = 0.0, left_out_approach = 0.0, left_out_retraction = 0.0;
-    double weight = 0.0;           ///< ∝ exp(left_out_log_likelihood), over all ranked models
-    Odds odds_against;             ///< for the likeliest model that no constant refuses
+    double weight = 0.0;  ///< ∝ exp(left_out_log_likelihood), over all ranked models
+    Odds odds_against;    ///< for the likeliest model that no constant refuses
     ConstantBias bias;
-    Estimate work_of_adhesion;     ///< W_int by both branches [J/m²]
-    Estimate approach_work;        ///< W_int by approach alone [J/m²]
-    adhesion::ModelScatter approach_scatter;  ///< of W_app, as the posterior has it
+    Estimate work_of_adhesion;                                ///< W_int by both branches [J/m²]
+    adhesion::ModelScatter approach_scatter;                  ///< of W_app, as the posterior has it
     double surface_left_out = 0.0, elastomer_left_out = 0.0;  ///< rms residual of W_ret of those that the fit has not
                                                               ///< seen [J/m²]; NaN where there is but one
     std::vector<adhesion::LeftOutPrediction> left_out;
