@@ -86,6 +86,7 @@ BothBranches::BothBranches(const RetractionModel& model, const std::vector<Ranke
         for (Index k = 0; k < number_count; ++k)
             if (const double deviation = pairs_[static_cast<std::size_t>(i)].deviations[k]; deviation > 0.0)
                 factor_.row(i * number_count + k) /= deviation;
+    covariance_.noalias() = factor_ * factor_.transpose();
     constexpr double wide = 1.0;  // of ln W_int
     const double start = known_work ? known_work->value : pairs.front().pair.work_of_adhesion.value;
     const double relative = known_work ? std::sqrt(known_work->variance()) / start : wide;
@@ -101,7 +102,7 @@ Knowledge BothBranches::prior(bool with_constant) const {
     known.covariance(work, work) = work_.standard_error > 0.0 ? 1.0 : 0.0;
     known.covariance(number, number) = model_.fitted() ? 1.0 : 0.0;
     known.covariance(constant, constant) = with_constant ? 1.0 : 0.0;
-    known.covariance.bottomRightCorner(n - shared_count, n - shared_count).noalias() = factor_ * factor_.transpose();
+    known.covariance.bottomRightCorner(n - shared_count, n - shared_count) = covariance_;
     return known;
 }
 

@@ -106,9 +106,10 @@ private:
     std::vector<RetractionPair> without_approach_;
     std::vector<Pair> pairs_;
     Eigen::VectorXd approach_, retraction_, approach_noise_, retraction_noise_;
-    Eigen::MatrixXd factor_;  ///< of the covariance of all inputs, the shared ones left out
-    Estimate work_, number_;  ///< priors
-    double constant_ = 0.0;   ///< standard error of the prior
+    Eigen::MatrixXd factor_;      ///< of the covariance of all inputs, the shared ones left out …
+    Eigen::MatrixXd covariance_;  ///< … and that
+    Estimate work_, number_;      ///< priors
+    double constant_ = 0.0;       ///< standard error of the prior
 };
 
 }  // namespace setae::hysteresis
