@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -164,7 +165,10 @@ struct WorkPosterior::At {
     MatrixXd jacobian;  ///< pairs × changes
     VectorXd residual;  ///< at x = 0
     VectorXd left;      ///< variance of what the line leaves of max(0, …)
-    MatrixXd shared;    ///< J cov Jᵀ, the own noise and what the line leaves
+    MatrixXd shared;    ///< J cov Jᵀ, own noise and what the line leaves
+    /// Variance of each pair's own noise, at least a twentieth squared of what the inputs make of it: below that, the
+    /// curvature of what inputs do would count as a miss of the measurement.
+    VectorXd own;
 
     /// ln of the density of the pairs over that by the straight line, at changes x and a scatter.
     [[nodiscard]] double log_weight(const Balance& balance, double work, const VectorXd& x,
@@ -174,8 +178,7 @@ struct WorkPosterior::At {
             const VectorXd whitened = factor.matrixL().solve(missing);
             return -0.5 * whitened.squaredNorm() - factor.matrixLLT().diagonal().array().log().sum();
         };
-        return density(balance.own, balance.residual_at(work, x)) -
-               density(balance.own + left, residual - jacobian * x);
+        return density(own, balance.residual_at(work, x)) - density(own + left, residual - jacobian * x);
     }
 };
 
@@ -199,6 +202,7 @@ StraightFloor straight_floor(double raw, double deviation, bool floored) {
 }  // namespace
 
 WorkPosterior::At WorkPosterior::at(double work) const {
+    constexpr double resolved = 0.05;
     const auto& b = *balance_;
     const Index n = b.size;
     using B = Balance;
@@ -236,7 +240,8 @@ WorkPosterior::At WorkPosterior::at(double work) const {
             found.left[i] = line.left;
         }
         found.shared = found.jacobian * b.covariance * found.jacobian.transpose();
-        found.shared.diagonal() += b.own + found.left;
+        found.own = b.own.cwiseMax(resolved * resolved * found.shared.diagonal());
+        found.shared.diagonal() += found.own + found.left;
         const auto scatter = b.coarse.posterior_scatter(found.shared, found.residual);
         const Eigen::LLT<MatrixXd> factor(b.coarse.with(found.shared, scatter));
         const MatrixXd known = factor.matrixL().solve(found.jacobian * shared_raw);
@@ -263,7 +268,7 @@ WorkPosterior::LogDensity WorkPosterior::log_density(double work) const {
     for (Index d = 0; d < count; ++d) {
         const auto& scatter = drawn_scatter(scatters, (static_cast<double>(d) + 0.5) / static_cast<double>(count));
         const VectorXd missing = there.residual - there.jacobian * b.samples.col(d) -
-                                 VectorXd(b.own + there.left).cwiseSqrt().cwiseProduct(b.noise.col(d)) -
+                                 VectorXd(there.own + there.left).cwiseSqrt().cwiseProduct(b.noise.col(d)) -
                                  scatter.pair * b.of_pairs.col(d) - scatter.surface * b.of_surfaces.col(d) -
                                  scatter.elastomer * b.of_elastomers.col(d);
         const VectorXd x =
@@ -303,26 +308,46 @@ WorkPosterior::~WorkPosterior() = default;
 WorkPosterior::WorkPosterior(WorkPosterior&&) noexcept = default;
 WorkPosterior& WorkPosterior::operator=(WorkPosterior&&) noexcept = default;
 
+/// ln densities on the grid, outward from the point nearest to where the pairs are likeliest: beyond one that they
+/// refuse, W is not looked for, since a straight line says nothing where all of it lies far from the pairs.
+Array1D WorkPosterior::log_densities_about(double likeliest) {
+    constexpr double refused = 50.0;
+    const Index points = grid_.size();
+    Array1D logarithms = Array1D::Constant(points, -std::numeric_limits<double>::infinity());
+    correction_ = Array1D::Zero(points);
+    double highest = -std::numeric_limits<double>::infinity();
+    const auto look = [&](Index k) {
+        const auto there = log_density(grid_[k]);
+        correction_[k] = there.correction;
+        logarithms[k] = there.straight + there.correction;
+        highest = std::max(highest, logarithms[k]);
+        return logarithms[k] > highest - refused;
+    };
+    Index nearest = 0;
+    (grid_ - likeliest).abs().minCoeff(&nearest);
+    (void)look(nearest);
+    for (Index k = nearest + 1; k < points && look(k); ++k) {
+    }
+    for (Index k = nearest - 1; k >= 0 && look(k); --k) {
+    }
+    return logarithms;
+}
+
 /// Zooms in until the grid resolves the peak: densities e⁻¹⁰ of the highest end it.
 void WorkPosterior::find_grid() {
     constexpr Index points = 41;
     constexpr int zooms = 12;
     constexpr double depth = 10.0;
     constexpr Index resolved = 25;
-    const double start = std::max(least_squares(balance_->pairs).x, 1e-6 * balance_->largest());
-    double lower = 0.02 * start, upper = 3.0 * start;
+    double likeliest = std::max(fit_generalised(balance_->pairs).work_of_adhesion.value, 1e-6 * balance_->largest());
+    double lower = 0.02 * likeliest, upper = 3.0 * likeliest;
     Array1D logarithms;
     for (int zoom = 0; zoom < zooms; ++zoom) {
         grid_ = Array1D::LinSpaced(points, lower, upper);
-        logarithms.resize(points);
-        correction_.resize(points);
-        for (Index k = 0; k < points; ++k) {
-            const auto there = log_density(grid_[k]);
-            correction_[k] = there.correction;
-            logarithms[k] = there.straight + there.correction;
-        }
-        const double highest = logarithms.maxCoeff();
-        Index first = 0, last = points - 1;
+        logarithms = log_densities_about(likeliest);
+        Index peak = 0, first = 0, last = points - 1;
+        const double highest = logarithms.maxCoeff(&peak);
+        likeliest = grid_[peak];
         while (logarithms[first] < highest - depth) ++first;
         while (logarithms[last] < highest - depth) --last;
         const double step = grid_[1] - grid_[0];
@@ -441,7 +466,7 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
         }
         VectorXd missing = place.at.residual - place.at.jacobian * change;
         for (Index i = 0; i < b.size; ++i)
-            missing[i] -= effects.prior(b.pairs[B::to(i)]) + std::sqrt(b.own[i] + place.at.left[i]) * noise[i];
+            missing[i] -= effects.prior(b.pairs[B::to(i)]) + std::sqrt(place.at.own[i] + place.at.left[i]) * noise[i];
         const VectorXd pull = Eigen::LLT<MatrixXd>(b.scatter.with(place.at.shared, scatter)).solve(missing);
         effects.take(pull);
         const VectorXd by_change = place.at.jacobian.transpose() * pull;

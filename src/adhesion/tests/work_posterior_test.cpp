@@ -82,6 +82,33 @@ TEST(WorkPosterior, OfExactPairsIsLeastSquares) {
     EXPECT_LT(found.standard_error, 1.9e-5 / std::sqrt(denominator));
 }
 
+// Two pairs of one surface, known far better than the surface: W = (y + o)/r, its ± that of the inputs, which pull on
+// both alike. Noise counts as an input that no other pair has, or as the pair's own.
+TEST(WorkPosterior, OfOneSurfaceMeasuredExactlyIsWhatItsSpectrumAllows) {
+    const double r = 1.163, r_error = 0.017, energy = 0.526e-9, energy_error = 0.032e-9, gamma_error = 0.001;
+    for (const double own : {0.0, 1e-7, 2e-5}) {
+        std::vector<PairPoint> list;
+        for (const double modulus : {0.93e6, 2.53e6}) {
+            PairPoint p{.surface = "s", .elastomer = "e" + std::to_string(list.size())};
+            p.slope = r;
+            p.offset = gamma_1 * (r - 1.0) + modulus * energy;
+            p.measured = {W * r - p.offset + (list.empty() ? 1e-5 : -1e-5), std::hypot(own, 2e-5)};
+            p.measured_noise = one("fit of " + p.elastomer, 2e-5);
+            p.slope_inputs = one("area", r_error);
+            p.offset_inputs = combined({{gamma_1, p.slope_inputs},
+                                        {1.0, one("gamma of " + p.elastomer, gamma_error * (r - 1.0))},
+                                        {1.0, one("energy", energy_error * modulus)}});
+            list.push_back(std::move(p));
+        }
+        const auto found = WorkPosterior(list).work_of_adhesion();
+        // the least that the area alone leaves, and that with all of the stored energy of the stiffer one
+        const double by_area = r_error * (W - gamma_1) / r, by_energy = energy_error * 2.53e6 / r;
+        EXPECT_NEAR(found.value, W, 3e-5) << own;
+        EXPECT_GT(found.standard_error, 0.9 * by_area) << own;
+        EXPECT_LT(found.standard_error, 1.1 * std::hypot(by_area, by_energy, gamma_error * 0.163 / r)) << own;
+    }
+}
+
 TEST(WorkPosterior, HasOneWidth) {
     const WorkPosterior posterior(Design(4).pairs(0.005, 0.005, 0.005));
     const auto& found = posterior.work_of_adhesion();
@@ -128,6 +155,42 @@ TEST(WorkPosterior, HoldsTheTruthAsOftenAsItSays) {
         held += found.interval->lower <= W && W <= found.interval->upper ? 1 : 0;
     }
     EXPECT_GE(held, 52);  // 0.2 % of the time by chance at 95 %
+}
+
+// Own noise, errors of areas and of energies of any size, few pairs or many: the truth lies within four ±, and ± is
+// neither nothing nor more than all errors together
+TEST(WorkPosterior, HoldsTheTruthForErrorsOfAnySize) {
+    std::mt19937_64 random(11);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform;
+    const auto size = [&](double low, double high) { return low * std::pow(high / low, uniform(random)); };
+    for (int set = 0; set < 40; ++set) {
+        const double own = size(1e-9, 3e-3), r_error = size(1e-6, 0.05), energy_error = size(1e-6, 0.3);
+        const int surfaces = 1 + set % 4, elastomers = 2 + set % 3;
+        std::vector<PairPoint> list;
+        for (int i = 0; i < surfaces; ++i) {
+            const double r = 1.05 + 0.15 * i, energy = 0.4e-9 * (1 + i),
+                         true_r = r * std::exp(r_error * normal(random)),
+                         true_energy = energy * std::exp(energy_error * normal(random));
+            for (int k = 0; k < elastomers; ++k) {
+                const double modulus = 0.9e6 * (1 + k);
+                PairPoint p{.surface = "s" + std::to_string(i), .elastomer = "e" + std::to_string(k)};
+                p.slope = r;
+                p.offset = gamma_1 * (r - 1.0) + modulus * energy;
+                const double truth = W * true_r - gamma_1 * (true_r - 1.0) - modulus * true_energy;
+                p.measured = {std::max(0.0, truth) + own * normal(random), own};
+                p.slope_inputs = one("area of " + p.surface, r_error * r);
+                p.offset_inputs = combined(
+                    {{gamma_1, p.slope_inputs}, {1.0, one("energy of " + p.surface, energy_error * modulus * energy)}});
+                list.push_back(std::move(p));
+            }
+        }
+        const auto found = WorkPosterior(list).work_of_adhesion();
+        const double all = own + r_error * W + energy_error * 2.7e6 * 1.6e-9;
+        EXPECT_LT(std::abs(found.value - W), 4.0 * found.standard_error) << set << " " << found.value;
+        if (list.size() > 4) EXPECT_LT(found.standard_error, 3.0 * all) << set;  // of fewer, scatter has the say
+        EXPECT_GT(found.standard_error, 0.02 * std::max(own, std::min(r_error * (W - gamma_1), 1e-3))) << set;
+    }
 }
 
 TEST(WorkPosterior, RefusesASinglePair) {

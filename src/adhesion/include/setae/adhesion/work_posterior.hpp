@@ -54,6 +54,7 @@ private:
     struct At;
 
     void find_grid();
+    [[nodiscard]] Array1D log_densities_about(double likeliest);
     [[nodiscard]] At at(double work) const;
     /// ln of the density of the pairs by the straight line, and of what samples multiply it by.
     struct LogDensity {
