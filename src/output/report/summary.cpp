@@ -92,12 +92,11 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
             if (!reported.empty()) items += fmt::format("<li>{}: no fit; {}.</li>", lead, reported);
             return;
         }
-        const auto stated = joined(place, entry(study, joined(place, "posterior")).is_object()
-                                              ? "posterior"
-                                              : "generalised/work_of_adhesion");
+        const auto stated = joined(
+            place, entry(study, joined(place, "posterior")).is_object() ? "posterior" : "generalised/work_of_adhesion");
         items += fmt::format("<li>{}: <i>W</i><sub>int</sub> = {}, {}, from {} pairs{}.</li>", lead,
-                             quantity_html(study, stated), r_squared(study, joined(place, "generalised")), number_html(study, joined(place, "n"), {}, 0),
-                             reported.empty() ? "" : "; " + reported);
+                             quantity_html(study, stated), r_squared(study, joined(place, "generalised")),
+                             number_html(study, joined(place, "n"), {}, 0), reported.empty() ? "" : "; " + reported);
     };
     item("modified", "By approach, balance (7)");
     item("persson_tosatti",
@@ -160,15 +159,24 @@ std::string numbers_html(const StudyResult& result, const Json& study) {
 
 std::string limits_html(const StudyResult& result) {
     const auto said = output::verdict(result);
-    const auto list = [](const char* lead, const std::vector<std::string>& sentences) {
+    const auto listed = [](const auto first, const auto last) {
         std::string items;
-        for (const auto& sentence : sentences) items += "<li>" + prose(sentence) + "</li>";
-        return items.empty() ? "" : fmt::format("<p>{}</p><ul>{}</ul>", lead, items);
+        for (auto sentence = first; sentence != last; ++sentence) items += "<li>" + prose(*sentence) + "</li>";
+        return "<ul>" + items + "</ul>";
     };
-    return list("What tests support:", said.findings) +
-           (said.limits.empty()
-                ? "<p>Several surfaces and elastomers test the balance against roughness and modulus; nothing failed. How certain each number is stands beside it.</p>"
-                : list("What cannot be concluded, and why:", said.limits));
+    std::string html;
+    if (!said.findings.empty())
+        html += "<p>What tests support:</p>" + listed(said.findings.begin(), said.findings.end());
+    if (said.limits.empty())
+        return html +
+               "<p>Several surfaces and elastomers test the balance against roughness and modulus; nothing failed. How certain each number is stands beside it.</p>";
+    constexpr std::size_t seen = 8;
+    const auto folded = said.limits.begin() + static_cast<std::ptrdiff_t>(std::min(seen, said.limits.size()));
+    html += "<p>What cannot be concluded, and why:</p>" + listed(said.limits.begin(), folded);
+    if (folded != said.limits.end())
+        html += fmt::format("<details><summary>{} more</summary>{}</details>", said.limits.end() - folded,
+                            listed(folded, said.limits.end()));
+    return html;
 }
 
 }  // namespace setae::report

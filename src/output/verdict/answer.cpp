@@ -17,13 +17,15 @@ namespace {
 
 using study::StudyResult;
 
-/// Whether (7) says what was measured.
+/// Whether the full-contact balance says what was measured.
 std::string sentence_of_test(const adhesion::PredictionTest& test) {
-    if (test.probability >= improbable) return "Roughness explains the approach";
-    auto text = fmt::format("(7) does not describe {}: {}",
-                            test.n == 1 ? "the pair" : fmt::format("these {} pairs", test.n), test_text(test));
+    if (test.probability >= improbable) return "Roughness explains the work of adhesion on approach";
+    auto text = fmt::format(
+        "Roughness alone does not explain the work of adhesion on approach: the full-contact "
+        "balance (Eq. 7) misses {} ({})",
+        test.n == 1 ? "the pair" : fmt::format("the {} pairs", test.n), test_text(test));
     if (test.extra_scatter > 0.0 && test.probability_with_scatter >= improbable)
-        text += fmt::format("; with {} of scatter it does", format_value(test.extra_scatter, "J/m2", 2));
+        text += fmt::format("; they scatter by {} more than their errors", format_value(test.extra_scatter, "J/m2", 2));
     return text;
 }
 
@@ -32,19 +34,19 @@ std::string sentence_of_loss(const StudyResult& result) {
     if (!result.loop) return "";
     const auto loss = work_of(result.loop->through_origin);
     const auto number = format_interval(loss, "J/m2");
-    if (!result.modified) return fmt::format("By the loss, W_int is {}.", number);
+    if (!result.modified) return fmt::format("By the energy loss, W_int is {}.", number);
     const auto apart = *loss_less_approach(result);
-    if (!interval_of(apart)) return fmt::format("The loss says {}.", number);
+    if (!interval_of(apart)) return fmt::format("The energy loss gives {}.", number);
     if (!may_be_zero(apart))
-        return fmt::format("The loss says {}: {} apart.", number, format_uncertain(apart, "J/m2"));
+        return fmt::format("The energy loss gives {}: {} apart.", number, format_uncertain(apart, "J/m2"));
     return could_have_refused(apart, result)
-               ? fmt::format("The loss says {}: consistent.", number)
-               : fmt::format("The loss says {}: {} cannot tell whether that is the W_int of approach.", number,
+               ? fmt::format("The energy loss gives {}: consistent.", number)
+               : fmt::format("The energy loss gives {}: {} cannot tell whether that is the W_int of approach.", number,
                              pairs_text(result.loop->through_origin.n));
 }
 
 /// The model that is likeliest by all measured pairs; empty where none was ranked.
-std::string sentence_of_way_back(const study::Hysteresis& h) {
+std::string sentence_of_retraction(const study::Hysteresis& h) {
     const auto* best = h.all.best();
     if (!best) return "";
     const auto& model = best->fitted.model;
@@ -53,9 +55,9 @@ std::string sentence_of_way_back(const study::Hysteresis& h) {
     const auto others = h.all.possible().size() - 1;
     const std::string beside =
         h.all.all_refused() ? "every model is off by a constant"
-        : others > 0        ? fmt::format("{} not excluded", counted(others, "other model", "other models"))
+        : others > 0        ? fmt::format("{} cannot be excluded", counted(others, "other model", "other models"))
                             : "clearly better than every other model";
-    return fmt::format("On the way back the likeliest model is W_ret = {}{}: {} off on surfaces not fitted ({}, {}).",
+    return fmt::format("On retraction the likeliest model is W_ret = {}{}: it misses surfaces left out by {} ({}, {}).",
                        model.formula(), fitted, format_value(best->surface_left_out, "J/m2", 2),
                        pairs_text(h.measured_pairs), beside);
 }
@@ -70,8 +72,8 @@ std::string sentence_of_references(const StudyResult& result) {
     const auto surely = compared->elastomers_left_out.distinction();
     const bool both = compared->both_branches.distinction() != Distinction::cannot_be_distinguished;
     return fmt::format(
-        "W_int of each elastomer in proportion to its smooth reference describes approach with R² {:.2f} instead of "
-        "{:.2f}; on elastomers left out it is {}, on both branches {} (found on the same pairs).",
+        "With W_int of each elastomer in proportion to its smooth reference, R² on approach is {:.2f} instead of {:.2f}: "
+        "{} on elastomers left out; with both branches {} (post hoc: tried on the same pairs).",
         scaled->r_squared, result.modified->r_squared,
         surely == Distinction::cannot_be_distinguished ? "likelier, but not surely" : hysteresis::name_of(surely),
         both ? hysteresis::name_of(compared->both_branches.distinction()) : "the two cannot be distinguished");
@@ -85,10 +87,10 @@ std::string sentence_of_energies(const StudyResult& result) {
     });
     if (!slope || reported == result.study.reported.end()) return "";
     return fmt::format(
-        "Loops with these W_app and W_ret would lose {} per true area; reported are {}: W_ret at pull-off is {}the work of "
-        "the whole retraction.",
+        "Loops with these W_app and W_ret would lose {} per true area, {} are reported: W_ret at pull-off {} over the whole "
+        "retraction.",
         format_uncertain(slope->work_per_true_area, "J/m2"), format_uncertain(reported->value, "J/m2"),
-        may_be_zero(difference(slope->work_per_true_area, reported->value)) ? "consistent with " : "not ");
+        may_be_zero(difference(slope->work_per_true_area, reported->value)) ? "may hold" : "does not hold");
 }
 
 /// What measured and predicted works of adhesion say together; empty where nothing was measured.
@@ -102,7 +104,8 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
         const auto work = format_interval(
             result.study.work_of_adhesion ? work_of(*result.modified) : *result.work_of_adhesion, "J/m2");
         if (text.empty())
-            text = fmt::format("W_int is {} from {}; nothing tests (7)", work, pairs_text(result.modified->n));
+            text = fmt::format("W_int is {} from {}; nothing tests the full-contact balance (Eq. 7)", work,
+                               pairs_text(result.modified->n));
         else text += fmt::format("{}W_int {}", explained ? ": " : ". ", work);
     } else {
         text += fmt::format("{}W_int {}, as given", explained ? ": " : ". ",
@@ -118,7 +121,7 @@ std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     if (result.hysteresis) {
         if (auto references = sentence_of_references(result); !references.empty())
             sentences.push_back(std::move(references));
-        if (auto back = sentence_of_way_back(*result.hysteresis); !back.empty()) sentences.push_back(std::move(back));
+        if (auto back = sentence_of_retraction(*result.hysteresis); !back.empty()) sentences.push_back(std::move(back));
     }
     if (auto energies = sentence_of_energies(result); !energies.empty()) sentences.push_back(std::move(energies));
     return sentences;
@@ -193,9 +196,7 @@ bool may_be_zero(const Estimate& difference) {
     return interval && interval->lower <= 0.0 && interval->upper >= 0.0;
 }
 
-Estimate work_of(const adhesion::WorkFit& fit) {
-    return fit.stated();
-}
+Estimate work_of(const adhesion::WorkFit& fit) { return fit.stated(); }
 
 std::vector<std::string> answer_of(const StudyResult& result) {
     auto sentences = sentences_of_approach(result);

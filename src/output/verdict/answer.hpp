@@ -34,10 +34,10 @@ inline constexpr double improbable = 0.05;
 /// The loss's W_int less that of the approach, with what both rest on; nothing where either is missing.
 [[nodiscard]] std::optional<Estimate> loss_less_approach(const study::StudyResult& result);
 
-/// Whether an interval of a difference holds 0; not where there is no interval.
 /// Whether a difference between the W_int of loss and that of approach half as large as W_int would have shown: a claim
 /// that the data could not have refused is none.
 [[nodiscard]] bool could_have_refused(const Estimate& difference, const study::StudyResult& result);
+/// Whether an interval of a difference holds 0; not where there is no interval.
 [[nodiscard]] bool may_be_zero(const Estimate& difference);
 
 /// Surfaces and elastomers of the pairs that have a measured work of adhesion and a prediction.

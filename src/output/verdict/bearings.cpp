@@ -130,7 +130,7 @@ const std::vector<Bearing>& bearings() {
         {{"REFERENCE_HYSTERESIS"},
          "The smooth reference on {} is not shown to be free of hysteresis: of that on rough surfaces a part is not the roughness's."},
         {{"LOSS_CONTRADICTS_WORKS"},
-         "{} lost another energy than its own works would: W_ret at pull-off is not the work of its whole retraction."},
+         "The energy lost by {} is not what its own works would lose: W_ret at pull-off is not the work of its whole retraction."},
         {{"REFERENCE_LOSS"},
          "The smooth reference on {} is not shown to lose no more than an ideal sphere: of the loss on rough surfaces a part is not the roughness's."}};
     return list;

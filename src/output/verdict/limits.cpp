@@ -102,9 +102,10 @@ private:
                 format_uncertain(*apart, "J/m2")));
         if (const auto apart = loss_less_approach(result_);
             apart && may_be_zero(*apart) && !could_have_refused(*apart, result_))
-            say(fmt::format("Whether loss goes with true area, (10), is not tested: a W_int of loss half as large or twice "
-                            "that of approach would agree with these {} as well.",
-                            pairs_text(result_.loop->through_origin.n)));
+            say(fmt::format(
+                "Whether loss goes with true area, (10), is not tested: a W_int of loss half as large or twice "
+                "that of approach would agree with these {} as well.",
+                pairs_text(result_.loop->through_origin.n)));
         if (result_.pairs.empty()) return;
         if (!result_.modified && result_.work_of_adhesion) say("No fit of approach: " + result_.modified.reason + ".");
         if (!result_.loop) say("No fit of loop energies: " + result_.loop.reason + ".");
