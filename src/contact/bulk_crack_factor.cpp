@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdint>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "domain.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/numerics/bracketing.hpp"
 
 namespace setae::contact::crack_speed {
 namespace {
@@ -69,10 +68,8 @@ double bulk_factor(double speed, const std::vector<RelaxationTerm>& terms, doubl
     const auto missing = [&](double logarithm) {
         return logarithm + std::log(factor_up_to(sharp * std::exp(logarithm), terms));
     };
-    std::uintmax_t iterations = 100;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        missing, -std::log(largest) - 1e-9, 1e-9, boost::math::tools::eps_tolerance<double>(48), iterations);
-    return factor_up_to(sharp * std::exp(0.5 * (low + high)), terms);
+    const double root = numerics::bracketed_root(missing, -std::log(largest) - 1e-9, 1e-9, 48);
+    return factor_up_to(sharp * std::exp(root), terms);
 }
 
 }  // namespace setae::contact::crack_speed

@@ -342,6 +342,10 @@ std::vector<AlertKind> of_studies() {
          "the energy that a loop lost and that which its own W_app and W_ret would lose differ by more than three "
          "standard errors and a fifth",
          "W_ret is read at pull-off; the energy counts the whole retraction"},
+        {"SPEED_BEYOND_BULK", about,
+         "W_ret at the speed of a pair's edge over W_ret at rest is more than two standard errors above 1 + Σ g of the "
+         "relaxation that the study states of the elastomer",
+         "1 + Σ g is what the theory of Persson and Brener (Phys. Rev. E 71 (2005) 036123) tends to for a fast crack"},
         {"REFERENCE_LOSS", about,
          "what a smooth reference loses per contact area, beyond the ideal sphere's jumps, is not shown to be below "
          "[comparison] margin",

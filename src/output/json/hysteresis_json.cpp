@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_support.hpp"
+#include "setae/contact/bulk_crack_factor.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "tables/smooth_limit_output.hpp"
 
@@ -63,7 +64,8 @@ Json scores_json(const hysteresis::Ranking& ranking) {
             {"possible", std::move(possible)},
             {"approach_without_pinning",
              ranking.approach_against_pinning ? odds_json(*ranking.approach_against_pinning) : Json(nullptr)},
-            {"proportional_work", ranking.proportional_work ? proportional_json(*ranking.proportional_work) : Json(nullptr)},
+            {"proportional_work",
+             ranking.proportional_work ? proportional_json(*ranking.proportional_work) : Json(nullptr)},
             {"models", std::move(models)},
             {"unranked", std::move(unranked)}};
 }
@@ -120,6 +122,11 @@ Json times_json(const study::ElastomerTimes& times) {
         add(entry, quantity("time", "τ", term.time.estimate(), "s"));
         json["relaxation"].push_back(std::move(entry));
     }
+    if (!times.relaxation.empty()) {
+        std::vector<contact::RelaxationTerm> terms;
+        for (const auto& term : times.relaxation) terms.push_back({term.share.value, term.time.value});
+        json["largest_bulk_factor"] = number(contact::crack_speed::largest_bulk_factor(terms));
+    }
     return json;
 }
 
@@ -171,6 +178,7 @@ Json to_json(const study::Hysteresis& h) {
     Json json{{"answer", hysteresis_answer(h, 100000)},
               {"measured_pairs", h.measured_pairs},
               {"conforming_pairs", h.conforming_pairs},
+              {"conforming_pairs_range", {h.conforming_range.lower, h.conforming_range.upper}},
               {"rankings",
                {{"conforming_pairs", scores_json(h.conforming)},
                 {"all_pairs", scores_json(h.all)},

@@ -31,13 +31,20 @@ struct NamedRanking {
     const Ranking& ranking;
 };
 
+/// " (7 to 13 within their ±)"; empty where inputs leave no choice.
+std::string range_of_conforming(const study::Hysteresis& h) {
+    const auto& range = h.conforming_range;
+    return range.lower == range.upper ? "" : fmt::format(" ({} to {} within their ±)", range.lower, range.upper);
+}
+
 /// The one of conforming pairs only where it differs.
 std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
     std::vector<NamedRanking> list;
     if (h.conforming_pairs < h.measured_pairs && h.conforming.best())
         list.push_back({"conforming_pairs",
-                        fmt::format("{} that come into full contact of themselves",
-                                    counted(static_cast<std::size_t>(h.conforming_pairs), "pair", "pairs")),
+                        fmt::format("{}{} that come into full contact of themselves",
+                                    counted(static_cast<std::size_t>(h.conforming_pairs), "pair", "pairs"),
+                                    range_of_conforming(h)),
                         h.conforming});
     if (h.all.best())
         list.push_back(
@@ -123,8 +130,7 @@ std::string odds_text(const hysteresis::Odds& odds) {
 
 /// What the ranking says of a model against the likeliest.
 std::string verdict_cell(const Ranking& ranking, const ModelScore& score) {
-    if (score.bias.refuses_model)
-        return fmt::format("off by {}", uncertain_number(score.bias.value, milli));
+    if (score.bias.refuses_model) return fmt::format("off by {}", uncertain_number(score.bias.value, milli));
     if (&score == ranking.best()) return "likeliest";
     switch (score.odds_against.distinction()) {
         case hysteresis::Distinction::clearly_better: return "clearly worse";
@@ -357,14 +363,31 @@ std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
 }
 
 TidyTable model_table(const study::Hysteresis& h) {
-    TidyTable table{
-        "",
-        {"ranking", "model", "formula", "parameter", "unit", "value", "standard_error", "rms residual [J/m2]",
-         "rms residual surface left out [J/m2]", "rms residual elastomer left out [J/m2]", "log_likelihood",
-         "log_likelihood surface left out", "weight", "odds against", "odds against 5 %", "odds against 95 %",
-         "distinction", "constant [J/m2]", "standard_error constant [J/m2]", "p constant", "refused",
-         "W_int [J/m2]", "standard_error W_int [J/m2]"},
-        {}};
+    TidyTable table{"",
+                    {"ranking",
+                     "model",
+                     "formula",
+                     "parameter",
+                     "unit",
+                     "value",
+                     "standard_error",
+                     "rms residual [J/m2]",
+                     "rms residual surface left out [J/m2]",
+                     "rms residual elastomer left out [J/m2]",
+                     "log_likelihood",
+                     "log_likelihood surface left out",
+                     "weight",
+                     "odds against",
+                     "odds against 5 %",
+                     "odds against 95 %",
+                     "distinction",
+                     "constant [J/m2]",
+                     "standard_error constant [J/m2]",
+                     "p constant",
+                     "refused",
+                     "W_int [J/m2]",
+                     "standard_error W_int [J/m2]"},
+                    {}};
     for (const auto& of : rankings_of(h))
         for (const auto& s : of.ranking.models) {
             const auto& model = s.fitted.model;
@@ -373,9 +396,9 @@ TidyTable model_table(const study::Hysteresis& h) {
             std::vector<TidyTable::Cell> row{std::string(of.name), model.name(), model.formula(), parameter.quantity,
                                              parameter.unit};
             add_value(row, fitted ? s.fitted.parameter.estimate() : unknown);
-            for (const double value : {s.rms_residual, s.surface_left_out, s.elastomer_left_out, s.log_likelihood,
-                                       s.left_out_log_likelihood, s.weight, s.odds_against.value,
-                                       s.odds_against.lower, s.odds_against.upper})
+            for (const double value :
+                 {s.rms_residual, s.surface_left_out, s.elastomer_left_out, s.log_likelihood, s.left_out_log_likelihood,
+                  s.weight, s.odds_against.value, s.odds_against.lower, s.odds_against.upper})
                 row.emplace_back(value);
             row.emplace_back(std::string(hysteresis::name_of(s.odds_against.distinction())));
             add_value(row, s.bias.value);

@@ -131,6 +131,8 @@ const std::vector<Bearing>& bearings() {
          "The smooth reference on {} is not shown to be free of hysteresis: of that on rough surfaces a part is not the roughness's."},
         {{"LOSS_CONTRADICTS_WORKS"},
          "The energy lost by {} is not what its own works would lose: W_ret at pull-off is not the work of its whole retraction."},
+        {{"SPEED_BEYOND_BULK"},
+         "The edge of {} needs more at speed than the relaxation stated for its bulk can take: one of the two is not whole."},
         {{"REFERENCE_LOSS"},
          "The smooth reference on {} is not shown to lose no more than an ideal sphere: of the loss on rough surfaces a part is not the roughness's."}};
     return list;

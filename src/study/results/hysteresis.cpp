@@ -44,11 +44,14 @@ public:
     }
 
     [[nodiscard]] Hysteresis all(const std::optional<hysteresis::TrialOptions>& trials) {
+        std::vector<hysteresis::RetractionPair> measured;
         for (const auto& pair : pairs_) {
             if (!pair.ranked()) continue;
             ++found_.measured_pairs;
             if (pair.conforms()) ++found_.conforming_pairs;
+            measured.push_back(*pair.from_roughness);
         }
+        found_.conforming_range = hysteresis::pairs_in_full_contact(measured);
         found_.all = ranking(by_last_points(false));
         if (found_.conforming_pairs < found_.measured_pairs) found_.conforming = ranking(by_last_points(true));
         else found_.conforming = found_.all;
@@ -59,9 +62,9 @@ public:
         found_.smooth_limits = smooth_limits(result_, found_.all);
         if (trials) {
             const bool conforming = found_.conforming.best() != nullptr;
-            found_.trials = hysteresis::law_trials(seen_by(by_last_points(conforming)),
-                                                   conforming ? found_.conforming : found_.all,
-                                                   result_.study.work_of_adhesion, *trials);
+            found_.trials =
+                hysteresis::law_trials(seen_by(by_last_points(conforming)), conforming ? found_.conforming : found_.all,
+                                       result_.study.work_of_adhesion, *trials);
         }
         return std::move(found_);
     }
@@ -163,8 +166,8 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     laws_.push_back({pair, fitted, scatter, found.choice != ModelChoice::assumed});
     found.model = fitted.model;
     found.contact_fraction = pair.measured.contact.area_fraction;
-    found.work_approach = fitted.work_of_adhesion ? hysteresis::predicted_approach(fitted, roughness)
-                                                  : *pair.measured.partial_contact;
+    found.work_approach =
+        fitted.work_of_adhesion ? hysteresis::predicted_approach(fitted, roughness) : *pair.measured.partial_contact;
     found.work_retraction = hysteresis::predicted_retraction(fitted, roughness);
     if (roughness.radius)
         found.pull_off_force = setae::propagated([](const std::vector<double>& in) { return 1.5 * pi * in[0] * in[1]; },

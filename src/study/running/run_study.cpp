@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "results/bulk_speeds.hpp"
 #include "results/failed_part.hpp"
 #include "results/losses_of_works.hpp"
 #include "results/pairs.hpp"
@@ -247,6 +248,8 @@ StudyResult run_study(Study study, const RunOptions& options) {
     run.stop_if_cancelled();
     bring_together(result);
     result.hysteresis = way_back_of(result, options.threads);
+    if (result.hysteresis)
+        for (auto& alert : speeds_beyond_bulk(*result.hysteresis)) result.alerts.push_back(std::move(alert));
     return result;
 }
 

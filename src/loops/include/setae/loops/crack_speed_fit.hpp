@@ -50,6 +50,8 @@ struct CrackSpeedFit {
 /// differentiated. Free are the first radius, G0, v0, n and E*, the last held near the value given by its standard
 /// error: E* of the same branch fitted with a constant W takes in what G gains with speed, that of loading does not.
 ///
+/// ± of v0 holds 1.5 % of the method's own, which records without noise show.
+///
 /// radius: R of the sphere [m]; contact_modulus: E* [Pa] of the loading branch; without a standard error it is held.
 /// @throws InvalidArgument for series of different length, a time that does not rise, undefined forces, R, E* or n <=
 /// 0; UndefinedDataError with the reason: fewer frames than 8, an edge that does not recede, a law the data do not

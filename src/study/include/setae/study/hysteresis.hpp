@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/hysteresis/full_contact.hpp"
 #include "setae/hysteresis/law_trials.hpp"
 #include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/loops/outcome.hpp"
@@ -112,6 +113,7 @@ struct ReferenceLimit {
 /// Hysteresis predicted from roughness, ranked against what was measured.
 struct Hysteresis {
     int measured_pairs = 0, conforming_pairs = 0;  ///< with W_ret measured
+    hysteresis::CountRange conforming_range;       ///< of conforming_pairs, by the ± of what they rest on
     hysteresis::Ranking conforming, all;           ///< W_app as measured
     hysteresis::Ranking by_area;                   ///< of all pairs whose loops' area is known: W_ret read from it
     int pairs_by_area = 0;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bulk_speeds.hpp"
+
+#include <fmt/format.h>
+
+#include "setae/contact/bulk_crack_factor.hpp"
+#include "setae/core/uncertain_text.hpp"
+
+namespace setae::study {
+
+std::vector<Alert> speeds_beyond_bulk(const Hysteresis& hysteresis) {
+    constexpr double standard_errors = 2.0;
+    std::vector<Alert> alerts;
+    for (const auto& elastomer : hysteresis.elastomers) {
+        if (!elastomer.edge || elastomer.relaxation.empty()) continue;
+        std::vector<contact::RelaxationTerm> terms;
+        for (const auto& term : elastomer.relaxation) terms.push_back({term.share.value, term.time.value});
+        const double bound = contact::crack_speed::largest_bulk_factor(terms);
+        const auto& rest = elastomer.edge->law.rest_factor;
+        const PairHysteresis* farthest = nullptr;
+        Estimate at_speed;
+        for (const auto& pair : hysteresis.pairs) {
+            if (pair.elastomer != elastomer.elastomer || !pair.speed_factor) continue;
+            const auto over_rest = setae::propagated([](const std::vector<double>& in) { return in[0] / in[1]; },
+                                                     {*pair.speed_factor, rest})
+                                       .estimate();
+            if (over_rest.value - standard_errors * over_rest.standard_error > bound &&
+                (!farthest || over_rest.value > at_speed.value))
+                farthest = &pair, at_speed = over_rest;
+        }
+        if (farthest)
+            alerts.push_back(
+                {"SPEED_BEYOND_BULK", elastomer.elastomer,
+                 fmt::format(
+                     "on {} its edge needs {} times as much at speed as at rest, where the relaxation stated for "
+                     "its bulk can take at most {:.3g} times as much",
+                     farthest->surface, format_uncertain(at_speed, "1"), bound),
+                 "the relaxation lacks its fast terms, or the edge loses energy by itself: measure the modulus at higher "
+                 "frequencies, or leave `relaxation` to the bulk and take the speed from the references alone"});
+    }
+    return alerts;
+}
+
+}  // namespace setae::study
