@@ -140,7 +140,7 @@ double BothBranches::predicted(Branch branch, Index i, const VectorXd& x, double
     auto in = own.values;
     const auto set = [&](F::Input input, Number number) { in[input] = moved(i, number, in[input], x); };
     const Roughness rough(1.0 + moved(i, area_ratio, own.rough.area_ratio - 1.0, x),
-                          moved(i, energy, own.rough.elastic_energy_per_modulus, x));
+                          moved(i, energy, own.rough.elastic_energy_per_modulus, x), own.rough.mean_wavelength);
     set(F::contact_modulus, modulus);
     set(F::surface_energy, surface_energy);
     set(model_.tip == Tip::speed ? F::speed_factor_input : F::tip_factor, tip);

@@ -14,6 +14,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
 namespace setae::hysteresis {
@@ -308,6 +309,19 @@ private:
 /// What a fitted model is where its number is 0.
 RetractionModel parent_of(const RetractionModel& model) { return {Law::reversible, model.tip}; }
 
+/// The first, or its parent where its number may be 0 and the parent is among them.
+const ModelScore* first_of(const std::vector<const ModelScore*>& scores) {
+    if (scores.empty()) return nullptr;
+    const auto* first = scores.front();
+    const auto& model = first->fitted.model;
+    if (model.law != Law::fitted_pinning && model.law != Law::fitted_conformal_loss) return first;
+    const auto interval = interval_of(first->fitted.parameter.estimate());
+    if (!interval || interval->lower > 0.0) return first;
+    for (const auto* score : scores)
+        if (score->fitted.model == parent_of(model)) return score;
+    return first;
+}
+
 }  // namespace
 
 const char* name_of(Distinction distinction) {
@@ -338,17 +352,13 @@ std::vector<const ModelScore*> Ranking::possible() const {
     return found;
 }
 
-const ModelScore* Ranking::best() const {
-    const auto likely = possible();
-    if (likely.empty()) return nullptr;
-    const auto* first = likely.front();
-    const auto& model = first->fitted.model;
-    if (model.law != Law::fitted_pinning && model.law != Law::fitted_conformal_loss) return first;
-    const auto interval = interval_of(first->fitted.parameter.estimate());
-    if (!interval || interval->lower > 0.0) return first;
-    for (const auto* score : likely)
-        if (score->fitted.model == parent_of(model)) return score;
-    return first;
+const ModelScore* Ranking::best() const { return first_of(possible()); }
+
+const ModelScore* Ranking::best_with_smooth_limit() const {
+    std::vector<const ModelScore*> limited, refused;
+    for (const auto& score : models)
+        if (has_smooth_limit(score.fitted.model)) (score.bias.refuses_model ? refused : limited).push_back(&score);
+    return first_of(limited.empty() ? refused : limited);
 }
 
 Ranking rank_models(const std::vector<RetractionModel>& models, const std::vector<RankedPair>& pairs,

@@ -11,6 +11,7 @@
 #include "setae/output/budget.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/study/contact_answers.hpp"
+#include "tables/smooth_limit_output.hpp"
 
 namespace setae::output {
 namespace {
@@ -35,8 +36,7 @@ std::string sentence_of_loss(const StudyResult& result) {
     if (!result.modified) return fmt::format("By the loss, W_int is {}.", number);
     const auto apart = *loss_less_approach(result);
     if (!interval_of(apart)) return fmt::format("The loss says {}.", number);
-    if (!may_be_zero(apart))
-        return fmt::format("The loss says {}: {} apart.", number, format_uncertain(apart, "J/m2"));
+    if (!may_be_zero(apart)) return fmt::format("The loss says {}: {} apart.", number, format_uncertain(apart, "J/m2"));
     return could_have_refused(apart, result)
                ? fmt::format("The loss says {}: consistent.", number)
                : fmt::format("The loss says {}: {} cannot tell whether that is the W_int of approach.", number,
@@ -51,13 +51,15 @@ std::string sentence_of_way_back(const study::Hysteresis& h) {
     const auto fitted =
         model.fitted() ? fmt::format(", {} {}", model.parameter().symbol, fitted_number(*best)) : std::string();
     const auto others = h.all.possible().size() - 1;
-    const std::string beside =
-        h.all.all_refused() ? "every model is off by a constant"
-        : others > 0        ? fmt::format("{} not excluded", counted(others, "other model", "other models"))
-                            : "clearly better than every other model";
-    return fmt::format("On the way back the likeliest model is W_ret = {}{}: {} off on surfaces not fitted ({}, {}).",
-                       model.formula(), fitted, format_value(best->surface_left_out, "J/m2", 2),
-                       pairs_text(h.measured_pairs), beside);
+    const std::string beside = h.all.all_refused() ? "every model is off by a constant"
+                               : others > 0
+                                   ? fmt::format("{} not excluded", counted(others, "other model", "other models"))
+                                   : "clearly better than every other model";
+    auto text = fmt::format(
+        "On the way back the likeliest model is W_ret = {}{}: {} off on surfaces not fitted ({}, {}).", model.formula(),
+        fitted, format_value(best->surface_left_out, "J/m2", 2), pairs_text(h.measured_pairs), beside);
+    for (const auto& sentence : smooth_limit_sentences(h)) text += " " + sentence + ".";
+    return text;
 }
 
 /// Where W_int in proportion to the smooth references says the approach better than one W_int.
@@ -193,9 +195,7 @@ bool may_be_zero(const Estimate& difference) {
     return interval && interval->lower <= 0.0 && interval->upper >= 0.0;
 }
 
-Estimate work_of(const adhesion::WorkFit& fit) {
-    return fit.stated();
-}
+Estimate work_of(const adhesion::WorkFit& fit) { return fit.stated(); }
 
 std::vector<std::string> answer_of(const StudyResult& result) {
     auto sentences = sentences_of_approach(result);

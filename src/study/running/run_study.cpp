@@ -247,6 +247,8 @@ StudyResult run_study(Study study, const RunOptions& options) {
     run.stop_if_cancelled();
     bring_together(result);
     result.hysteresis = way_back_of(result, options.threads);
+    if (result.hysteresis)
+        result.alerts.insert(result.alerts.end(), result.hysteresis->alerts.begin(), result.hysteresis->alerts.end());
     return result;
 }
 
