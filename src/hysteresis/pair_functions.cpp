@@ -15,9 +15,11 @@ constexpr double least_contact = 1e-6;
 
 double relative_error(const PinningCoefficient& k) { return k.value > 0.0 ? k.standard_error / k.value : 0.0; }
 
+}  // namespace
+
 bool is_of_simulated_fronts(Law law) { return law == Law::pinning || law == Law::pinning_by_bands; }
 
-}  // namespace
+bool counts_jumps(Law law) { return law == Law::conformal_loss || law == Law::fitted_conformal_loss; }
 
 ViscousBody viscous_body(const RetractionModel& model, const EdgeSpeed& edge, std::span<const double> terms) {
     ViscousBody body;
@@ -133,8 +135,7 @@ PairState PairFunctions::state(const RetractionModel& model, const Roughness& ro
     auto at = contact_state(model, rough, in);
     at.work_approach = pair_.approach ? std::max(0.0, in[approach]) : predicted_approach(model, rough, in);
     if (model.tip != Tip::none) at.tip_factor = in[model.tip == Tip::speed ? speed_factor_input : tip_factor];
-    const bool counts_jumps = model.law == Law::conformal_loss || model.law == Law::fitted_conformal_loss;
-    if (counts_jumps) at.jumps_per_area = jumps_per_area(at, in);
+    if (counts_jumps(model.law)) at.jumps_per_area = jumps_per_area(at, in);
     return at;
 }
 

@@ -26,6 +26,11 @@ struct Roughness {
                         : 0.0) {}
 };
 
+/// Whether k of simulated fronts is in W_app and W_ret of a law.
+[[nodiscard]] bool is_of_simulated_fronts(Law law);
+/// Whether what the sphere's jumps lose is in W_ret of a law.
+[[nodiscard]] bool counts_jumps(Law law);
+
 /// What time does to loops of a model, terms of the relaxation as share and time after each other.
 [[nodiscard]] ViscousBody viscous_body(const RetractionModel& model, const EdgeSpeed& edge,
                                        std::span<const double> terms);
