@@ -170,15 +170,26 @@ struct WorkPosterior::At {
     /// curvature of what inputs do would count as a miss of the measurement.
     VectorXd own;
 
+    /// At one scatter.
+    struct Factors {
+        Eigen::LLT<MatrixXd> shared, own, straight;  ///< of all errors; of the own noise; and of what the line leaves
+    };
+    [[nodiscard]] Factors factors(const Balance& balance, const ModelScatter& scatter) const {
+        const VectorXd straight = own + left;
+        return {Eigen::LLT<MatrixXd>(balance.scatter.with(shared, scatter)),
+                Eigen::LLT<MatrixXd>(balance.scatter.with(own.asDiagonal(), scatter)),
+                Eigen::LLT<MatrixXd>(balance.scatter.with(straight.asDiagonal(), scatter))};
+    }
+
     /// ln of the density of the pairs over that by the straight line, at changes x and a scatter.
     [[nodiscard]] double log_weight(const Balance& balance, double work, const VectorXd& x,
-                                    const ModelScatter& scatter) const {
-        const auto density = [&](const VectorXd& variances, const VectorXd& missing) {
-            const Eigen::LLT<MatrixXd> factor(balance.scatter.with(variances.asDiagonal(), scatter));
+                                    const Factors& at_scatter) const {
+        const auto density = [&](const Eigen::LLT<MatrixXd>& factor, const VectorXd& missing) {
             const VectorXd whitened = factor.matrixL().solve(missing);
             return -0.5 * whitened.squaredNorm() - factor.matrixLLT().diagonal().array().log().sum();
         };
-        return density(own, balance.residual_at(work, x)) - density(own + left, residual - jacobian * x);
+        return density(at_scatter.own, balance.residual_at(work, x)) -
+               density(at_scatter.straight, residual - jacobian * x);
     }
 };
 
@@ -264,16 +275,19 @@ WorkPosterior::LogDensity WorkPosterior::log_density(double work) const {
     const auto scatters = cumulative_scatter(b.coarse, there.shared, there.residual);
     const MatrixXd gain = b.covariance * there.jacobian.transpose();
     const auto count = b.samples.cols();
+    const VectorXd own_errors = VectorXd(there.own + there.left).cwiseSqrt();
     LogSum weights;
+    const ModelScatter* factored = nullptr;  // draws of one scatter come after each other
+    At::Factors factors;
     for (Index d = 0; d < count; ++d) {
         const auto& scatter = drawn_scatter(scatters, (static_cast<double>(d) + 0.5) / static_cast<double>(count));
+        if (&scatter != factored) factors = there.factors(b, scatter);
+        factored = &scatter;
         const VectorXd missing = there.residual - there.jacobian * b.samples.col(d) -
-                                 VectorXd(there.own + there.left).cwiseSqrt().cwiseProduct(b.noise.col(d)) -
-                                 scatter.pair * b.of_pairs.col(d) - scatter.surface * b.of_surfaces.col(d) -
-                                 scatter.elastomer * b.of_elastomers.col(d);
-        const VectorXd x =
-            b.samples.col(d) + gain * Eigen::LLT<MatrixXd>(b.scatter.with(there.shared, scatter)).solve(missing);
-        weights.add(there.log_weight(b, work, x, scatter));
+                                 own_errors.cwiseProduct(b.noise.col(d)) - scatter.pair * b.of_pairs.col(d) -
+                                 scatter.surface * b.of_surfaces.col(d) - scatter.elastomer * b.of_elastomers.col(d);
+        const VectorXd x = b.samples.col(d) + gain * factors.shared.solve(missing);
+        weights.add(there.log_weight(b, work, x, factors));
     }
     return {straight, weights.value() - std::log(static_cast<double>(count))};
 }
@@ -467,7 +481,8 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
         VectorXd missing = place.at.residual - place.at.jacobian * change;
         for (Index i = 0; i < b.size; ++i)
             missing[i] -= effects.prior(b.pairs[B::to(i)]) + std::sqrt(place.at.own[i] + place.at.left[i]) * noise[i];
-        const VectorXd pull = Eigen::LLT<MatrixXd>(b.scatter.with(place.at.shared, scatter)).solve(missing);
+        const auto factors = place.at.factors(b, scatter);
+        const VectorXd pull = factors.shared.solve(missing);
         effects.take(pull);
         const VectorXd by_change = place.at.jacobian.transpose() * pull;
         for (Index i = 0; i < b.size; ++i) {
@@ -480,7 +495,7 @@ BalanceDraws WorkPosterior::draw(const std::vector<PairPoint>& lines, int count,
         deviates.take_pulls();
         works.push_back(work);
         // about its mean at this W, which the density of W has in it
-        log_weights.push_back(place.at.log_weight(b, work, change + b.covariance * by_change, scatter) -
+        log_weights.push_back(place.at.log_weight(b, work, change + b.covariance * by_change, factors) -
                               correction_[nearest]);
         for (std::size_t l = 0; l < lines.size(); ++l) {
             auto line = lines[l];

@@ -134,13 +134,27 @@ double BothBranches::moved(Index pair, Number number, double value, const Vector
                : value + change;
 }
 
+bool BothBranches::matters(Branch branch, Number of) const {
+    const bool retraction = branch == Branch::retraction, of_fronts = is_of_simulated_fronts(model_.law);
+    const bool jumps = retraction && counts_jumps(model_.law);
+    switch (of) {
+        case measured_retraction: return retraction;
+        case tip: return retraction && model_.tip != Tip::none;
+        case pinning: return of_fronts;
+        case radius:
+        case contact_area: return of_fronts || jumps;
+        case stiffness: return jumps;
+        default: return true;
+    }
+}
+
 double BothBranches::predicted(Branch branch, Index i, const VectorXd& x, double approach_error) const {
     const auto& own = pairs_[static_cast<std::size_t>(i)];
     using F = PairFunctions;
     auto in = own.values;
     const auto set = [&](F::Input input, Number number) { in[input] = moved(i, number, in[input], x); };
     const Roughness rough(1.0 + moved(i, area_ratio, own.rough.area_ratio - 1.0, x),
-                          moved(i, energy, own.rough.elastic_energy_per_modulus, x));
+                          moved(i, energy, own.rough.elastic_energy_per_modulus, x), own.rough.mean_wavelength);
     set(F::contact_modulus, modulus);
     set(F::surface_energy, surface_energy);
     set(model_.tip == Tip::speed ? F::speed_factor_input : F::tip_factor, tip);
@@ -191,7 +205,8 @@ BranchLines BothBranches::lines_at(Branch branch, const VectorXd& x, const Knowl
             return (above - below) / (2.0 * step);
         };
         for (Index k = 0; k < shared_count; ++k) lines.jacobian(i, k) = secant(k);
-        for (Index k = first_of(i); k < first_of(i) + number_count; ++k) lines.jacobian(i, k) = secant(k);
+        for (Index k = 0; k < number_count; ++k)
+            if (matters(branch, static_cast<Number>(k))) lines.jacobian(i, first_of(i) + k) = secant(first_of(i) + k);
         const double noise = this->noise(branch)[i];
         lines.own_variance[i] = noise * noise + least * least;
         if (branch == Branch::retraction && approach_noise_[i] > 0.0) {

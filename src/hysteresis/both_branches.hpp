@@ -101,6 +101,8 @@ private:
     };
     [[nodiscard]] Index first_of(Index pair) const { return shared_count + pair * number_count; }
     [[nodiscard]] double moved(Index pair, Number number, double value, const Eigen::VectorXd& x) const;
+    /// Whether a number may move what the model predicts of a branch.
+    [[nodiscard]] bool matters(Branch branch, Number of) const;
 
     RetractionModel model_;
     std::vector<RetractionPair> without_approach_;

@@ -93,9 +93,8 @@ MatrixXd columns(const VectorXd& residual, const MatrixXd& noise) {
 }
 
 adhesion::LeftOutPrediction prediction_of(const BothBranches& model, const std::vector<RankedPair>& pairs, Index i,
-                                          const Step& learnt, bool by_surface) {
+                                          const Step& learnt, const BranchLines& lines, bool by_surface) {
     const auto& [pair, approach, measured] = pairs[static_cast<std::size_t>(i)];
-    const auto lines = model.lines_at(Branch::retraction, learnt.known.mean, learnt.known);
     const auto& s = learnt.scatter;
     const double inputs = lines.covariance(i, i) - lines.own_variance[i],
                  scatter = s.pair * s.pair + s.surface * s.surface + s.elastomer * s.elastomer;
@@ -116,8 +115,7 @@ adhesion::LeftOutPrediction prediction_of(const BothBranches& model, const std::
 }  // namespace
 
 LeftOutEvidence left_out_evidence(const BothBranches& model, const std::vector<RankedPair>& pairs,
-                                  const ScatterScales& scales, bool by_surface, bool with_constant,
-                                  const DrawnNoise& noise) {
+                                  const ScatterScales& scales, bool by_surface, bool with_constant) {
     const auto group_of = [&](Index i) -> const std::string& {
         const auto& pair = pairs[static_cast<std::size_t>(i)].pair;
         return by_surface ? pair.rough.name : pair.soft.name;
@@ -127,28 +125,48 @@ LeftOutEvidence left_out_evidence(const BothBranches& model, const std::vector<R
     const Places all = all_of(model.size());
     const Scatter all_approach(pairs, all, scales.approach), all_retraction(pairs, all, scales.retraction);
     LeftOutEvidence evidence;
-    evidence.approach = evidence.retraction = VectorXd::Zero(1 + noise.approach.cols());
     for (const auto& group : groups) {
         Places seen;
         for (const Index i : all)
             if (group_of(i) != group) seen.push_back(i);
         if (seen.size() < 2) continue;
         const Scatter seen_approach(pairs, seen, scales.approach), seen_retraction(pairs, seen, scales.retraction);
-        const auto on_approach = learn(model, Branch::approach, model.prior(with_constant), seen, seen_approach.search);
-        const auto on_retraction = learn(model, Branch::retraction, on_approach.known, seen, seen_retraction.search);
-        evidence.approach += log_density_of_rest(on_approach.lines, columns(on_approach.lines.residual, noise.approach),
-                                                 seen, all_approach, seen_approach);
-        // noise of W_app moves the inputs that retraction begins with, and W_app as it is told
-        const MatrixXd of_approach = noise.approach(seen, Eigen::all), moved = on_approach.gain * of_approach;
-        const MatrixXd shift = noise.retraction - on_retraction.lines.by_approach.asDiagonal() * noise.approach -
-                               on_retraction.lines.jacobian * moved;
-        evidence.retraction += log_density_of_rest(on_retraction.lines, columns(on_retraction.lines.residual, shift),
-                                                   seen, all_retraction, seen_retraction);
-        for (const Index i : all)
-            if (group_of(i) == group)
-                evidence.predictions.push_back(prediction_of(model, pairs, i, on_retraction, by_surface));
+        auto on_approach = learn(model, Branch::approach, model.prior(with_constant), seen, seen_approach.search);
+        auto on_retraction = learn(model, Branch::retraction, on_approach.known, seen, seen_retraction.search);
+        evidence.approach +=
+            log_density_of_rest(on_approach.lines, on_approach.lines.residual, seen, all_approach, seen_approach)[0];
+        evidence.retraction += log_density_of_rest(on_retraction.lines, on_retraction.lines.residual, seen,
+                                                   all_retraction, seen_retraction)[0];
+        if (!with_constant) {
+            const auto lines = model.lines_at(Branch::retraction, on_retraction.known.mean, on_retraction.known);
+            for (const Index i : all)
+                if (group_of(i) == group)
+                    evidence.predictions.push_back(prediction_of(model, pairs, i, on_retraction, lines, by_surface));
+        }
+        evidence.fits.push_back({std::move(seen), std::move(on_approach.lines), std::move(on_retraction.lines),
+                                 std::move(on_approach.gain)});
     }
     return evidence;
+}
+
+VariedEvidence varied_evidence(const LeftOutEvidence& evidence, const std::vector<RankedPair>& pairs,
+                               const ScatterScales& scales, const DrawnNoise& noise) {
+    const Places all = all_of(noise.approach.rows());
+    const Scatter all_approach(pairs, all, scales.approach), all_retraction(pairs, all, scales.retraction);
+    VariedEvidence varied;
+    varied.approach = varied.retraction = VectorXd::Zero(1 + noise.approach.cols());
+    for (const auto& [seen, on_approach, on_retraction, gain] : evidence.fits) {
+        const Scatter seen_approach(pairs, seen, scales.approach), seen_retraction(pairs, seen, scales.retraction);
+        varied.approach += log_density_of_rest(on_approach, columns(on_approach.residual, noise.approach), seen,
+                                               all_approach, seen_approach);
+        // noise of W_app moves the inputs that retraction begins with, and W_app as it is told
+        const MatrixXd of_approach = noise.approach(seen, Eigen::all), moved = gain * of_approach;
+        const MatrixXd shift =
+            noise.retraction - on_retraction.by_approach.asDiagonal() * noise.approach - on_retraction.jacobian * moved;
+        varied.retraction += log_density_of_rest(on_retraction, columns(on_retraction.residual, shift), seen,
+                                                 all_retraction, seen_retraction);
+    }
+    return varied;
 }
 
 double rms_of_approach(const BothBranches& model, const std::vector<RankedPair>& pairs, double scale) {

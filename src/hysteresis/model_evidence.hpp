@@ -17,14 +17,21 @@ struct ScatterScales {
     double approach = 0.0, retraction = 0.0;
 };
 
+/// A model fitted to the pairs of all groups but one.
+struct FittedToOthers {
+    std::vector<Eigen::Index> seen;  ///< places of these pairs
+    BranchLines on_approach, on_retraction;
+    Eigen::MatrixXd gain;  ///< what approach moves the inputs by with the residual of each seen pair
+};
+
 /// What one model says of pairs that it has not seen.
 struct LeftOutEvidence {
-    /// ln density of what was measured on each surface, by all others, summed over surfaces [(J/m²)^−n]: of both
-    /// branches. First of the data, then of the data with each column of noise added.
-    Eigen::VectorXd approach, retraction;
+    /// ln density of what was measured on each surface, by all others, summed over surfaces [(J/m²)^−n].
+    double approach = 0.0, retraction = 0.0;
     std::vector<adhesion::LeftOutPrediction> predictions;  ///< of W_ret
+    std::vector<FittedToOthers> fits;                      ///< one each group
 
-    [[nodiscard]] Eigen::VectorXd both() const { return approach + retraction; }
+    [[nodiscard]] double both() const { return approach + retraction; }
 };
 
 /// What all pairs together say of a model.
@@ -47,8 +54,18 @@ struct DrawnNoise {
 ///
 /// m: marginal density of the residuals by adhesion::MarginalScatter, at inputs where the others put them.
 [[nodiscard]] LeftOutEvidence left_out_evidence(const BothBranches& model, const std::vector<RankedPair>& pairs,
-                                                const ScatterScales& scales, bool by_surface, bool with_constant,
-                                                const DrawnNoise& noise);
+                                                const ScatterScales& scales, bool by_surface, bool with_constant);
+
+/// The ln densities of left_out_evidence() with each column of noise added to the data, after those of the data.
+struct VariedEvidence {
+    Eigen::VectorXd approach, retraction;
+
+    [[nodiscard]] Eigen::VectorXd both() const { return approach + retraction; }
+};
+
+/// The fits are those to the data.
+[[nodiscard]] VariedEvidence varied_evidence(const LeftOutEvidence& evidence, const std::vector<RankedPair>& pairs,
+                                             const ScatterScales& scales, const DrawnNoise& noise);
 
 /// Measured W_app less that of W_int and inputs fitted to it, every pair alike, rms [J/m²]. scale: of the scatter
 /// [J/m²].

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "setae/core/constants.hpp"
-#include "setae/hysteresis/pinning_law.hpp"
 #include "setae/numerics/bracketing.hpp"
 
 namespace setae::hysteresis {
@@ -14,7 +13,13 @@ namespace {
 /// Of the area, so that laws have a contact to speak of where simulated patches have next to none.
 constexpr double least_contact = 1e-6;
 
+double relative_error(const PinningCoefficient& k) { return k.value > 0.0 ? k.standard_error / k.value : 0.0; }
+
 }  // namespace
+
+bool is_of_simulated_fronts(Law law) { return law == Law::pinning || law == Law::pinning_by_bands; }
+
+bool counts_jumps(Law law) { return law == Law::conformal_loss || law == Law::fitted_conformal_loss; }
 
 ViscousBody viscous_body(const RetractionModel& model, const EdgeSpeed& edge, std::span<const double> terms) {
     ViscousBody body;
@@ -45,17 +50,18 @@ PairFunctions::PairFunctions(const RetractionPair& pair) : pair_(pair) {
         inputs_.push_back(term.share);
         inputs_.push_back(term.time);
     }
-    const Estimate factor{.value = 1.0, .standard_error = pinning_uncertainty(pair.energy_share())};
-    inputs_[pinning_factor] = {factor, simulated_pinning_input};
     inputs_[patches] = {Estimate{.value = 0.0, .standard_error = 1.0}, adhesion::simulated_patches_input};
+    const auto [share, measured, on_approach, on_retraction] = pinning(Roughness(pair.rough.parameters), values());
+    const double error = std::max(relative_error(on_approach.coefficient), relative_error(on_retraction.coefficient));
+    inputs_[pinning_factor] = {Estimate{.value = 1.0, .standard_error = error}, simulated_pinning_input};
 }
 
 void PairFunctions::set(const FittedModel& fitted) {
     inputs_[parameter] = fitted.parameter;
     if (fitted.work_of_adhesion) inputs_[work_of_adhesion] = *fitted.work_of_adhesion;
-    inputs_[scatter] = fitted.shared_scatter.value_or(TracedValue(
-        fitted.scatter,
-        adhesion::own_noise_name("pairs about " + fitted.model.name(), pair_.rough.name, pair_.soft.name)));
+    inputs_[scatter] = fitted.shared_scatter.value_or(
+        TracedValue(fitted.scatter,
+                    adhesion::own_noise_name("pairs about " + fitted.model.name(), pair_.rough.name, pair_.soft.name)));
 }
 
 PairFunctions::Inputs PairFunctions::values() const {
@@ -72,6 +78,7 @@ PairState PairFunctions::contact_state(const Roughness& rough, const Inputs& in)
                     .work_approach = 0.0,
                     .tip_factor = 1.0,
                     .pinning_factor = in[pinning_factor],
+                    .mean_wavelength = rough.mean_wavelength,
                     .jumps_per_area = 0.0};
     const double gain = state.conforming_gain();
     const auto contact = adhesion::unloaded_contact(state.stored_energy / gain);
@@ -83,31 +90,64 @@ PairState PairFunctions::contact_state(const Roughness& rough, const Inputs& in)
     return state;
 }
 
-double PairFunctions::predicted_approach(const RetractionModel& model, const Roughness& rough,
-                                         const Inputs& in) const {
-    const auto at = contact_state(rough, in);
-    return std::max(0.0, at.work_approach - pinned_on_approach(model, at, pair_.band_shares, in[parameter]));
+PairState PairFunctions::contact_state(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
+    auto state = contact_state(rough, in);
+    if (!pair_.radius || !is_of_simulated_fronts(model.law)) return state;
+    const auto sphere = sphere_of(state, in);
+    state.edge = edge_lengths(largest_radius(sphere, in), sphere);
+    return state;
+}
+
+/// That W is what the contact gains, which the works of both branches lie about.
+contact::AdhesiveContact PairFunctions::sphere_of(const PairState& state, const Inputs& in) const {
+    return {in[radius], in[contact_modulus], state.contact_fraction * state.conforming_gain()};
+}
+
+double PairFunctions::largest_radius(const contact::AdhesiveContact& sphere, const Inputs& in) const {
+    if (pair_.contact_area) return std::sqrt(in[contact_area] / pi);
+    return contact::jkr::contact_radius_at_force(pressing(sphere, in).maximum_force, sphere);
+}
+
+PairPinning PairFunctions::pinning(const Roughness& rough, const Inputs& in) const {
+    const auto state = contact_state({Law::pinning, Tip::none}, rough, in);
+    PairPinning found{.energy_share = state.energy_share(), .measured_radius = static_cast<bool>(pair_.contact_area)};
+    const auto branch = [&](double free_length) {
+        const double length = edge_larkin_lengths(free_length, state.mean_wavelength, found.energy_share);
+        const auto constants = pinning_constants(found.energy_share, length);
+        return BranchPinning{
+            .larkin_lengths = length, .coefficient = constants.retraction, .measured = constants.measured};
+    };
+    found.approach = branch(state.edge.approach);
+    found.retraction = branch(state.edge.retraction);
+    if (!pair_.radius) return found;
+    const auto sphere = sphere_of(state, in);
+    found.approach.contact_radius = largest_radius(sphere, in);
+    found.retraction.contact_radius = contact::jkr::pull_off_at_fixed_load(sphere).contact_radius;
+    return found;
+}
+
+double PairFunctions::predicted_approach(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
+    const auto at = contact_state(model, rough, in);
+    return std::max(0.0, at.work_approach - pinned_on_approach(model, at, pair_.bands, in[parameter]));
 }
 
 PairState PairFunctions::state(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
-    auto at = contact_state(rough, in);
-    at.work_approach =
-        pair_.approach ? std::max(0.0, in[approach]) : predicted_approach(model, rough, in);
+    auto at = contact_state(model, rough, in);
+    at.work_approach = pair_.approach ? std::max(0.0, in[approach]) : predicted_approach(model, rough, in);
     if (model.tip != Tip::none) at.tip_factor = in[model.tip == Tip::speed ? speed_factor_input : tip_factor];
-    const bool counts_jumps = model.law == Law::conformal_loss || model.law == Law::fitted_conformal_loss;
-    if (counts_jumps) at.jumps_per_area = jumps_per_area(at, in);
+    if (counts_jumps(model.law)) at.jumps_per_area = jumps_per_area(at, in);
     return at;
 }
 
 RetractionLine PairFunctions::line(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
     auto at = state(model, rough, in);
     if (model.tip == Tip::speed) at.tip_factor = pair_.speed_factor->at_reading(at.tip_factor);
-    return retraction_line(model, at, pair_.band_shares);
+    return retraction_line(model, at, pair_.bands);
 }
 
 double PairFunctions::work_retraction(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
     const auto at = state(model, rough, in);
-    const auto line = retraction_line(model, at, pair_.band_shares);
+    const auto line = retraction_line(model, at, pair_.bands);
     double work = line.slope * in[parameter] + line.constant;
     if (model.tip == Tip::speed) work = at_speed(work / at.tip_factor, at.tip_factor);
     return std::max(at.work_approach, work + in[scatter]);
@@ -122,7 +162,7 @@ double PairFunctions::work_at_rest(const RetractionModel& model, const Roughness
     const double work = work_retraction(model, rough, in);
     if (model.tip != Tip::speed) return work;
     const auto at = state(model, rough, in);
-    const auto line = retraction_line(model, at, pair_.band_shares);
+    const auto line = retraction_line(model, at, pair_.bands);
     const double of_roughness = (line.slope * in[parameter] + line.constant) / at.tip_factor;
     return in[rest_factor] * work / pair_.speed_factor->at(at.tip_factor, of_roughness);
 }

@@ -6,6 +6,7 @@
 
 #include "setae/adhesion/partial_contact.hpp"
 #include "setae/contact/jkr.hpp"
+#include "setae/crack_front/pinning.hpp"
 #include "setae/hysteresis/retraction_pair.hpp"
 
 namespace setae::hysteresis {
@@ -14,11 +15,21 @@ namespace setae::hysteresis {
 struct Roughness {
     double area_ratio = 1.0;                  ///< r
     double elastic_energy_per_modulus = 0.0;  ///< U_el/(A E*) [m]
+    double mean_wavelength = 0.0;             ///< λ̄ [m], weighed by U_el; 0 of a mirror
 
-    Roughness(double ratio, double energy) : area_ratio(ratio), elastic_energy_per_modulus(energy) {}
+    Roughness(double ratio, double energy, double wavelength)
+        : area_ratio(ratio), elastic_energy_per_modulus(energy), mean_wavelength(wavelength) {}
     explicit Roughness(const roughness::SpectralParameters& p)
-        : area_ratio(p.area_ratio()), elastic_energy_per_modulus(p.elastic_energy_per_modulus) {}
+        : Roughness(p.area_ratio(), p.elastic_energy_per_modulus,
+                    p.rms_height > 0.0 && p.elastic_energy_per_modulus > 0.0
+                        ? crack_front::mean_wavelength(p.rms_height, p.elastic_energy_per_modulus)
+                        : 0.0) {}
 };
+
+/// Whether k of simulated fronts is in W_app and W_ret of a law.
+[[nodiscard]] bool is_of_simulated_fronts(Law law);
+/// Whether what the sphere's jumps lose is in W_ret of a law.
+[[nodiscard]] bool counts_jumps(Law law);
 
 /// What time does to loops of a model, terms of the relaxation as share and time after each other.
 [[nodiscard]] ViscousBody viscous_body(const RetractionModel& model, const EdgeSpeed& edge,
@@ -56,10 +67,9 @@ public:
     /// A function of roughness and inputs with all that it rests on.
     template <class Function>
     [[nodiscard]] TracedValue traced(const Function& function) const {
-        return adhesion::traced_function(pair_.rough, inputs_,
-                                         [&](const roughness::SpectralParameters& p, const Inputs& in) {
-                                             return function(Roughness(p), in);
-                                         });
+        return adhesion::traced_function(
+            pair_.rough, inputs_,
+            [&](const roughness::SpectralParameters& p, const Inputs& in) { return function(Roughness(p), in); });
     }
 
     /// The contact that the model comes to without load; of a tip φ where W_ret was read.
@@ -82,6 +92,9 @@ public:
         return pair_.pressed(contact, in[contact_area], in[machine_stiffness]);
     }
 
+    /// What holds the edge of that contact.
+    [[nodiscard]] PairPinning pinning(const Roughness& rough, const Inputs& in) const;
+
     /// What time does to the loop by a model.
     [[nodiscard]] ViscousBody body(const RetractionModel& model) const;
 
@@ -96,6 +109,9 @@ public:
 
 private:
     [[nodiscard]] PairState contact_state(const Roughness& rough, const Inputs& in) const;
+    [[nodiscard]] PairState contact_state(const RetractionModel& model, const Roughness& rough, const Inputs& in) const;
+    [[nodiscard]] contact::AdhesiveContact sphere_of(const PairState& state, const Inputs& in) const;
+    [[nodiscard]] double largest_radius(const contact::AdhesiveContact& sphere, const Inputs& in) const;
     [[nodiscard]] double at_speed(double of_roughness, double factor_as_read) const;
     [[nodiscard]] double jumps_per_area(const PairState& state, const Inputs& in) const;
     [[nodiscard]] static double jump_loss(const HystereticSphere& sphere, const Pressing& pressing);

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include "setae/contact/jkr.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/crack_front/pinning.hpp"
 
 namespace setae::hysteresis {
 namespace {
@@ -34,25 +35,42 @@ double longest_front(double energy_share) {
 
 double least_length(double energy_share) { return 0.965 * (1.0 + 5.3 * std::pow(energy_share, 0.655)); }
 
+constexpr double exponent = 0.68;
+
+double shortness(double energy_share, double larkin_lengths) {
+    return std::pow(least_length(energy_share) / larkin_lengths, exponent);
+}
+
+/// k∞ exp(−shortness)
+double fitted_value(double energy_share, double shortness) {
+    return 3.56 / (1.0 + 2.66 * std::pow(energy_share, 0.70)) * std::exp(-shortness);
+}
+
 /// k of the fits, and its standard error.
 PinningCoefficient fitted(double energy_share, double larkin_lengths) {
-    constexpr double exponent = 0.68, other_bands = 0.35, of_fits = 0.04, least = 0.02;
-    const double shortness = std::pow(least_length(energy_share) / larkin_lengths, exponent);
-    const double k = 3.56 / (1.0 + 2.66 * std::pow(energy_share, 0.70)) * std::exp(-shortness);
+    constexpr double other_bands = 0.35, of_fits = 0.04, least = 0.02;
+    const double short_of = shortness(energy_share, larkin_lengths), k = fitted_value(energy_share, short_of);
     // dk/d ln N times what other bands do to N
-    const double of_band = k > 0.0 ? exponent * shortness * other_bands * k : 0.0;
+    const double of_band = k > 0.0 ? exponent * short_of * other_bands * k : 0.0;
     return {k, std::hypot(of_band, of_fits * k, least)};
 }
 
-}  // namespace
-
-PinningConstants pinning_constants(double energy_share, double larkin_lengths) {
+void require_front(double energy_share, double larkin_lengths) {
     if (!(energy_share >= 0.0 && larkin_lengths >= 0.0))
         throw InvalidArgument(
             fmt::format("pinning by U_el/(AW) = {} on a front of {} Larkin lengths; expected both at least 0",
                         energy_share, larkin_lengths));
+}
+
+/// No front was simulated beyond.
+double simulated_share(double energy_share) { return std::min(energy_share, longest_fronts.back().energy_share); }
+
+}  // namespace
+
+PinningConstants pinning_constants(double energy_share, double larkin_lengths) {
+    require_front(energy_share, larkin_lengths);
     constexpr double beyond_share = 0.3;  // of k
-    const double share = std::min(energy_share, longest_fronts.back().energy_share), longest = longest_front(share),
+    const double share = simulated_share(energy_share), longest = longest_front(share),
                  shortest = shortest_front * least_length(share);
     auto k = fitted(share, larkin_lengths);
     const auto widen = [&](double error) { k.standard_error = std::hypot(k.standard_error, error); };
@@ -64,20 +82,29 @@ PinningConstants pinning_constants(double energy_share, double larkin_lengths) {
     return {.approach = k, .retraction = k, .measured = measured};
 }
 
-PinningCoefficient pinning_coefficient(double energy_share) {
-    return pinning_constants(energy_share, std::numeric_limits<double>::infinity()).retraction;
+double pinning_constant(double energy_share, double larkin_lengths) {
+    require_front(energy_share, larkin_lengths);
+    const double share = simulated_share(energy_share);
+    return fitted_value(share, shortness(share, larkin_lengths));
 }
 
-double pinning_uncertainty(double energy_share) {
-    const auto k = pinning_coefficient(energy_share);
-    return k.standard_error / k.value;
+EdgeLengths edge_lengths(double largest_radius, const contact::AdhesiveContact& contact) {
+    const double at_pull_off = contact::jkr::pull_off_at_fixed_load(contact).contact_radius;
+    return {.approach = crack_front::free_length(largest_radius, contact),
+            .retraction = crack_front::free_length(at_pull_off, contact)};
 }
 
-double pinning_by_bands(double stored_energy, const std::vector<double>& band_shares, double work) {
+double edge_larkin_lengths(double free_length, double mean_wavelength, double energy_share) {
+    if (!(energy_share > 0.0)) return 0.0;
+    if (std::isinf(free_length)) return free_length;
+    return free_length / crack_front::larkin_length(mean_wavelength, energy_share);
+}
+
+double pinning_by_bands(double stored_energy, const std::vector<PinningBand>& bands, double work, double free_length) {
     double sum = 0.0;
-    for (const double share : band_shares) {
-        const double energy = share * stored_energy;
-        sum += 2.0 * pinning_coefficient(energy / work).value * energy;
+    for (const auto& band : bands) {
+        const double energy = band.share * stored_energy, share = energy / work;
+        sum += pinning_constant(share, edge_larkin_lengths(free_length, band.mean_wavelength, share)) * energy;
     }
     return sum;
 }

@@ -14,6 +14,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
 namespace setae::hysteresis {
@@ -63,6 +64,7 @@ struct Judged {
     std::unique_ptr<BothBranches> model;
     ModelScore score;
     double rms_approach = 0.0;  ///< measured − fitted W_app, at the widest scales [J/m²]
+    LeftOutEvidence surfaces;   ///< each left out
     VectorXd log_likelihood;    ///< of the data and of each draw
     VectorXd approach;          ///< of approach alone
     std::string reason;         ///< why it cannot be judged
@@ -158,16 +160,15 @@ private:
 
     void leave_out(Judged& of) const {
         auto& score = of.score;
-        const DrawnNoise none{MatrixXd(pairs_.size(), 0), MatrixXd(pairs_.size(), 0)};
-        auto surfaces = left_out_evidence(*of.model, pairs_, scales_, true, false, none);
-        const auto elastomers = left_out_evidence(*of.model, pairs_, scales_, false, false, none),
-                   with_constant = left_out_evidence(*of.model, pairs_, scales_, true, true, none);
-        of.log_likelihood = surfaces.both();
-        of.approach = surfaces.approach;
-        score.left_out_log_likelihood = of.log_likelihood[0];
-        score.left_out_approach = surfaces.approach[0];
-        score.left_out_retraction = surfaces.retraction[0];
-        score.left_out = std::move(surfaces.predictions);
+        of.surfaces = left_out_evidence(*of.model, pairs_, scales_, true, false);
+        const auto elastomers = left_out_evidence(*of.model, pairs_, scales_, false, false),
+                   with_constant = left_out_evidence(*of.model, pairs_, scales_, true, true);
+        of.log_likelihood = VectorXd::Constant(1, of.surfaces.both());
+        of.approach = VectorXd::Constant(1, of.surfaces.approach);
+        score.left_out_log_likelihood = of.surfaces.both();
+        score.left_out_approach = of.surfaces.approach;
+        score.left_out_retraction = of.surfaces.retraction;
+        score.left_out = std::move(of.surfaces.predictions);
         score.left_out.insert(score.left_out.end(), elastomers.predictions.begin(), elastomers.predictions.end());
         score.surface_left_out = rms_left_out(score.left_out, true);
         score.elastomer_left_out = rms_left_out(score.left_out, false);
@@ -178,7 +179,7 @@ private:
         auto& bias = score.bias;
         bias.value = biased.constant;
         bias.probability = biased.constant_tail;
-        bias.odds_with_it = std::exp(with_constant.both()[0] - score.left_out_log_likelihood);
+        bias.odds_with_it = std::exp(with_constant.both() - score.left_out_log_likelihood);
         constexpr double surely = 0.005, likely = 0.05, odds = 10.0;
         bias.refuses_model = bias.probability < surely || (bias.odds_with_it > odds && bias.probability < likely);
         if (pinned_on_approach_at_all(score.fitted.model))
@@ -200,7 +201,7 @@ private:
             const auto& model = of.score.fitted.model;
             const bool compared = model.tip == Tip::none && (model.law == Law::reversible || model.law == Law::pinning);
             if (of.log_likelihood[0] < most - far && !compared) return;  // against_pinning() compares these
-            const auto varied = left_out_evidence(*of.model, pairs_, scales_, true, false, drawn_noise(*of.model));
+            const auto varied = varied_evidence(of.surfaces, pairs_, scales_, drawn_noise(*of.model));
             of.log_likelihood = varied.both();
             of.approach = varied.approach;
         });
@@ -278,7 +279,7 @@ private:
         const BothBranches common(model, pairs_, {}), by_reference(model, pairs_, {}, WorkOfElastomers::by_reference);
         const auto noise = drawn_noise(common);
         const auto evidence = [&](const BothBranches& of, bool by_surface) {
-            return left_out_evidence(of, pairs_, scales_, by_surface, false, noise);
+            return varied_evidence(left_out_evidence(of, pairs_, scales_, by_surface, false), pairs_, scales_, noise);
         };
         const auto one = evidence(common, true), other = evidence(by_reference, true);
         return ProportionalWork{odds_of(other.approach, one.approach),
@@ -307,6 +308,19 @@ private:
 
 /// What a fitted model is where its number is 0.
 RetractionModel parent_of(const RetractionModel& model) { return {Law::reversible, model.tip}; }
+
+/// The first, or its parent where its number may be 0 and the parent is among them.
+const ModelScore* first_of(const std::vector<const ModelScore*>& scores) {
+    if (scores.empty()) return nullptr;
+    const auto* first = scores.front();
+    const auto& model = first->fitted.model;
+    if (model.law != Law::fitted_pinning && model.law != Law::fitted_conformal_loss) return first;
+    const auto interval = interval_of(first->fitted.parameter.estimate());
+    if (!interval || interval->lower > 0.0) return first;
+    for (const auto* score : scores)
+        if (score->fitted.model == parent_of(model)) return score;
+    return first;
+}
 
 }  // namespace
 
@@ -338,17 +352,13 @@ std::vector<const ModelScore*> Ranking::possible() const {
     return found;
 }
 
-const ModelScore* Ranking::best() const {
-    const auto likely = possible();
-    if (likely.empty()) return nullptr;
-    const auto* first = likely.front();
-    const auto& model = first->fitted.model;
-    if (model.law != Law::fitted_pinning && model.law != Law::fitted_conformal_loss) return first;
-    const auto interval = interval_of(first->fitted.parameter.estimate());
-    if (!interval || interval->lower > 0.0) return first;
-    for (const auto* score : likely)
-        if (score->fitted.model == parent_of(model)) return score;
-    return first;
+const ModelScore* Ranking::best() const { return first_of(possible()); }
+
+const ModelScore* Ranking::best_with_smooth_limit() const {
+    std::vector<const ModelScore*> limited, refused;
+    for (const auto& score : models)
+        if (has_smooth_limit(score.fitted.model)) (score.bias.refuses_model ? refused : limited).push_back(&score);
+    return first_of(limited.empty() ? refused : limited);
 }
 
 Ranking rank_models(const std::vector<RetractionModel>& models, const std::vector<RankedPair>& pairs,

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "setae/core/errors.hpp"
-#include "setae/hysteresis/pinning_law.hpp"
 
 namespace setae::hysteresis {
 namespace {
@@ -22,8 +21,8 @@ struct LawText {
 LawText text_of(Law law) {
     switch (law) {
         case Law::reversible: return {"reversible", "W_app"};
-        case Law::pinning: return {"pinning", "W_app + 2k(U_el/AW) U_el/A"};
-        case Law::pinning_by_bands: return {"pinning_by_bands", "W_app + Σ 2k(U_b/AW) U_b/A"};
+        case Law::pinning: return {"pinning", "W_app + 2k(U_el/AW, N) U_el/A"};
+        case Law::pinning_by_bands: return {"pinning_by_bands", "W_app + Σ 2k(U_b/AW, N_b) U_b/A"};
         case Law::fitted_pinning: return {"fitted_pinning", "W_app + 2k U_el/A"};
         case Law::conformal_loss: return {"conformal_loss", "W_app + W_int A_true/A"};
         case Law::fitted_conformal_loss: return {"fitted_conformal_loss", "W_app + W_x A_true/A"};
@@ -42,6 +41,17 @@ void require_valid(const PairState& state) {
             "gained by conforming than stretching costs",
             state.area_ratio, state.contact_fraction, state.stored_energy, state.work_of_adhesion, state.surface_energy,
             state.work_approach, state.tip_factor));
+}
+
+/// k U_el/A of simulated fronts [J/m²] on an edge that bends over free_length.
+double pinned_energy(Law law, const PairState& state, const std::vector<PinningBand>& bands, double free_length) {
+    if (law == Law::pinning_by_bands)
+        return state.pinning_factor * pinning_by_bands(state.stored_energy, bands,
+                                                       state.contact_fraction * state.conforming_gain(), free_length);
+    const double share = state.energy_share();
+    return state.pinning_factor *
+           pinning_constant(share, edge_larkin_lengths(free_length, state.mean_wavelength, share)) *
+           state.stored_energy;
 }
 
 }  // namespace
@@ -81,7 +91,7 @@ double PairState::conforming_gain() const {
 }
 
 RetractionLine retraction_line(const RetractionModel& model, const PairState& state,
-                               const std::vector<double>& band_shares) {
+                               const std::vector<PinningBand>& bands) {
     require_valid(state);
     const double phi = model.tip == Tip::none ? 1.0 : state.tip_factor;
     const auto adds = [&](double excess) { return RetractionLine{0.0, phi * (state.work_approach + excess)}; };
@@ -89,11 +99,9 @@ RetractionLine retraction_line(const RetractionModel& model, const PairState& st
     switch (model.law) {
         case Law::reversible: return adds(0.0);
         case Law::pinning:
-            return adds(2.0 * state.pinning_factor * pinning_coefficient(state.energy_share()).value *
-                        state.stored_energy);
         case Law::pinning_by_bands:
-            return adds(state.pinning_factor * pinning_by_bands(state.stored_energy, band_shares,
-                                                                state.contact_fraction * state.conforming_gain()));
+            return adds(pinned_energy(model.law, state, bands, state.edge.approach) +
+                        pinned_energy(model.law, state, bands, state.edge.retraction));
         case Law::fitted_pinning: return fits(2.0 * state.stored_energy, state.work_approach);
         case Law::conformal_loss: return adds(state.work_of_adhesion * state.true_contact() - state.jumps_per_area);
         case Law::fitted_conformal_loss: return fits(state.true_contact(), state.work_approach - state.jumps_per_area);
@@ -102,15 +110,11 @@ RetractionLine retraction_line(const RetractionModel& model, const PairState& st
     throw InternalError("a law of retraction without a formula");
 }
 
-double pinned_on_approach(const RetractionModel& model, const PairState& state, const std::vector<double>& band_shares,
+double pinned_on_approach(const RetractionModel& model, const PairState& state, const std::vector<PinningBand>& bands,
                           double parameter) {
-    // the same k on both branches: half of what it adds between them
     switch (model.law) {
         case Law::pinning:
-            return state.pinning_factor * pinning_coefficient(state.energy_share()).value * state.stored_energy;
-        case Law::pinning_by_bands:
-            return 0.5 * state.pinning_factor *
-                   pinning_by_bands(state.stored_energy, band_shares, state.contact_fraction * state.conforming_gain());
+        case Law::pinning_by_bands: return pinned_energy(model.law, state, bands, state.edge.approach);
         case Law::fitted_pinning: return std::max(0.0, parameter) * state.stored_energy;
         default: return 0.0;
     }

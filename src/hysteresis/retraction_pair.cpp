@@ -121,12 +121,16 @@ std::string RetractionPair::lacks(const RetractionModel& model) const {
     if (model.tip == Tip::speed && !edge_speed) return "no law of the edge's speed on " + soft.name;
     if (model.tip == Tip::speed && !speed_factor)
         return fmt::format("no sphere, machine speed or contact area of {} on {}", soft.name, rough.name);
-    if (model.law == Law::pinning_by_bands && band_shares.empty()) return "no spectrum of " + rough.name;
+    if (model.law == Law::pinning_by_bands && bands.empty()) return "no spectrum of " + rough.name;
     return "";
 }
 
-PairPoint retraction_point(const RetractionModel& model, const RetractionPair& pair,
-                           const MeasuredWork& measured) {
+PairPinning pinning_of(const RetractionPair& pair) {
+    const PairFunctions functions(pair);
+    return functions.pinning(Roughness(pair.rough.parameters), functions.values());
+}
+
+PairPoint retraction_point(const RetractionModel& model, const RetractionPair& pair, const MeasuredWork& measured) {
     const PairFunctions functions(pair);
     PairPoint point;
     point.surface = pair.rough.name;

@@ -30,10 +30,12 @@ namespace {
 constexpr const char* explanation =
     "every pair of the study, measured or not: W_ret, pull-off and the energy that a whole loop loses, from roughness alone\n"
     "  W_app           (7) with the study's W_int\n"
-    "  W_ret           the retraction model that fits the measured pairs best; W_app, a lower bound, where fewer than 6 have W_ret\n"
-    "  pairs that do not come into full contact of themselves, U_el/AW > 0.3, go by the best law of all pairs\n"
+    "  W_ret           the likeliest retraction model that tends to a smooth surface's W_ret as roughness tends to zero; a likelier\n"
+    "                  model without this limit is shown beside; W_app, a lower bound, where fewer than 6 pairs have W_ret\n"
+    "  pairs that do not come into full contact of themselves, U_el/AW > 0.3, go by the ranking of all pairs\n"
     "laws, φ = W_ret/W_app of a smooth reference on the same elastomer, alone or times every other\n"
-    "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted;\n"
+    "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted; simulated k grows with N, the Larkin\n"
+    "  lengths of the contact's edge, at the largest load and at pull-off\n"
     "  conformal_loss W_app + W_int A_true/A (10), or with a work of its own; opening_work W_x A_true/A\n"
     "E_loss            jumps of the sphere in its machine + (W_ret - W_app) π a_max²; needs sphere_radius and preload\n"
     "off               measured - law, rms; next surface, next elastomer: of those that the fit has not seen\n"
@@ -101,6 +103,7 @@ ExitCode predict(const PredictArguments& arguments, const cache::Store& store, P
     const auto hysteresis = result.hysteresis && !trials
                                 ? *result.hysteresis
                                 : study::hysteresis_of(result, trials, arguments.common.workers());
+    show(hysteresis.alerts);
     int failures = result.failures();
     if (!arguments.output.empty()) {
         std::filesystem::create_directories(arguments.output);

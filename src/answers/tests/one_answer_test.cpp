@@ -10,6 +10,7 @@
 #include "setae/answers/adhesion.hpp"
 #include "setae/answers/patch_survey.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/study/hysteresis.hpp"
@@ -135,6 +136,51 @@ TEST(OneAnswer, TendsToJkrInEveryCommandThatPrintsAPullOff) {
         EXPECT_NEAR(predicted.pull_off_force->value, force, 5.0 * roughness * roughness * force);
         ASSERT_TRUE(predicted.loop);
         EXPECT_NEAR(predicted.loop->pull_off_force.value, force, 5.0 * roughness * roughness * force);
+    }
+}
+
+/// The published pairs, whose likeliest model has no smooth limit, and a nearly smooth surface that nobody measured.
+study::StudyResult published_with(double roughness) {
+    auto study = study::read_study("examples/nanodiamond/published.toml");
+    auto smooth = study_of(1e6, roughness).surfaces.front();
+    smooth.name = "smooth";
+    study.surfaces.push_back(smooth);
+    return study::run_study(study, {});
+}
+
+// with measured pairs, too: 3/2 πR W_int by models without the crack tip, times W_ret/W_app of the reference by others
+TEST(OneAnswer, TendsToJkrWhereMeasuredPairsChooseTheModel) {
+    for (const double roughness : {1e-2, 1e-3}) {
+        const auto result = published_with(roughness);
+        ASSERT_TRUE(result.hysteresis);
+        const auto& h = *result.hysteresis;
+        int found = 0;
+        for (const auto& pair : h.pairs) {
+            EXPECT_TRUE(hysteresis::has_smooth_limit(pair.model)) << pair.model.name();
+            if (pair.surface != "smooth") continue;
+            ++found;
+            EXPECT_NE(pair.choice, study::ModelChoice::assumed);
+            ASSERT_TRUE(pair.tip_factor && pair.loop && pair.pull_off_force);
+            const auto* chosen = h.conforming.best_with_smooth_limit();
+            ASSERT_TRUE(chosen && chosen->fitted.model == pair.model);
+            const double W = chosen->fitted.work_of_adhesion ? chosen->fitted.work_of_adhesion->value
+                                                             : result.work_of_adhesion->value;
+            const double factor = pair.model.tip == hysteresis::Tip::none ? 1.0 : pair.tip_factor->value;
+            const double force = 1.5 * pi * 1.25e-3 * factor * W, error = 10.0 * roughness * roughness * force;
+            EXPECT_NEAR(pair.pull_off_force->value, force, error);
+            EXPECT_NEAR(pair.loop->pull_off_force.value, force, error);
+            // beside it, named, the likeliest: it puts a work on the true area of a mirror, too
+            ASSERT_TRUE(pair.likelier);
+            EXPECT_FALSE(hysteresis::has_smooth_limit(pair.likelier->model));
+            EXPECT_GT(pair.likelier->pull_off_force->value, 1.1 * force);
+        }
+        EXPECT_EQ(found, 4);
+        const auto json = output::to_json(result);
+        for (const auto& pair : json["pairs"])
+            if (pair["surface"] == "smooth" && pair["loop"].is_object()) {
+                EXPECT_NEAR(pair["loop"]["pull_off_force"]["value"].get<double>(),
+                            1.5 * pi * 1.25e-3 * result.work_of_adhesion->value, 10.0 * roughness * roughness * 3e-4);
+            }
     }
 }
 

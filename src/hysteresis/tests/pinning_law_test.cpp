@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/hysteresis/pinning_law.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
+#include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::hysteresis {
@@ -84,15 +88,46 @@ TEST(PinningLaw, OfThePublishedPolishedSurface) {
     EXPECT_NEAR(pinning_constants(0.0625, 52.3).retraction.value, 2.33, 0.02);
 }
 
+constexpr double endless = std::numeric_limits<double>::infinity();
+
 TEST(PinningLaw, OfOneBandIsThatOfAllWaves) {
-    EXPECT_DOUBLE_EQ(pinning_by_bands(2e-3, {1.0}, 40e-3), 2.0 * pinning_coefficient(0.05).value * 2e-3);
+    EXPECT_DOUBLE_EQ(pinning_by_bands(2e-3, {{1.0, 1e-6}}, 40e-3, endless),
+                     pinning_constants(0.05, endless).retraction.value * 2e-3);
+    // ℓ = 20 µm on waves of 1 µm, L_c = 1 µm/(4 · 0.05) = 5 µm
+    EXPECT_DOUBLE_EQ(pinning_by_bands(2e-3, {{1.0, 1e-6}}, 40e-3, 20e-6), pinning_constant(0.05, 4.0) * 2e-3);
 }
 
 TEST(PinningLaw, BandsPinMoreThanAllWavesAtOnce) {
-    const double at_once = pinning_by_bands(4e-3, {1.0}, 40e-3);
-    const double by_two = pinning_by_bands(4e-3, {0.5, 0.5}, 40e-3);
+    const double at_once = pinning_by_bands(4e-3, {{1.0, 1e-6}}, 40e-3, endless);
+    const double by_two = pinning_by_bands(4e-3, {{0.5, 1e-6}, {0.5, 4e-6}}, 40e-3, endless);
     EXPECT_GT(by_two, at_once);
-    EXPECT_DOUBLE_EQ(by_two, 2.0 * pinning_coefficient(0.05).value * 4e-3);
+    EXPECT_DOUBLE_EQ(by_two, pinning_constants(0.05, endless).retraction.value * 4e-3);
+}
+
+TEST(PinningLaw, HasTheValueOfBothConstants) {
+    for (const double share : {0.0, 0.004, 0.1, 0.7})
+        for (const double length : {0.0, 0.3, 12.0, endless})
+            EXPECT_EQ(pinning_constant(share, length), pinning_constants(share, length).retraction.value);
+    EXPECT_THROW((void)pinning_constant(-0.1, 1.0), InvalidArgument);
+}
+
+TEST(EdgeLarkinLengths, AreNoneWhereNothingIsStoredAndEndlessWithoutASphere) {
+    EXPECT_EQ(edge_larkin_lengths(1e-4, 1e-6, 0.0), 0.0);
+    EXPECT_EQ(edge_larkin_lengths(endless, 0.0, 0.0), 0.0);
+    EXPECT_EQ(edge_larkin_lengths(endless, 0.0, 0.1), endless);
+    EXPECT_DOUBLE_EQ(edge_larkin_lengths(1e-4, 1e-6, 0.05), 20.0);
+    EXPECT_THROW((void)edge_larkin_lengths(1e-4, 0.0, 0.1), InvalidArgument);
+}
+
+// closed forms of JKR: pull-off under a dead load at a = (9πWR²/8E*)^⅓, where ℓ = 2πa/4; without load ℓ = 2πa/10
+TEST(EdgeLengths, AreThoseOfJkrsContact) {
+    const contact::AdhesiveContact sphere{1.25e-3, 0.92e6, 0.039};
+    const double pull_off = std::cbrt(9.0 * pi * 0.039 * 1.25e-3 * 1.25e-3 / (8.0 * 0.92e6));
+    const double unloaded = std::cbrt(4.0) * pull_off;
+    const auto lengths = edge_lengths(unloaded, sphere);
+    EXPECT_NEAR(lengths.retraction / (0.5 * pi * pull_off), 1.0, 1e-9);
+    EXPECT_NEAR(lengths.approach / (0.2 * pi * unloaded), 1.0, 1e-9);
+    EXPECT_THROW((void)edge_lengths(0.0, sphere), InvalidArgument);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ using roughness::SpectralParameters;
 
 SpectralParameters parameters(double rms_slope, double energy_per_modulus) {
     SpectralParameters p;
+    p.rms_height = 20e-9;
     p.rms_slope = rms_slope;
     p.elastic_energy_per_modulus = energy_per_modulus;
     return p;
@@ -32,7 +33,7 @@ public:
                 RetractionPair pair{.rough = {"S" + std::to_string(i), surfaces_[static_cast<std::size_t>(i)], none_},
                                     .soft = {"E" + std::to_string(j), moduli[j], 0.025},
                                     .work_of_adhesion = 0.037,
-                                    .band_shares = {0.25, 0.25, 0.25, 0.25}};
+                                    .bands = {{0.25, 1e-8}, {0.25, 4e-8}, {0.25, 1.6e-7}, {0.25, 6.4e-7}}};
                 pair.tip_factor = TracedValue(factors[j]);
                 pairs_.push_back(std::move(pair));
             }
@@ -78,8 +79,8 @@ TEST(Ranking, PlantedModelIsPossibleWithItsNumber) {
         const auto ranking = study.ranked(study.planted(model, parameter, 0.01, 7));
         ASSERT_EQ(ranking.models.size(), retraction_models().size()) << model.name();
         const auto possible = ranking.possible();
-        const auto own = std::ranges::find_if(
-            possible, [&](const ModelScore* score) { return score->fitted.model == model; });
+        const auto own =
+            std::ranges::find_if(possible, [&](const ModelScore* score) { return score->fitted.model == model; });
         ASSERT_NE(own, possible.end()) << model.name() << " excluded, " << ranking.best()->fitted.model.name();
         if (model.fitted()) {
             EXPECT_NEAR((*own)->fitted.parameter.value / parameter, 1.0, 0.05) << model.name();
@@ -113,7 +114,8 @@ TEST(Ranking, WithMuchNoiseSeveralCannotBeDistinguished) {
 TEST(Ranking, IsTheSameForAnyNumberOfThreads) {
     const Study study;
     const auto pairs = study.planted({Law::opening_work, Tip::none}, 0.06, 0.05, 3);
-    const auto one = rank_models(retraction_models(), pairs, {}, {1}), two = rank_models(retraction_models(), pairs, {}, {2});
+    const auto one = rank_models(retraction_models(), pairs, {}, {1}),
+               two = rank_models(retraction_models(), pairs, {}, {2});
     for (std::size_t i = 0; i < one.models.size(); ++i) {
         EXPECT_EQ(one.models[i].fitted.model.name(), two.models[i].fitted.model.name());
         EXPECT_EQ(one.models[i].odds_against.lower, two.models[i].odds_against.lower);
@@ -262,6 +264,82 @@ TEST(RetractionPair, CrackTipTakesItsShareOfTheEdge) {
     ASSERT_TRUE(loop);
     const double area = pi * loop->contact_radius.value * loop->contact_radius.value;
     EXPECT_NEAR(loop->shares.crack_tip.value / ((1.0 - 1.0 / 1.4) * loop->work_retraction.value * area), 1.0, 1e-9);
+}
+
+double pinned_loss(const RetractionPair& pair) {
+    return retraction_by(Law::pinning, 0.0, pair) -
+           predicted_approach({.model = {Law::pinning, Tip::none}}, pair).value;
+}
+
+/// A pair that stores 0.1 of its gain, pressed by 1 mN on a sphere.
+RetractionPair on_sphere(double radius) {
+    auto pair = with_energy_share(0.1);
+    pair.radius = TracedValue(radius);
+    pair.pressing = Pressing{.maximum_force = 1e-3};
+    return pair;
+}
+
+// s = 0.1, λ̄ = π h²/2u, L_c = λ̄/4s; radii and lengths by the closed forms of JKR's contact of W
+TEST(PairPinning, CountsTheLarkinLengthsOfTheEdge) {
+    const auto pair = on_sphere(1.25e-3);
+    const auto& p = pair.rough.parameters;
+    const double r = p.area_ratio(), W = 0.037 * r - 0.025 * (r - 1.0), E = pair.soft.contact_modulus.value,
+                 R = 1.25e-3;
+    const double larkin = 0.5 * pi * 20e-9 * 20e-9 / p.elastic_energy_per_modulus / 0.4;
+    const double at_pull_off = std::cbrt(9.0 * pi * W * R * R / (8.0 * E));
+    const auto pinning = pinning_of(pair);
+    EXPECT_NEAR(pinning.energy_share, 0.1, 1e-12);
+    EXPECT_NEAR(*pinning.retraction.contact_radius / at_pull_off, 1.0, 1e-9);
+    EXPECT_NEAR(pinning.retraction.larkin_lengths / (0.5 * pi * at_pull_off / larkin), 1.0, 1e-9);
+    const double F = 1e-3, a = std::cbrt(0.75 * R / E *
+                                         (F + 3.0 * pi * R * W +
+                                          std::sqrt(6.0 * pi * R * W * F + std::pow(3.0 * pi * R * W, 2))));
+    const double restoring = 4.0 * a / (R * std::sqrt(2.0 * pi * a * W / E)) - 1.0 / a;
+    EXPECT_NEAR(*pinning.approach.contact_radius / a, 1.0, 1e-9);
+    EXPECT_NEAR(pinning.approach.larkin_lengths / (pi / restoring / larkin), 1.0, 1e-9);
+    const double stored = 0.1 * W, k_in = pinning_constant(0.1, pinning.approach.larkin_lengths),
+                 k_out = pinning_constant(0.1, pinning.retraction.larkin_lengths);
+    EXPECT_NEAR(pinned_loss(pair), (k_in + k_out) * stored, 1e-12);
+    EXPECT_NEAR(predicted_approach({.model = {Law::pinning, Tip::none}}, pair).value, 0.9 * W - k_in * stored, 1e-12);
+    auto measured = pair;
+    measured.contact_area = TracedValue(pi * 4e-10);
+    EXPECT_DOUBLE_EQ(*pinning_of(measured).approach.contact_radius, 2e-5) << "the measured radius, not JKR's";
+    EXPECT_TRUE(pinning_of(measured).measured_radius);
+}
+
+TEST(PairPinning, TendsToTheEndlessFrontOnALargeSphere) {
+    auto endless = on_sphere(1.0);
+    endless.radius.reset();
+    const double most = pinned_loss(endless);
+    EXPECT_TRUE(std::isinf(pinning_of(endless).approach.larkin_lengths));
+    EXPECT_FALSE(pinning_of(endless).approach.measured);
+    double last = 0.0;
+    for (double radius = 1e-7; radius < 1e6; radius *= 10.0) {
+        const double loss = pinned_loss(on_sphere(radius));
+        EXPECT_GT(loss, last) << radius;
+        EXPECT_LT(loss, most) << radius;
+        last = loss;
+    }
+    EXPECT_NEAR(last / most, 1.0, 1e-2);
+}
+
+TEST(PairPinning, LosesNothingWhereNothingIsStored) {
+    const roughness::ParameterSpread none;
+    for (const double share : {1e-3, 1e-5, 1e-8, 0.0}) {
+        auto pair = on_sphere(1.25e-3);
+        auto flat = pair.rough.parameters;
+        flat.elastic_energy_per_modulus *= share;
+        flat.rms_height *= std::sqrt(share);
+        RetractionPair smooth{.rough = {"flat", flat, none},
+                              .soft = pair.soft,
+                              .work_of_adhesion = pair.work_of_adhesion,
+                              .radius = pair.radius,
+                              .pressing = pair.pressing,
+                              .bands = pair.bands};
+        const double gain = 0.037 * flat.area_ratio() - 0.025 * (flat.area_ratio() - 1.0);
+        for (const Law law : {Law::pinning, Law::pinning_by_bands})
+            EXPECT_NEAR(retraction_by(law, 0.0, smooth) / gain, 1.0, share) << share;
+    }
 }
 
 TEST(RetractionModel, RefusesWhatNoPairHas) {

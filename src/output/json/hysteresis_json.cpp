@@ -83,8 +83,8 @@ Json shares_json(const EnergyShares& shares) {
     return json;
 }
 
-Json decomposition_json(const study::LossDecomposition& d) {
-    Json json{{"of", d.of_works ? "works" : "loop"}};
+Json decomposition_json(const study::LossDecomposition& d, const std::string& model) {
+    Json json{{"model", model}, {"of", d.of_works ? "works" : "loop"}};
     add(json, quantity("energy_loss", "E_loss", d.measured.estimate(), "J"));
     json["energy_loss_shares"] = shares_json(d.shares);
     add(json, quantity("unexplained", "E_loss - Σ", d.unexplained.estimate(), "J"));
@@ -130,6 +130,31 @@ Json times_json(const study::ElastomerTimes& times) {
     return json;
 }
 
+Json branch_json(const hysteresis::BranchPinning& branch) {
+    Json json{{"larkin_lengths", number(branch.larkin_lengths)}, {"measured", branch.measured}};
+    add(json, quantity("pinning_coefficient", "k",
+                       {.value = branch.coefficient.value, .standard_error = branch.coefficient.standard_error}, "1"));
+    json["contact_radius"] =
+        branch.contact_radius ? Json{{"value", number(*branch.contact_radius)}, {"unit", "m"}} : Json(nullptr);
+    return json;
+}
+
+/// k of simulated fronts as long as the edge of the pair's contact.
+Json pinning_json(const hysteresis::PairPinning& pinning) {
+    return {{"energy_share", number(pinning.energy_share)},
+            {"approach", branch_json(pinning.approach)},
+            {"retraction", branch_json(pinning.retraction)}};
+}
+
+/// The likeliest model where it is not the answer.
+Json likelier_json(const study::LikelierModel& likelier) {
+    Json json{{"model", likelier.model.name()}};
+    add(json, quantity("work_of_adhesion_retraction", "W_ret", likelier.work_retraction.estimate(), "J/m2"));
+    if (likelier.pull_off_force)
+        add(json, quantity("pull_off_force", "F_po", likelier.pull_off_force->estimate(), "N"));
+    return json;
+}
+
 Json pair_json(const study::PairHysteresis& p) {
     Json json{{"surface", p.surface},
               {"elastomer", p.elastomer},
@@ -148,6 +173,8 @@ Json pair_json(const study::PairHysteresis& p) {
     if (p.measured_retraction)
         json["measured"] = to_json(quantity("work_of_adhesion_retraction", "W_ret", *p.measured_retraction, "J/m2"));
     if (p.pull_off_force) put("pull_off_force", "F_po", *p.pull_off_force, "N");
+    json["likelier"] = p.likelier ? likelier_json(*p.likelier) : Json(nullptr);
+    json["pinning"] = p.pinning ? pinning_json(*p.pinning) : Json(nullptr);
     if (p.loop) {
         put("contact_radius", "a_max", p.loop->contact_radius, "m");
         put("energy_loss", "E_loss", p.loop->energy_loss, "J");
@@ -156,7 +183,8 @@ Json pair_json(const study::PairHysteresis& p) {
         json["energy_loss"] = nullptr;
         json["energy_loss_reason"] = p.loop.reason;
     }
-    add_outcome(json, "decomposition", p.decomposition, decomposition_json);
+    add_outcome(json, "decomposition", p.decomposition,
+                [&](const study::LossDecomposition& d) { return decomposition_json(d, p.decomposed_by); });
     if (const auto& r = p.residuals) {
         json["residuals"] = {{"loops", r->loops}};
         for (const auto& [name, value] : {std::pair{"approach", r->approach}, {"retraction", r->retraction}})
@@ -199,6 +227,7 @@ Json to_json(const study::Hysteresis& h) {
                                  {"standard_errors_apart", number(d.standard_errors)}};
     }
     json["smooth_limits"] = smooth_limits_json(h);
+    json["alerts"] = to_json(h.alerts);
     if (!h.trials.empty()) {
         json["trials"] = Json::array();
         for (const auto& law : h.trials)

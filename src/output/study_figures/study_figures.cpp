@@ -131,7 +131,7 @@ const std::vector<Kind>& kinds() {
           "pairs with a prediction"},
          prediction_against_modulus},
         {{"hysteresis", "Work of adhesion on retraction: measured against predicted from roughness",
-          "measured against predicted W_ret, by the law that says it best; symbol by surface, colour by elastomer, hollow where "
+          "measured against predicted W_ret, by the likeliest model with a smooth limit; symbol by surface, colour by elastomer, hollow where "
           "contact is partial",
           "pairs with a measured W_ret"},
          way_back},

@@ -63,8 +63,31 @@ std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
 
 std::string work(double value) { return fmt::format("{:.3g} mJ/m²", value / milli); }
 
+/// "1.41 … 2.69", one number where both are alike.
+std::string span_text(double least, double greatest) {
+    const auto low = fmt::format("{:.3g}", least), high = fmt::format("{:.3g}", greatest);
+    return low == high ? low : low + " … " + high;
+}
+
+/// k and N of simulated fronts on both branches of the pairs of a ranking.
+std::string pinning_cell(const study::Hysteresis& h, const Ranking& ranking) {
+    double k_least = INFINITY, k_most = 0.0, least = INFINITY, most = 0.0;
+    for (const auto& pair : h.pairs) {
+        if (!pair.pinning || !pair.measured_retraction || (&ranking == &h.conforming && !pair.conforms)) continue;
+        for (const auto* branch : {&pair.pinning->approach, &pair.pinning->retraction}) {
+            k_least = std::min(k_least, branch->coefficient.value);
+            k_most = std::max(k_most, branch->coefficient.value);
+            least = std::min(least, branch->larkin_lengths);
+            most = std::max(most, branch->larkin_lengths);
+        }
+    }
+    if (k_most == 0.0) return "";
+    return fmt::format("k {}, N {}", span_text(k_least, k_most), span_text(least, most));
+}
+
 /// θ as columns have it, works in mJ/m².
-std::string parameter_cell(const ModelScore& score) {
+std::string parameter_cell(const study::Hysteresis& h, const Ranking& ranking, const ModelScore& score) {
+    if (score.fitted.model.law == hysteresis::Law::pinning) return pinning_cell(h, ranking);
     if (!score.fitted.model.fitted()) return "";
     const auto parameter = score.fitted.model.parameter();
     return fmt::format("{} {}", parameter.symbol,
@@ -141,13 +164,13 @@ std::string verdict_cell(const Ranking& ranking, const ModelScore& score) {
 }
 
 /// Models for a reader, what cannot be judged below the others.
-TidyTable shown_models(const NamedRanking& of) {
+TidyTable shown_models(const study::Hysteresis& h, const NamedRanking& of) {
     TidyTable table{fmt::format("models of W_ret, {}", of.words),
-                    {"model", "fitted [mJ/m²]", "off [mJ/m²]", "odds against", "which is"},
+                    {"model", "number [mJ/m²]", "off [mJ/m²]", "odds against", "which is"},
                     {}};
     const auto in_milli = [](double value) { return fmt::format("{:.1f}", value / milli); };
     for (const auto& s : of.ranking.models)
-        table.rows.push_back({s.fitted.model.name(), parameter_cell(s), in_milli(s.surface_left_out),
+        table.rows.push_back({s.fitted.model.name(), parameter_cell(h, of.ranking, s), in_milli(s.surface_left_out),
                               odds_text(s.odds_against), verdict_cell(of.ranking, s)});
     for (const auto& u : of.ranking.unranked)
         table.rows.push_back({u.model.name(), u.reason, std::string(), std::string(), std::string()});
@@ -156,26 +179,42 @@ TidyTable shown_models(const NamedRanking& of) {
 
 std::string in_unit(const TracedValue& value, double unit) { return uncertain_number(value.estimate(), unit); }
 
-/// Pairs by one law.
-TidyTable shown_pairs(const std::string& law, const std::vector<const study::PairHysteresis*>& pairs) {
-    TidyTable table{fmt::format("from roughness alone, by {} [mJ/m², mN, nJ]", law),
+/// By which model, and which likelier one is beside it.
+struct Answered {
+    std::string by, likelier;
+
+    friend bool operator==(const Answered&, const Answered&) = default;
+};
+
+/// Pairs by one model.
+TidyTable shown_pairs(const Answered& answered, const std::vector<const study::PairHysteresis*>& pairs) {
+    TidyTable table{fmt::format("from roughness alone, by {} [mJ/m², mN, nJ]", answered.by),
                     {"pair", "contact", "W_app", "W_ret", "measured", "pull-off", "E_loss"},
                     {}};
+    if (!answered.likelier.empty()) {
+        table.title += fmt::format("; beside it W_ret by {}", answered.likelier);
+        table.columns.emplace_back("beside");
+    }
     const std::string none = "–";
-    for (const auto* p : pairs)
-        table.rows.push_back({fmt::format("{} × {}", p->surface, p->elastomer),
-                              fmt::format("{:.2f}", p->contact_fraction), in_unit(p->work_approach, milli),
-                              in_unit(p->work_retraction, milli),
-                              p->measured_retraction ? uncertain_number(*p->measured_retraction, milli) : none,
-                              p->pull_off_force ? in_unit(*p->pull_off_force, milli) : none,
-                              p->loop ? in_unit(p->loop->energy_loss, nano) : none});
+    for (const auto* p : pairs) {
+        std::vector<TidyTable::Cell> row{
+            fmt::format("{} × {}", p->surface, p->elastomer),
+            fmt::format("{:.2f}", p->contact_fraction),
+            in_unit(p->work_approach, milli),
+            in_unit(p->work_retraction, milli),
+            p->measured_retraction ? uncertain_number(*p->measured_retraction, milli) : none,
+            p->pull_off_force ? in_unit(*p->pull_off_force, milli) : none,
+            p->loop ? in_unit(p->loop->energy_loss, nano) : none};
+        if (p->likelier) row.emplace_back(in_unit(p->likelier->work_retraction, milli));
+        table.rows.push_back(std::move(row));
+    }
     return table;
 }
 
 std::string shown_pairs(const study::Hysteresis& h, std::size_t width) {
-    std::vector<std::pair<std::string, std::vector<const study::PairHysteresis*>>> by_law;
+    std::vector<std::pair<Answered, std::vector<const study::PairHysteresis*>>> by_law;
     for (const auto& p : h.pairs) {
-        const auto law = p.model.name();
+        const Answered law{p.model.name(), p.likelier ? p.likelier->model.name() : ""};
         auto place = std::find_if(by_law.begin(), by_law.end(), [&](const auto& entry) { return entry.first == law; });
         if (place == by_law.end()) place = by_law.insert(by_law.end(), {law, {}});
         place->second.push_back(&p);
@@ -198,9 +237,20 @@ std::string shown_residuals(const study::Hysteresis& h, std::size_t width) {
     return table.rows.empty() ? "" : "\n" + tables::as_text_within(table, width);
 }
 
+/// Names of the models that measured loops are decomposed by.
+std::vector<std::string> decomposing_models(const study::Hysteresis& h) {
+    std::vector<std::string> names;
+    for (const auto& p : h.pairs)
+        if (p.decomposition && std::ranges::find(names, p.decomposed_by) == names.end())
+            names.push_back(p.decomposed_by);
+    return names;
+}
+
 /// Shares without their ±, which the JSON has, so that a row is a line.
 TidyTable shown_losses(const study::Hysteresis& h) {
-    TidyTable table{"where the joules went [nJ]", {"pair", "E_loss"}, {}};
+    TidyTable table{fmt::format("where the joules went, by {} [nJ]", fmt::join(decomposing_models(h), " and ")),
+                    {"pair", "E_loss"},
+                    {}};
     std::vector<TracedValue EnergyShares::*> shown;  // that of the bulk only where an elastomer's relaxes
     for (const auto& [name, share] : EnergyShares::all()) {
         const bool some = std::ranges::any_of(
@@ -337,7 +387,8 @@ std::vector<std::string> hysteresis_sentences(const study::Hysteresis& h) {
             "lower bound, W_ret = W_app",
             counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"), hysteresis::fewest_ranked_pairs,
             hysteresis::fewest_ranked_surfaces));
-    else if (h.deciding) sentences.push_back(deciding_sentence(*h.deciding));
+    for (auto& sentence : smooth_limit_sentences(h)) sentences.push_back(std::move(sentence));
+    if (h.deciding) sentences.push_back(deciding_sentence(*h.deciding));
     return sentences;
 }
 
@@ -349,7 +400,7 @@ std::string hysteresis_answer(const study::Hysteresis& h, std::size_t width) {
 
 std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
     auto text = hysteresis_answer(h, width);
-    for (const auto& ranking : rankings_of(h)) text += "\n" + tables::as_text_within(shown_models(ranking), width);
+    for (const auto& ranking : rankings_of(h)) text += "\n" + tables::as_text_within(shown_models(h, ranking), width);
     if (!h.trials.empty()) text += "\n" + tables::as_text_within(shown_trials(h), width);
     text += shown_times(h) + shown_pairs(h, width) + shown_residuals(h, width);
     for (const auto& s : h.skipped) text += fmt::format("{} × {}: {}\n", s.surface, s.elastomer, s.reason);
@@ -444,7 +495,16 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
                      "roughness [J]",
                      "bulk [J]",
                      "rms force off on approach [N]",
-                     "rms force off on retraction [N]"},
+                     "rms force off on retraction [N]",
+                     "likelier model",
+                     "W_ret by it [J/m2]",
+                     "standard_error W_ret by it [J/m2]",
+                     "N approach",
+                     "k approach",
+                     "standard_error k approach",
+                     "N retraction",
+                     "k retraction",
+                     "standard_error k retraction"},
                     {}};
     for (const auto& p : h.pairs) {
         std::vector<TidyTable::Cell> row{
@@ -459,6 +519,15 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
             row.emplace_back(p.loop ? (p.loop->shares.*share).value : undefined);
         row.emplace_back(p.residuals ? p.residuals->approach : undefined);
         row.emplace_back(p.residuals ? p.residuals->retraction : undefined);
+        row.emplace_back(p.likelier ? p.likelier->model.name() : std::string());
+        add_value(row, p.likelier ? p.likelier->work_retraction.estimate() : unknown);
+        for (const auto branch : {&hysteresis::PairPinning::approach, &hysteresis::PairPinning::retraction}) {
+            row.emplace_back(p.pinning ? ((*p.pinning).*branch).larkin_lengths : undefined);
+            const auto k =
+                p.pinning ? ((*p.pinning).*branch).coefficient : hysteresis::PinningCoefficient{undefined, undefined};
+            row.emplace_back(k.value);
+            row.emplace_back(k.standard_error);
+        }
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -493,7 +562,7 @@ TidyTable decomposition_table(const study::Hysteresis& h) {
     for (const auto& p : h.pairs) {
         if (!p.decomposition) continue;
         const auto& d = *p.decomposition;
-        std::vector<TidyTable::Cell> row{p.surface, p.elastomer, p.model.name(),
+        std::vector<TidyTable::Cell> row{p.surface, p.elastomer, p.decomposed_by,
                                          std::string(d.of_works ? "works" : "loop")};
         add_value(row, d.measured.estimate());
         for (const auto& [name, share] : EnergyShares::all()) row.emplace_back((d.shares.*share).value);

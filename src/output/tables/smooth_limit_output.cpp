@@ -24,6 +24,14 @@ struct Span {
     }
 };
 
+/// W_ret by a model less that of the references.
+Span distance_of(const study::Hysteresis& hysteresis, const hysteresis::RetractionModel& model) {
+    Span off;
+    for (const auto& of : hysteresis.smooth_limits)
+        if (of.limit.model == model) off.add(of.limit.distance.value);
+    return off;
+}
+
 }  // namespace
 
 tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis) {
@@ -46,6 +54,22 @@ tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis) {
                               std::string(tends ? "yes" : "no: for comparison where surfaces are smooth")});
     }
     return table;
+}
+
+std::vector<std::string> smooth_limit_sentences(const study::Hysteresis& hysteresis) {
+    std::vector<hysteresis::RetractionModel> told;
+    std::vector<std::string> sentences;
+    for (const auto& pair : hysteresis.pairs) {
+        if (!pair.likelier || std::ranges::find(told, pair.likelier->model) != told.end()) continue;
+        const auto& model = told.emplace_back(pair.likelier->model);
+        const auto off = distance_of(hysteresis, model);
+        const auto missed = off.least > off.greatest
+                                ? std::string("has no smooth limit")
+                                : fmt::format("misses the smooth reference by {} mJ/m²", off.text());
+        sentences.push_back(
+            fmt::format("{} is likeliest but {}: the answer is by {}", model.name(), missed, pair.model.name()));
+    }
+    return sentences;
 }
 
 Json smooth_limits_json(const study::Hysteresis& hysteresis) {

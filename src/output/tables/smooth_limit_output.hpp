@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "setae/output/json.hpp"
 #include "setae/study/hysteresis.hpp"
 #include "setae/tables/tidy_table.hpp"
@@ -10,6 +13,10 @@ namespace setae::output {
 /// A row per model: its W_ret of a mirror and the reference's own over elastomers [mJ/m²], and whether it tends to
 /// that.
 [[nodiscard]] tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis);
+
+/// For each likeliest model that is not the answer: how far it is off on the smooth reference, and what the answer is
+/// by.
+[[nodiscard]] std::vector<std::string> smooth_limit_sentences(const study::Hysteresis& hysteresis);
 
 /// Per model and elastomer: both works, their distance, and whether the model has the limit.
 [[nodiscard]] Json smooth_limits_json(const study::Hysteresis& hysteresis);

@@ -11,6 +11,7 @@
 #include "setae/output/budget.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/study/contact_answers.hpp"
+#include "tables/smooth_limit_output.hpp"
 
 namespace setae::output {
 namespace {
@@ -57,9 +58,11 @@ std::string sentence_of_retraction(const study::Hysteresis& h) {
         h.all.all_refused() ? "every model is off by a constant"
         : others > 0        ? fmt::format("{} cannot be excluded", counted(others, "other model", "other models"))
                             : "clearly better than every other model";
-    return fmt::format("On retraction the likeliest model is W_ret = {}{}: it misses surfaces left out by {} ({}, {}).",
-                       model.formula(), fitted, format_value(best->surface_left_out, "J/m2", 2),
-                       pairs_text(h.measured_pairs), beside);
+    auto text = fmt::format(
+        "On retraction the likeliest model is W_ret = {}{}: it misses surfaces left out by {} ({}, {}).",
+        model.formula(), fitted, format_value(best->surface_left_out, "J/m2", 2), pairs_text(h.measured_pairs), beside);
+    for (const auto& sentence : smooth_limit_sentences(h)) text += " " + sentence + ".";
+    return text;
 }
 
 /// Where W_int in proportion to the smooth references says the approach better than one W_int.

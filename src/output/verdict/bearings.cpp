@@ -24,6 +24,7 @@ const std::vector<Bearing>& bearings() {
          "The map of {} is repeated and does not fit itself: contact near its edges is not the surface's."},
         {{"ADHESION_GRID"}, "Pixels of {} catch the edge of an adhesive contact: opening it takes too much work."},
         {{"FRONT_THEORY"}, "The edge of {} is outside the theory of fronts: its works are of first order at best."},
+        {{"PINNING_EXTRAPOLATED"}, "The pinning models of {} go beyond the simulated fronts."},
         {{"NO_DATA_SUSPECTED"},
          "Heights of {} may hold values that mark missing ones: every number of it may be wrong."},
         {{"NO_DATA"}, "Heights of {} that have a value that marks missing ones are in no number."},

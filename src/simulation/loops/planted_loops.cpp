@@ -7,7 +7,9 @@
 #include "name_hash.hpp"
 #include "setae/adhesion/partial_contact.hpp"
 #include "setae/contact/elasticity.hpp"
+#include "setae/contact/jkr.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/crack_front/pinning.hpp"
 #include "setae/hysteresis/retraction_model.hpp"
 #include "setae/numerics/random_numbers.hpp"
 #include "setae/simulation/data_set.hpp"
@@ -64,6 +66,11 @@ double departure(const Recipe& recipe, const std::string& surface, const std::st
            scatter.surface * normal("surface " + surface) + scatter.elastomer * normal("elastomer " + elastomer);
 }
 
+/// λ̄ [m], weighed by U_el; 0 of a mirror.
+double mean_wavelength(const roughness::SpectralParameters& p) {
+    return p.rms_height > 0.0 ? crack_front::mean_wavelength(p.rms_height, p.elastic_energy_per_modulus) : 0.0;
+}
+
 /// The contact of a pair, W_app without scatter in it: full as (7) has it, or what simulated patches touch, gain and
 /// store.
 hysteresis::PairState contact_state(const Recipe& recipe, const SurfaceTruth& surface, const ElastomerRecipe& elastomer,
@@ -73,7 +80,8 @@ hysteresis::PairState contact_state(const Recipe& recipe, const SurfaceTruth& su
                                 .work_of_adhesion = recipe.work_of_adhesion,
                                 .surface_energy = elastomer.surface_energy.value,
                                 .work_approach = 0.0,
-                                .tip_factor = elastomer.tip_factor};
+                                .tip_factor = elastomer.tip_factor,
+                                .mean_wavelength = mean_wavelength(surface.parameters)};
     const double gain = state.conforming_gain();
     state.work_approach = gain - state.stored_energy;
     if (recipe.loops->contact == PlantedContact::full || !(gain > 0.0)) return state;
@@ -82,6 +90,14 @@ hysteresis::PairState contact_state(const Recipe& recipe, const SurfaceTruth& su
     state.stored_energy = std::max(0.0, contact.area_fraction - contact.gain) * gain;
     state.work_approach = contact.gain * gain;
     return state;
+}
+
+/// Of JKR's contact of W, what the contact gains.
+hysteresis::EdgeLengths edge_of(const hysteresis::PairState& state, const hysteresis::HystereticSphere& specimen,
+                                double maximum_force) {
+    const contact::AdhesiveContact sphere{specimen.radius, specimen.contact_modulus,
+                                          state.contact_fraction * state.conforming_gain()};
+    return hysteresis::edge_lengths(contact::jkr::contact_radius_at_force(maximum_force, sphere), sphere);
 }
 
 RoughPair rough_pair(const Recipe& recipe, const std::string& name, const SurfaceTruth& surface,
@@ -93,6 +109,8 @@ RoughPair rough_pair(const Recipe& recipe, const std::string& name, const Surfac
     hysteresis::HystereticSphere& specimen = pair.specimen;
     using hysteresis::Tip;
     auto state = contact_state(recipe, surface, elastomer, specimen.contact_modulus);
+    if (loops.law == RetractionLaw::pinning && state.conforming_gain() > 0.0)
+        state.edge = edge_of(state, specimen, loops.protocol_on(name).pressing().maximum_force);
     // an edge that roughness holds is held on its way in, too
     const double pinned = loops.law == RetractionLaw::pinning && state.conforming_gain() > 0.0
                               ? hysteresis::pinned_on_approach({hysteresis::Law::pinning, Tip::none}, state, {}, 0.0)

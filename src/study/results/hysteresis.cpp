@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/study/hysteresis.hpp"
+#include "bulk_speeds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <functional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "hysteresis_pairs.hpp"
 #include "loop_residuals.hpp"
@@ -35,6 +37,34 @@ double log_density(double residual, double standard_error) {
     return -0.5 * z * z - std::log(standard_error) - 0.5 * std::log(2.0 * pi);
 }
 
+/// 3/2 π R W_ret [N], where the sphere is given.
+std::optional<TracedValue> pull_off_of(const TracedValue& work_retraction, const RetractionPair& pair) {
+    if (!pair.radius) return std::nullopt;
+    return setae::propagated([](const std::vector<double>& in) { return 1.5 * pi * in[0] * in[1]; },
+                             {work_retraction, *pair.radius});
+}
+
+/// A law from roughness alone.
+LikelierModel likelier_of(const PairLaw& law) {
+    const auto& roughness = *law.pair.from_roughness;
+    const auto work = hysteresis::predicted_retraction(law.fitted, roughness);
+    return {law.fitted.model, work, pull_off_of(work, roughness)};
+}
+
+/// Pairs whose k lies outside what was simulated, in one alert.
+std::vector<Alert> pinning_alerts(const std::vector<PairHysteresis>& pairs) {
+    std::vector<std::string> beyond;
+    for (const auto& pair : pairs) {
+        if (!pair.pinning || (pair.pinning->approach.measured && pair.pinning->retraction.measured)) continue;
+        beyond.push_back(fmt::format("{} × {}", pair.surface, pair.elastomer));
+    }
+    if (beyond.empty()) return {};
+    return {{"PINNING_EXTRAPOLATED", fmt::format("{}", fmt::join(beyond, ", ")),
+             "k of the pinning models is extrapolated: no front of this U_el/AW and as many Larkin lengths N was "
+             "simulated; the standard error of k counts the distance",
+             "take the pinning models for estimates there; docs/measured/crack-front.md has the range"}};
+}
+
 class HysteresisOf {
 public:
     HysteresisOf(const StudyResult& result, parallel::Threads threads)
@@ -60,6 +90,8 @@ public:
         decompose();
         decide();
         found_.smooth_limits = smooth_limits(result_, found_.all);
+        found_.alerts = pinning_alerts(found_.pairs);
+        for (auto& alert : speeds_beyond_bulk(found_)) found_.alerts.push_back(std::move(alert));
         if (trials) {
             const bool conforming = found_.conforming.best() != nullptr;
             found_.trials =
@@ -155,23 +187,30 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     if (roughness.speed_factor) found.speed_factor = roughness.speed_factor->factor;
     if (pair.ranked()) found.measured_retraction = pair.retraction();
     FittedModel fitted{.model = hysteresis::model_without_measurements(), .parameter = {}, .scatter = {}};
-    adhesion::ModelScatter scatter;
+    PairLaw law{pair, fitted, {}, false};
     if (const auto* ranking = ranking_of(pair)) {
         found.models = works_of(pair, *ranking);
-        found.choice = ranking == &found_.conforming ? ModelChoice::conforming_pairs : ModelChoice::all_pairs;
-        if (const auto* best = ranking->best(); roughness.lacks(best->fitted.model).empty())
-            fitted = best->fitted, scatter = best->fit.scatter;
-        else found.choice = ModelChoice::assumed;
+        found.pinning = hysteresis::pinning_of(roughness);
+        const auto *best = ranking->best(), *answer = ranking->best_with_smooth_limit();
+        if (roughness.lacks(best->fitted.model).empty()) {
+            law.fitted = best->fitted;
+            law.scatter = best->fit.scatter;
+            law.ranked = true;
+        }
+        if (answer && roughness.lacks(answer->fitted.model).empty()) {
+            fitted = answer->fitted;
+            found.choice = ranking == &found_.conforming ? ModelChoice::conforming_pairs : ModelChoice::all_pairs;
+        }
+        if (law.ranked && !hysteresis::has_smooth_limit(law.fitted.model)) found.likelier = likelier_of(law);
     }
-    laws_.push_back({pair, fitted, scatter, found.choice != ModelChoice::assumed});
+    found.decomposed_by = law.fitted.model.name();
+    laws_.push_back(law);
     found.model = fitted.model;
     found.contact_fraction = pair.measured.contact.area_fraction;
     found.work_approach =
         fitted.work_of_adhesion ? hysteresis::predicted_approach(fitted, roughness) : *pair.measured.partial_contact;
     found.work_retraction = hysteresis::predicted_retraction(fitted, roughness);
-    if (roughness.radius)
-        found.pull_off_force = setae::propagated([](const std::vector<double>& in) { return 1.5 * pi * in[0] * in[1]; },
-                                                 {found.work_retraction, *roughness.radius});
+    found.pull_off_force = pull_off_of(found.work_retraction, roughness);
     if (!roughness.radius || !roughness.pressing)
         found.loop = Outcome<hysteresis::PredictedRetraction>::missing(
             fmt::format("elastomer {} has no {}", found.elastomer, roughness.radius ? "preload" : "sphere_radius"));

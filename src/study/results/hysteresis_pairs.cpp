@@ -30,18 +30,25 @@ std::optional<TracedValue> tip_factor_of(const StudyResult& result, const std::s
                        fmt::format("W_ret/W_app of the reference on {}", elastomer));
 }
 
-/// U_el by bands of a factor of 4, finest first, over all of it.
-std::vector<double> band_shares_of(const spectra::Spectrum& curve) {
+/// U_el by bands of a factor of 4, finest first, over all of it; the mean wavelength of a band is that of narrow parts.
+std::vector<hysteresis::PinningBand> bands_of(const spectra::Spectrum& curve) {
     const auto cumulative = roughness::cumulative_parameters(curve);
     const auto &q = cumulative.wavevector, &energy = cumulative.elastic_energy_per_modulus;
     const Index last = q.size() - 1;
     if (last < 1 || !(energy[last] > 0.0)) return {};
     const auto below = [&](double wavevector) { return roughness::energy_below(cumulative, wavevector); };
     constexpr double factor = 4.0;
-    std::vector<double> shares;
-    for (double upper = q[last]; upper > q[0]; upper /= factor)
-        shares.push_back((below(upper) - below(upper / factor)) / energy[last]);
-    return shares;
+    constexpr int parts = 8;
+    const double narrow = std::pow(factor, 1.0 / parts);
+    std::vector<hysteresis::PinningBand> bands;
+    for (double upper = q[last]; upper > q[0]; upper /= factor) {
+        const double stored = below(upper) - below(upper / factor);
+        double sum = 0.0, end = upper;
+        for (int part = 0; part < parts; ++part, end /= narrow)
+            sum += (below(end) - below(end / narrow)) * 2.0 * pi * std::sqrt(narrow) / end;
+        if (stored > 0.0) bands.push_back({stored / energy[last], sum / stored});
+    }
+    return bands;
 }
 
 /// The preload that the study states, else the force under which the measured contact area is reached.
@@ -202,7 +209,7 @@ PreparedPairs prepared_pairs(const StudyResult& result) {
                             .work_of_adhesion = result.traced_work_of_adhesion,
                             .reference_work = reference_work(result, pair.elastomer),
                             .tip_factor = tip_factor_of(result, pair.elastomer),
-                            .band_shares = band_shares_of(spectrum.curve)};
+                            .bands = bands_of(spectrum.curve)};
         if (elastomer.input.sphere_radius) base.radius = elastomer.traced_radius();
         base.pressing = pressing_of(elastomer, pair, base);
         base.machine_stiffness = machine_stiffness_of(result, pair);

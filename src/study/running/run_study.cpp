@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "results/bulk_speeds.hpp"
 #include "results/failed_part.hpp"
 #include "results/losses_of_works.hpp"
 #include "results/pairs.hpp"
@@ -249,7 +248,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     bring_together(result);
     result.hysteresis = way_back_of(result, options.threads);
     if (result.hysteresis)
-        for (auto& alert : speeds_beyond_bulk(*result.hysteresis)) result.alerts.push_back(std::move(alert));
+        result.alerts.insert(result.alerts.end(), result.hysteresis->alerts.begin(), result.hysteresis->alerts.end());
     return result;
 }
 

@@ -303,7 +303,7 @@ TEST(PredictedLoopFigure, HasItsPanelsOrAReason) {
     ASSERT_TRUE(loop.drawable()) << loop.reason;
     EXPECT_EQ(loop.figure.panels.size(), 3U);
     const double unit = loop.figure.panels[0].y.unit == "mN" ? 1e-3 : 1e-6;  // 1 mN is where one ends
-    EXPECT_NEAR(series_of(loop.figure.panels[0], "predicted, crack_tip_opening_work").y.maxCoeff() * unit, 1e-3, 1e-12);
+    EXPECT_NEAR(series_of(loop.figure.panels[0], "predicted, crack_tip_pinning").y.maxCoeff() * unit, 1e-3, 1e-12);
     // a contact that touches on 2 % of its area has a loop, too
     EXPECT_TRUE(predicted_loop_figure(h.pairs.back(), result, {}).drawable());
     auto unknown = h.pairs.back();
@@ -339,7 +339,7 @@ TEST(PredictedLoopFigure, OfAStudyWithoutPreload) {
     ASSERT_GT(pair.loop->pressing.maximum_force, 0.0);
     const auto figure = predicted_loop_figure(pair, result, {});
     const double unit = figure.figure.panels[0].y.unit == "mN" ? 1e-3 : 1e-6;
-    EXPECT_NEAR(series_of(figure.figure.panels[0], "predicted, crack_tip_opening_work").y.maxCoeff() * unit,
+    EXPECT_NEAR(series_of(figure.figure.panels[0], "predicted, crack_tip_pinning").y.maxCoeff() * unit,
                 pair.loop->pressing.maximum_force, 1e-12);
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
+
+#include "setae/contact/elasticity.hpp"
 
 namespace setae::hysteresis {
 
@@ -33,21 +36,44 @@ struct PinningConstants {
 /// @throws InvalidArgument outside the domain.
 [[nodiscard]] PinningConstants pinning_constants(double energy_share, double larkin_lengths);
 
-/// k of a front without end, pinning_constants(energy_share, infinity).
-[[nodiscard]] PinningCoefficient pinning_coefficient(double energy_share);
+/// The value of both constants, without their errors.
+[[nodiscard]] double pinning_constant(double energy_share, double larkin_lengths);
 
-/// The factor by which k may be wrong: relative standard error of pinning_coefficient() at this share.
-[[nodiscard]] double pinning_uncertainty(double energy_share);
+/// Lengths [m] over which the sphere lets the edge of its contact bend, crack_front::free_length(). Infinity where no
+/// sphere is known: an edge without end.
+struct EdgeLengths {
+    double approach = std::numeric_limits<double>::infinity();    ///< at the largest load
+    double retraction = std::numeric_limits<double>::infinity();  ///< at pull-off under a dead load, (9πWR²/8E*)^⅓
+};
+
+/// Of JKR's contact. largest_radius: a [m] at the largest load, > 0; contact: R, E*, W > 0.
+/// @throws InvalidArgument outside the domain.
+[[nodiscard]] EdgeLengths edge_lengths(double largest_radius, const contact::AdhesiveContact& contact);
+
+/// N of an edge: Larkin lengths within free_length.
+///
+///   N = ℓ/L_c,   L_c = λ̄ AW/(4 U_el)
+///
+/// free_length: ℓ [m]; infinity has N infinite.  mean_wavelength: λ̄ [m].  energy_share: U_el/(A W), >= 0; 0 has N = 0.
+/// @throws InvalidArgument for a λ̄ that is not above 0, unless ℓ is infinite or nothing is stored.
+[[nodiscard]] double edge_larkin_lengths(double free_length, double mean_wavelength, double energy_share);
+
+/// Waves of a factor of 4 in wavevector.
+struct PinningBand {
+    double share = 0.0;            ///< of U_el
+    double mean_wavelength = 0.0;  ///< λ̄ [m], weighed by U_el
+};
 
 /// Beyond this share of what it gains, roughness does not come into full contact of itself.
 inline constexpr double conforming_energy_share = 0.3;
 
-/// (W_ret − W_app) of roughness whose bands pin one after the other, finest first, each with its own k [J/m²].
+/// What roughness whose bands pin one after the other, finest first, each with its own k, takes off W on approach or
+/// adds to it on retraction [J/m²].
 ///
-///   Σ_b 2 k(U_b/(A W)) U_b/A
+///   Σ_b k(U_b/(A W), N_b) U_b/A
 ///
-/// stored_energy: U_el/A of all waves [J/m²], >= 0.  band_shares: of it, by bands of a factor of 4.  work: W [J/m²], >
-/// 0.
-[[nodiscard]] double pinning_by_bands(double stored_energy, const std::vector<double>& band_shares, double work);
+/// stored_energy: U_el/A of all waves [J/m²], >= 0.  work: W [J/m²], > 0.  free_length: ℓ [m] of the edge.
+[[nodiscard]] double pinning_by_bands(double stored_energy, const std::vector<PinningBand>& bands, double work,
+                                      double free_length);
 
 }  // namespace setae::hysteresis

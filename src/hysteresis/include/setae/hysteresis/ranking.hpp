@@ -83,6 +83,9 @@ struct Ranking {
     /// The likeliest model that no constant refuses. A fitted model whose number may be 0 gives way to the one that it
     /// then is. The likeliest of all where every model is refused; nothing without models.
     [[nodiscard]] const ModelScore* best() const;
+    /// The same of the models whose W_ret tends to a smooth surface's, has_smooth_limit(): predictions go by it. It may
+    /// be clearly worse than best().
+    [[nodiscard]] const ModelScore* best_with_smooth_limit() const;
     /// Models that are not excluded: no constant refuses them, and the likeliest of these is not clearly better. The
     /// likeliest first; all of them where every model is refused.
     [[nodiscard]] std::vector<const ModelScore*> possible() const;

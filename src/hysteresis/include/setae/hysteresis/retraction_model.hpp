@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "setae/hysteresis/pinning_law.hpp"
+
 namespace setae::hysteresis {
 
 /// What roughness adds to the work of adhesion on the way back.
 enum class Law {
     reversible,             ///< nothing
-    pinning,                ///< the edge is held: 2k U_el/A, k of simulated fronts
+    pinning,                ///< the edge is held: 2k U_el/A, k of simulated fronts as long as the contact's edge
     pinning_by_bands,       ///< the same of every band of a factor of 4, one after the other
     fitted_pinning,         ///< 2k U_el/A with one k of all pairs
     conformal_loss,         ///< all that is gained on approach is lost: E_loss = W_int A_true (10)
@@ -44,8 +46,8 @@ struct RetractionModel {
 
     /// "pinning", "crack_tip_pinning", "crack_speed_pinning"; of the tip alone "crack_tip", "crack_speed".
     [[nodiscard]] std::string name() const;
-    [[nodiscard]] std::string formula() const;  ///< "φ (W_app + 2k U_el/A)"
-    [[nodiscard]] bool fitted() const;          ///< whether it has a parameter
+    [[nodiscard]] std::string formula() const;       ///< "φ (W_app + 2k U_el/A)"
+    [[nodiscard]] bool fitted() const;               ///< whether it has a parameter
     [[nodiscard]] ModelParameter parameter() const;  ///< of a fitted one
 
     friend bool operator==(const RetractionModel&, const RetractionModel&) = default;
@@ -65,6 +67,8 @@ struct PairState {
     double work_approach = 0.0;     ///< W_app [J/m²], >= 0
     double tip_factor = 1.0;        ///< φ of the model's tip
     double pinning_factor = 1.0;    ///< on k of simulated fronts
+    double mean_wavelength = 0.0;   ///< λ̄ [m] of the surface, weighed by U_el
+    EdgeLengths edge{};             ///< of the contact
     double jumps_per_area = 0.0;    ///< what both jumps of the sphere lose over π a_max² [J/m²]
 
     /// α r: A_true/A of the contact.
@@ -80,19 +84,19 @@ struct RetractionLine {
     double slope = 0.0, constant = 0.0;
 };
 
-/// band_shares: of U_el, by bands of a factor of 4 in wavevector; pinning_by_bands alone looks at them.
+/// bands: of U_el; pinning_by_bands alone looks at them.
 /// (10) counts the sphere's jumps: they are taken off what the edge loses.
 /// @throws InvalidArgument for a state outside its domains.
 [[nodiscard]] RetractionLine retraction_line(const RetractionModel& model, const PairState& state,
-                                             const std::vector<double>& band_shares);
+                                             const std::vector<PinningBand>& bands);
 
 /// What the model takes off W_app [J/m²]: an edge that roughness holds is held on its way in, too.
 ///
-///   W_app = g W − k U_el/A
+///   W_app = g W − k U_el/A,   k at the largest load
 ///
 /// 0 of models without pinning. parameter: θ, of fitted_pinning k. Source: simulated fronts,
 /// docs/measured/crack-front.md.
 [[nodiscard]] double pinned_on_approach(const RetractionModel& model, const PairState& state,
-                                        const std::vector<double>& band_shares, double parameter);
+                                        const std::vector<PinningBand>& bands, double parameter);
 
 }  // namespace setae::hysteresis

@@ -19,20 +19,20 @@ namespace setae::hysteresis {
 struct RetractionPair {
     adhesion::RoughSide rough;
     adhesion::SoftSide soft;
-    TracedValue work_of_adhesion;               ///< W_int [J/m²]
-    std::optional<TracedValue> approach{};      ///< W_app as measured [J/m²]; without it of the contact that there is
+    TracedValue work_of_adhesion;           ///< W_int [J/m²]
+    std::optional<TracedValue> approach{};  ///< W_app as measured [J/m²]; without it of the contact that there is
     std::optional<TracedValue> reference_work{};  ///< W_app of a smooth reference on the elastomer [J/m²]
-    std::optional<TracedValue> tip_factor{};    ///< φ of a smooth reference; models with its tip need it
+    std::optional<TracedValue> tip_factor{};      ///< φ of a smooth reference; models with its tip need it
     std::optional<TracedEdgeSpeed>
         edge_speed{};  ///< of the elastomer; models with a tip that minds its speed need it …
     std::optional<SpeedFactor> speed_factor{};   ///< … and this, speed_factor() of the pair
     std::vector<TracedRelaxation> relaxation{};  ///< of the elastomer's bulk, where it is known
     std::optional<Drive> drive{};                ///< speeds of the machine and its rest; both of these need it
-    std::optional<TracedValue> radius{};        ///< R [m] of the sphere
-    std::optional<TracedValue> contact_area{};  ///< π a_max² as measured [m²]; without it of `pressing`
+    std::optional<TracedValue> radius{};         ///< R [m] of the sphere
+    std::optional<TracedValue> contact_area{};   ///< π a_max² as measured [m²]; without it of `pressing`
     std::optional<Pressing> pressing{};
     std::optional<TracedValue> machine_stiffness{};  ///< k_m [N/m]; without it that of `pressing`
-    std::vector<double> band_shares;  ///< of U_el, by bands of a factor of 4
+    std::vector<PinningBand> bands;                  ///< of U_el
 
     /// U_el over what conforming gains.
     [[nodiscard]] double energy_share() const;
@@ -42,6 +42,22 @@ struct RetractionPair {
     /// Whether the model has what it needs. In words where not.
     [[nodiscard]] std::string lacks(const RetractionModel& model) const;
 };
+
+/// How roughness holds the edge of a pair's contact on one branch.
+struct BranchPinning {
+    std::optional<double> contact_radius{};  ///< a [m] of the edge; nothing without a sphere
+    double larkin_lengths = 0.0;             ///< N; infinite without a sphere
+    PinningCoefficient coefficient;          ///< k
+    bool measured = true;                    ///< PinningConstants::measured
+};
+struct PairPinning {
+    double energy_share = 0.0;     ///< U_el/(A W) of the contact
+    bool measured_radius = false;  ///< at the largest load as measured; else JKR's at the preload, without one at none
+    BranchPinning approach, retraction;  ///< at the largest load; at JKR's pull-off under a dead load
+};
+
+/// By JKR's contact of W, what the contact gains.
+[[nodiscard]] PairPinning pinning_of(const RetractionPair& pair);
 
 /// The name of the input that k of simulated fronts is, as one relative error of all pairs.
 inline constexpr const char* simulated_pinning_input = "k of simulated fronts";
@@ -77,8 +93,8 @@ struct FittedModel {
 struct EnergyShares {
     TracedValue jump_in, jump_out;  ///< of the sphere [J]
     TracedValue crack_tip;          ///< (1 − 1/φ) W_ret π a_max², or what the speed of the edge costs [J]
-    TracedValue roughness;  ///< the rest of (W_ret − W_app) π a_max² [J]
-    TracedValue bulk;       ///< what relaxes in the elastomer's bulk [J]
+    TracedValue roughness;          ///< the rest of (W_ret − W_app) π a_max² [J]
+    TracedValue bulk;               ///< what relaxes in the elastomer's bulk [J]
 
     /// A share of each kind, in order, with its name.
     static constexpr int count = 5;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/core/quantity.hpp"
 #include "setae/hysteresis/full_contact.hpp"
 #include "setae/hysteresis/law_trials.hpp"
 #include "setae/hysteresis/smooth_limit.hpp"
@@ -48,10 +49,10 @@ struct JointLossFit {
     std::vector<JointInput> inputs;     ///< E*, W_int, the tip's law, the law's own number
 };
 
-/// How a pair's model was chosen.
+/// How a pair's model was chosen: the best one with a smooth limit, hysteresis::has_smooth_limit().
 enum class ModelChoice {
-    conforming_pairs,  ///< the best of pairs that come into full contact of themselves
-    all_pairs,         ///< the best of all pairs
+    conforming_pairs,  ///< by pairs that come into full contact of themselves
+    all_pairs,         ///< by all pairs
     assumed,           ///< hysteresis::model_without_measurements(): too few pairs have W_ret measured
 };
 
@@ -60,6 +61,13 @@ struct LoopResiduals {
     double approach = 0.0, retraction = 0.0;  ///< rms of the force [N]
     double largest_force = 0.0;               ///< measured [N]
     int loops = 0;
+};
+
+/// The likeliest model of a pair where it has no smooth limit: it is shown beside the answer.
+struct LikelierModel {
+    hysteresis::RetractionModel model;
+    TracedValue work_retraction;                ///< from roughness alone [J/m²]
+    std::optional<TracedValue> pull_off_force;  ///< 3/2 π R W_ret [N]; where the sphere is given
 };
 
 /// One pair on its way back.
@@ -77,8 +85,11 @@ struct PairHysteresis {
     TracedValue work_retraction;                ///< by the model, from roughness alone [J/m²]
     std::optional<TracedValue> pull_off_force;  ///< 3/2 π R W_ret [N]; where the sphere is given
     loops::Outcome<hysteresis::PredictedRetraction> loop;
-    loops::Outcome<LossDecomposition> decomposition;
-    std::optional<LoopResiduals> residuals;  ///< of records against `loop`
+    loops::Outcome<LossDecomposition> decomposition;  ///< by the likeliest model
+    std::optional<LoopResiduals> residuals;           ///< of records against `loop`
+    std::optional<LikelierModel> likelier;            ///< where `model` is not the likeliest
+    std::string decomposed_by;                        ///< name of the likeliest model, which `decomposition` is of
+    std::optional<hysteresis::PairPinning> pinning;   ///< of JKR's contact; where models are ranked
     std::vector<ModelWork> models;
 };
 
@@ -121,6 +132,7 @@ struct Hysteresis {
     loops::Outcome<JointLossFit> joint;      ///< behind the pairs' decompositions
     std::vector<PairHysteresis> pairs;
     std::vector<SkippedPair> skipped;
+    std::vector<Alert> alerts;                  ///< of what is predicted
     std::vector<ReferenceLimit> smooth_limits;  ///< of the ranking of all pairs
     std::vector<hysteresis::LawTrials> trials;  ///< of the ranking that comes first, where they were asked for
     std::optional<DecidingPair> deciding;       ///< between the best law and the likeliest not told apart from it

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// W that went into simulated loops of round contacts, found by fits and ranking of both branches. The loops are those
+// of the program's own solver of fronts (tests/support/round_contacts.hpp), not of the formula that the fits have.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "round_contacts.hpp"
+#include "setae/core/constants.hpp"
+#include "setae/hysteresis/ranking.hpp"
+
+namespace setae::hysteresis::simulated_fronts_test {
+namespace {
+
+constexpr double W = round_contacts::work_of_adhesion, modulus = round_contacts::contact_modulus;
+constexpr double scatter_of_loops = 0.3e-3;  ///< of the six loops about their means [J/m²]
+
+const roughness::ParameterSpread no_spread;
+
+/// A flat surface of the moments of a simulated one: u = U_el/(A E*), λ̄ = 4 L_c s, h² = 2uλ̄/π.
+roughness::SpectralParameters parameters_of(const round_contacts::FittedWorks& loop) {
+    roughness::SpectralParameters p;
+    p.elastic_energy_per_modulus = loop.energy_share * W / modulus;
+    p.rms_height = std::sqrt(8.0 * p.elastic_energy_per_modulus * loop.energy_share * loop.larkin_length / pi);
+    return p;
+}
+
+/// A front is known to first order: differences from W are its, the mean is that of the energy balance, W − U_el/A.
+RankedPair pair_of(const round_contacts::FittedWorks& loop) {
+    const double stored = loop.energy_share * W;
+    const auto measured = [&](double work) {
+        return Estimate{.value = work - stored, .standard_error = scatter_of_loops};
+    };
+    RetractionPair pair{
+        .rough = {"share " + std::to_string(loop.energy_share) + ", surface " + std::to_string(loop.seed),
+                  parameters_of(loop), no_spread},
+        .soft = {"soft", TracedValue(modulus), TracedValue(0.0)},
+        .work_of_adhesion = TracedValue(0.8 * W),
+        .radius = TracedValue(round_contacts::radius),
+        .pressing = Pressing{.maximum_force = 1e-4}};
+    const auto approach = measured(loop.known_approach);
+    pair.approach = TracedValue(approach, adhesion::own_noise_name("W_app", pair.rough.name, pair.soft.name));
+    return {std::move(pair), {approach, {}}, {measured(loop.known_retraction), {}}};
+}
+
+std::vector<RankedPair> all_pairs() {
+    std::vector<RankedPair> pairs;
+    for (const auto& loop : round_contacts::fitted_works) pairs.push_back(pair_of(loop));
+    return pairs;
+}
+
+const ModelScore& score_of(const Ranking& ranking, Law law) {
+    return *std::ranges::find(ranking.models, RetractionModel{law, Tip::none},
+                              [](const ModelScore& score) { return score.fitted.model; });
+}
+
+TEST(SimulatedFronts, HaveTheLarkinLengthsOfTheirSolver) {
+    for (const auto& loop : round_contacts::fitted_works) {
+        const auto pinning = pinning_of(pair_of(loop).pair);
+        EXPECT_NEAR(pinning.energy_share / loop.energy_share, 1.0, 1e-9);
+        EXPECT_TRUE(pinning.approach.measured && pinning.retraction.measured);
+        for (const auto& edge : round_contacts::edge_works) {
+            if (edge.seed != loop.seed || edge.energy_share != loop.energy_share || !edge.approach) continue;
+            if (std::abs(edge.contact_radius - *pinning.approach.contact_radius) < 6e-6) {
+                EXPECT_NEAR(pinning.approach.larkin_lengths / edge.larkin_lengths, 1.0, 0.1);
+            }
+        }
+    }
+}
+
+TEST(SimulatedFronts, WorkThatWentInIsFoundWithinItsError) {
+    const auto ranking = rank_models({{Law::reversible, Tip::none},
+                                      {Law::pinning, Tip::none},
+                                      {Law::fitted_pinning, Tip::none},
+                                      {Law::conformal_loss, Tip::none},
+                                      {Law::opening_work, Tip::none}},
+                                     all_pairs());
+    ASSERT_EQ(ranking.models.size(), 5U);
+    for (const Law law : {Law::pinning, Law::fitted_pinning}) {
+        const auto& found = score_of(ranking, law).work_of_adhesion;
+        EXPECT_NEAR(found.value, W, 2.0 * found.standard_error) << found.value << " ± " << found.standard_error;
+        EXPECT_LT(found.standard_error, 0.02 * W);
+    }
+    const auto possible = ranking.possible();
+    EXPECT_TRUE(std::ranges::any_of(possible, [](const ModelScore* score) {
+        return score->fitted.model == RetractionModel{Law::pinning, Tip::none};
+    }));
+    const auto& best = ranking.best()->fitted.model.law;
+    EXPECT_TRUE(best == Law::pinning || best == Law::fitted_pinning) << ranking.best()->fitted.model.name();
+    EXPECT_GT(score_of(ranking, Law::reversible).odds_against.lower, 20.0);
+    // by approach alone, without what pins it, W comes out too low
+    const auto& without = score_of(ranking, Law::reversible).work_of_adhesion;
+    EXPECT_LT(without.value + 2.0 * without.standard_error, W);
+}
+
+}  // namespace
+}  // namespace setae::hysteresis::simulated_fronts_test
