@@ -96,9 +96,10 @@ std::string drift_text(const loops::ForceDrift& drift) {
 /// "85 ± 1 mJ/m² at the largest contact, 60 ± 1 at pull-off; such a loop loses 12.3 ± 0.2 nJ".
 std::string along_text(const loops::Outcome<loops::WorkAlongRetraction>& along) {
     if (!along) return along.reason;
-    return fmt::format("{} at the largest contact, {} at pull-off, slope {}; such a loop loses {}",
-                       format_uncertain(along->at_largest_contact, "J/m2"), format_uncertain(along->at_pull_off, "J/m2"),
-                       format_uncertain(scaled(along->slope, 1e-6), "J/m2") + " per µm", format_uncertain(along->energy_loss, "J"));
+    return fmt::format(
+        "{} at the largest contact, {} at pull-off, slope {}; such a loop loses {}",
+        format_uncertain(along->at_largest_contact, "J/m2"), format_uncertain(along->at_pull_off, "J/m2"),
+        format_uncertain(scaled(along->slope, 1e-6), "J/m2") + " per µm", format_uncertain(along->energy_loss, "J"));
 }
 
 void print_loop(const std::string& file, const loops::LoopAnalysis& a) {

@@ -28,10 +28,11 @@ namespace setae::cli::predict_command {
 namespace {
 
 constexpr const char* explanation =
-    "every pair of the study, measured or not: W_ret, pull-off and the energy that a whole loop loses, from roughness alone\n"
+    "every pair of the study, measured or not: W_ret at pull-off, the pull-off force and the energy that a whole loop loses, from roughness alone\n"
     "  W_app           (7) with the study's W_int\n"
-    "  W_ret           the retraction model that fits the measured pairs best; W_app, a lower bound, where fewer than 6 have W_ret\n"
+    "  W_ret           at pull-off, by the retraction model that fits the measured pairs best; W_app, a lower bound, where fewer than 6 have it\n"
     "  pairs that do not come into full contact of themselves, U_el/AW > 0.3, go by the best law of all pairs\n"
+    "  W_x             work per unit true area, at pull-off as W_ret is; it need not be that of the whole retraction\n"
     "laws, φ = W_ret/W_app of a smooth reference on the same elastomer, alone or times every other\n"
     "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted;\n"
     "  conformal_loss W_app + W_int A_true/A (10), or with a work of its own; opening_work W_x A_true/A\n"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "fit_support.hpp"
 #include "setae/contact/jkr.hpp"
@@ -55,18 +56,18 @@ struct Retraction {
             const double a = a_max - step * i;
             if (!(line(a) > 0.0)) break;
             if (stage(a - step, line) > stage(a, line) || i + 1 == steps)
-                return numerics::golden_section([&](double x) { return stage(x, line); }, std::max(a - step, 0.1 * step),
-                                                std::min(a + step, a_max), rounds);
+                return numerics::golden_section([&](double x) { return stage(x, line); },
+                                                std::max(a - step, 0.1 * step), std::min(a + step, a_max), rounds);
         }
         throw UndefinedDataError("the line of W_ret falls to 0 before the contact parts");
     }
     /// ∮F dδ [J].
     [[nodiscard]] double energy_loss(const Line& line) const {
-        const double R = course.radius, E = contact_modulus, k = course.machine_stiffness,
-                     a = parting_radius(line);
+        const double R = course.radius, E = contact_modulus, k = course.machine_stiffness, a = parting_radius(line);
         const auto contact = contact_at(a, line);
         const double depth = contact::jkr::displacement(a, contact), force = contact::jkr::force(a, contact);
-        const double stored = E * (depth * depth * a - 2.0 / 3.0 * depth * a * a * a / R + std::pow(a, 5) / (5.0 * R * R));
+        const double stored =
+            E * (depth * depth * a - 2.0 / 3.0 * depth * a * a * a / R + std::pow(a, 5) / (5.0 * R * R));
         const double jump_in = work_approach > 0.0 ? spring_jumps({R, E, work_approach}, k).jump_in_loss : 0.0;
         const double largest_area = pi * line.largest_radius * line.largest_radius;
         return jump_in + stored + force * force / (2.0 * k) + line.work_beyond(a) - work_approach * largest_area;
@@ -131,10 +132,10 @@ struct Numbers {
 void require_course(const BranchData& data, const RetractionCourse& course) {
     require_data(data, {.radius = course.radius}, {.contact_radius = true, .fewest = 8});
     if (!(course.contact_modulus.value > 0.0 && course.largest_contact_radius > 0.0 && course.machine_stiffness > 0.0))
-        throw InvalidArgument(fmt::format("E* = {} Pa, largest contact radius {} m, machine stiffness {} N/m; expected "
-                                          "all of them above 0",
-                                          course.contact_modulus.value, course.largest_contact_radius,
-                                          course.machine_stiffness));
+        throw InvalidArgument(
+            fmt::format("E* = {} Pa, largest contact radius {} m, machine stiffness {} N/m; expected "
+                        "all of them above 0",
+                        course.contact_modulus.value, course.largest_contact_radius, course.machine_stiffness));
     constexpr double least_share = 0.05;
     const double covered = data.contact_radius.maxCoeff() - data.contact_radius.minCoeff();
     if (!(covered > least_share * course.largest_contact_radius))
@@ -167,9 +168,9 @@ WorkAlongRetraction fit_work_along_retraction(const BranchData& retraction, cons
         }
     }
     for (Index mode = 0; mode < retraction.force_zero_modes.cols(); ++mode)
-        add(Numbers::of(as_found,
-                        fitted_line(retraction.with_higher_force(retraction.force_zero_modes.col(mode)), course, modulus)
-                            .line));
+        add(Numbers::of(
+            as_found,
+            fitted_line(retraction.with_higher_force(retraction.force_zero_modes.col(mode)), course, modulus).line));
     if (course.contact_modulus.uncertain()) {
         const double stiffer = modulus + course.contact_modulus.standard_error;
         add(Numbers::of({course, stiffer, approach}, fitted_line(retraction, course, stiffer).line));

@@ -55,7 +55,7 @@ std::string sentence_of_way_back(const study::Hysteresis& h) {
         h.all.all_refused() ? "every model is off by a constant"
         : others > 0        ? fmt::format("{} not excluded", counted(others, "other model", "other models"))
                             : "clearly better than every other model";
-    return fmt::format("On the way back the likeliest model is W_ret = {}{}: {} off on surfaces not fitted ({}, {}).",
+    return fmt::format("Retraction: the likeliest model of W_ret at pull-off is {}{}: {} off on surfaces not fitted ({}, {}).",
                        model.formula(), fitted, format_value(best->surface_left_out, "J/m2", 2),
                        pairs_text(h.measured_pairs), beside);
 }

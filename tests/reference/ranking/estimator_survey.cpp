@@ -104,14 +104,14 @@ DrawnSet drawn_set(const EstimatorDesign& design, std::uint64_t seed) {
     for (const auto part : {&PairPoint::slope_inputs, &PairPoint::offset_inputs, &PairPoint::measured_inputs})
         for (const auto& pair : design.pairs) inputs.push_back(&(pair.*part));
     const Eigen::MatrixXd rows = component_rows(inputs);
-    const Eigen::VectorXd changes = rows * numerics::normal_numbers(numerics::substream(key, 0), 0, rows.cols()).matrix();
+    const Eigen::VectorXd changes =
+        rows * numerics::normal_numbers(numerics::substream(key, 0), 0, rows.cols()).matrix();
     const Array1D noise = numerics::normal_numbers(numerics::substream(key, 1), 0, n);
     adhesion::ScatterEffects effects(design.scatter, numerics::substream(key, 2));
     DrawnSet drawn{design.pairs, 0};
     for (Index i = 0; i < n; ++i) {
         auto& pair = drawn.pairs[static_cast<std::size_t>(i)];
-        const double balance =
-            moved(pair.slope, changes[i]) * true_work - moved(pair.offset, changes[n + i]);
+        const double balance = moved(pair.slope, changes[i]) * true_work - moved(pair.offset, changes[n + i]);
         if (balance < 0.0) ++drawn.floored;
         const double of_inputs = 1.0 + changes[2 * n + i] / pair.measured.value;
         const double work = (std::max(0.0, balance) + effects.of(pair.surface, pair.elastomer)) * of_inputs +

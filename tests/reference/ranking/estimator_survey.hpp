@@ -22,11 +22,11 @@ struct EstimatorDesign {
 struct EstimatorSurvey {
     std::string estimator;
     int sets = 0;
-    double bias = 0.0;                ///< mean of W_int found − true W_int [J/m²]
-    double deviation = 0.0;           ///< standard deviation of W_int found [J/m²]
-    double stated = 0.0;              ///< rms of the standard errors stated [J/m²]
-    double width = 0.0;               ///< mean width of the 95 % intervals [J/m²]
-    double covered_68 = 0.0;          ///< share of the 68.3 % intervals that cover the true W_int
+    double bias = 0.0;        ///< mean of W_int found − true W_int [J/m²]
+    double deviation = 0.0;   ///< standard deviation of W_int found [J/m²]
+    double stated = 0.0;      ///< rms of the standard errors stated [J/m²]
+    double width = 0.0;       ///< mean width of the 95 % intervals [J/m²]
+    double covered_68 = 0.0;  ///< share of the 68.3 % intervals that cover the true W_int
     double covered_95 = 0.0;
 };
 

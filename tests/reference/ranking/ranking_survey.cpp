@@ -22,8 +22,8 @@ using hysteresis::Tip;
 constexpr RetractionModel reversible{Law::reversible, Tip::none};
 
 const ModelScore* score_of(const Ranking& ranking, const RetractionModel& model) {
-    const auto found = std::ranges::find_if(ranking.models,
-                                            [&](const ModelScore& score) { return score.fitted.model == model; });
+    const auto found =
+        std::ranges::find_if(ranking.models, [&](const ModelScore& score) { return score.fitted.model == model; });
     return found == ranking.models.end() ? nullptr : &*found;
 }
 
@@ -95,8 +95,8 @@ ModelCalibration calibrate(const std::vector<RetractionModel>& models, const std
     return result;
 }
 
-BiasCalibration calibrate_bias(const std::vector<RankedPair>& pairs, const ModelScore& truth, double constant,
-                               int sets, std::uint64_t first_seed) {
+BiasCalibration calibrate_bias(const std::vector<RankedPair>& pairs, const ModelScore& truth, double constant, int sets,
+                               std::uint64_t first_seed) {
     BiasCalibration result{.model = truth.fitted.model.name()};
     for (int set = 0; set < sets; ++set) {
         auto planted = hysteresis::planted_pairs(pairs, truth, first_seed + static_cast<std::uint64_t>(set));
@@ -114,7 +114,8 @@ std::vector<JitteredOdds> jitter(const std::vector<RetractionModel>& models, con
     std::vector<JitteredOdds> results;
     for (const auto& score : hysteresis::rank_models(models, pairs, {}, {1}).models) {
         const auto& odds = score.odds_against;
-        results.push_back({.model = score.fitted.model.name(), .value = odds.value, .lower = odds.lower, .upper = odds.upper});
+        results.push_back(
+            {.model = score.fitted.model.name(), .value = odds.value, .lower = odds.lower, .upper = odds.upper});
     }
     std::map<std::string, std::vector<double>> found;
     for (int set = 0; set < sets; ++set) {

@@ -13,10 +13,10 @@ namespace setae::reference {
 struct ModelCalibration {
     std::string model;
     int sets = 0;
-    int best = 0;             ///< it is the likeliest model
+    int best = 0;                                                      ///< it is the likeliest model
     int not_distinguished = 0, beaten_better = 0, beaten_clearly = 0;  ///< it is not, by the class of the likeliest
-    int refused = 0;          ///< a constant refuses it
-    int left = 0;             ///< models that remain possible, summed over data sets
+    int refused = 0;                                                   ///< a constant refuses it
+    int left = 0;                               ///< models that remain possible, summed over data sets
     int claims_clearly = 0, claims_better = 0;  ///< other models that it beats in each class, where it is likeliest
     // against `reversible`
     double odds_lower = 0.0, odds_median = 0.0, odds_upper = 0.0;  ///< 5, 50 and 95 % points of ln odds
@@ -34,7 +34,7 @@ struct BiasCalibration {
 /// Spread of the odds against a model while W_ret is jittered.
 struct JitteredOdds {
     std::string model;
-    double value = 1.0, lower = 1.0, upper = 1.0;  ///< as printed for the data
+    double value = 1.0, lower = 1.0, upper = 1.0;                              ///< as printed for the data
     double jittered_lower = 1.0, jittered_median = 1.0, jittered_upper = 1.0;  ///< 5, 50 and 95 % points
     int cannot_be_distinguished = 0, better = 0, clearly_better = 0, likeliest = 0, refused = 0;
 };

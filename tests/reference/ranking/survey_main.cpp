@@ -26,8 +26,9 @@ constexpr double mJ = 1e-3;
 constexpr std::uint64_t first_seed = 20261127;
 
 std::vector<EstimatorDesign> designs(const std::vector<adhesion::PairPoint>& pairs) {
-    const std::vector<std::string> all{"PUNCD", "UNCD", "NCD", "MCD"}, three{"PUNCD", "UNCD", "NCD"}, two{"PUNCD", "NCD"},
-        soft{"E0.7", "E1.0", "E1.9"}, ends{"E0.7", "E1.9"}, elastomers{"E0.7", "E1.0", "E1.9", "E10"};
+    const std::vector<std::string> all{"PUNCD", "UNCD", "NCD", "MCD"}, three{"PUNCD", "UNCD", "NCD"},
+        two{"PUNCD", "NCD"}, soft{"E0.7", "E1.0", "E1.9"}, ends{"E0.7", "E1.9"},
+        elastomers{"E0.7", "E1.0", "E1.9", "E10"};
     const adhesion::ModelScatter equal{5 * mJ, 5 * mJ, 5 * mJ}, none{}, of_groups{3 * mJ, 8 * mJ, 8 * mJ};
     return {{"16 pairs", pairs, equal, -1},
             {"16 pairs, three floored", pairs, equal, 3},
@@ -45,10 +46,11 @@ void print_estimators(const PublishedPairs& published, int sets) {
         "% interval | 68 % covers | 95 % covers | data sets |\n|---|---|---|---|---|---|---|---|---|---|\n");
     for (const auto& design : designs(published.points()))
         for (const auto& of : survey_estimators(design, sets, first_seed)) {
-            fmt::print("| {} | {:g}, {:g}, {:g} | {} | {:+.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} % | {:.1f} % | {} |\n",
-                       design.name, design.scatter.pair / mJ, design.scatter.surface / mJ,
-                       design.scatter.elastomer / mJ, of.estimator, of.bias / mJ, of.deviation / mJ, of.stated / mJ,
-                       of.width / mJ, 100.0 * of.covered_68, 100.0 * of.covered_95, of.sets);
+            fmt::print(
+                "| {} | {:g}, {:g}, {:g} | {} | {:+.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} % | {:.1f} % | {} |\n",
+                design.name, design.scatter.pair / mJ, design.scatter.surface / mJ, design.scatter.elastomer / mJ,
+                of.estimator, of.bias / mJ, of.deviation / mJ, of.stated / mJ, of.width / mJ, 100.0 * of.covered_68,
+                100.0 * of.covered_95, of.sets);
             std::fflush(stdout);
         }
 }
@@ -85,9 +87,9 @@ void print_classes(const PublishedPairs& published, int sets, double scatter, co
     for (const auto& truth : chosen(ranking, scatter, names)) {
         const auto models = against_reversible ? std::vector{truth.fitted.model, all.front()} : all;
         const auto of = calibrate(models, published.ranked(), truth, sets, first_seed);
-        fmt::print("| `{}` | {:g} | {} | {} | {} | {} | {} | {} | {:.1f} | {} | {} | {}, {}, {} | {} | {} |\n", of.model,
-                   scatter / mJ, of.sets, of.best, of.not_distinguished, of.beaten_better, of.beaten_clearly, of.refused,
-                   static_cast<double>(of.left) / std::max(1, of.sets), of.claims_clearly, of.claims_better,
+        fmt::print("| `{}` | {:g} | {} | {} | {} | {} | {} | {} | {:.1f} | {} | {} | {}, {}, {} | {} | {} |\n",
+                   of.model, scatter / mJ, of.sets, of.best, of.not_distinguished, of.beaten_better, of.beaten_clearly,
+                   of.refused, static_cast<double>(of.left) / std::max(1, of.sets), of.claims_clearly, of.claims_better,
                    odds_text(of.odds_lower), odds_text(of.odds_median), odds_text(of.odds_upper),
                    of.reversible_excluded, of.reversible_undecided);
         std::fflush(stdout);
@@ -97,13 +99,12 @@ void print_classes(const PublishedPairs& published, int sets, double scatter, co
 void print_bias(const PublishedPairs& published, int sets, double scatter) {
     const auto ranking = hysteresis::rank_models(hysteresis::retraction_models(), published.ranked(), {}, {1});
     fmt::print("| true model | scatter | constant | data sets | refused |\n|---|---|---|---|---|\n");
-    for (const auto& truth : true_models(ranking, scatter))
-        {
-            constexpr double constant = 60 * mJ;
-            const auto of = calibrate_bias(published.ranked(), truth, constant, sets, first_seed);
-            fmt::print("| `{}` | {:g} | {:g} | {} | {} |\n", of.model, scatter / mJ, constant / mJ, of.sets, of.refused);
-            std::fflush(stdout);
-        }
+    for (const auto& truth : true_models(ranking, scatter)) {
+        constexpr double constant = 60 * mJ;
+        const auto of = calibrate_bias(published.ranked(), truth, constant, sets, first_seed);
+        fmt::print("| `{}` | {:g} | {:g} | {} | {} |\n", of.model, scatter / mJ, constant / mJ, of.sets, of.refused);
+        std::fflush(stdout);
+    }
 }
 
 void print_jitter(const PublishedPairs& published, int sets) {
@@ -133,10 +134,10 @@ int main(int count, char** arguments) {
     const PublishedPairs published;
     if (what == "estimators") print_estimators(published, sets);
     else if (what == "classes" || what == "against")
-        print_classes(published, sets, scatter,
-                      {given.begin() + std::min<std::ptrdiff_t>(3, static_cast<std::ptrdiff_t>(given.size())),
-                       given.end()},
-                      what == "against");
+        print_classes(
+            published, sets, scatter,
+            {given.begin() + std::min<std::ptrdiff_t>(3, static_cast<std::ptrdiff_t>(given.size())), given.end()},
+            what == "against");
     else if (what == "bias") print_bias(published, sets, scatter);
     else if (what == "jitter") print_jitter(published, sets);
     else {

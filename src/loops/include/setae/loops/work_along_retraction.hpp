@@ -11,14 +11,14 @@ namespace setae::loops {
 ///
 ///   W_ret(a) = W_po + s (a − a_po),  a_po <= a <= a_max
 struct WorkAlongRetraction {
-    Estimate at_pull_off;         ///< W_po, at the smallest contact radius before pull-off [J/m²]
-    Estimate at_largest_contact;  ///< W_ret(a_max) [J/m²]
-    Estimate slope;               ///< s [J/m³]; > 0: W_ret falls as the contact shrinks
+    Estimate at_pull_off;          ///< W_po, at the smallest contact radius before pull-off [J/m²]
+    Estimate at_largest_contact;   ///< W_ret(a_max) [J/m²]
+    Estimate slope;                ///< s [J/m³]; > 0: W_ret falls as the contact shrinks
     double smallest_radius = 0.0;  ///< a_po [m]
     double largest_radius = 0.0;   ///< a_max [m]
     Index n = 0;
-    double rms_residual = 0.0;  ///< G measured − W_ret(a) [J/m²]
-    double chi2_reduced = 0.0;  ///< NaN where the noise is unknown
+    double rms_residual = 0.0;      ///< G measured − W_ret(a) [J/m²]
+    double chi2_reduced = 0.0;      ///< NaN where the noise is unknown
     Estimate energy_loss;           ///< ∮F dδ [J] of a loop with W_app on approach and this W_ret on retraction
     Estimate energy_loss_constant;  ///< the same with W_po during the whole retraction [J]
 };
@@ -42,8 +42,8 @@ struct RetractionCourse {
 ///
 /// a_out: radius at which d(δ + F/k)/da = 0 on the line, where the contact parts; U_E = E*(δ²a − 2/3 δa³/R + a⁵/5R²).
 /// @throws InvalidArgument for R, E*, a_max or k <= 0; UndefinedDataError without measured contact radius, for fewer
-/// than 8 samples, or where these cover less than 5 % of a_max, and where the line falls below 0. Source: Maugis, Contact,
-/// Adhesion and Rupture of Elastic Solids (2000), ch. 4; of the loss: energy balance.
+/// than 8 samples, or where these cover less than 5 % of a_max, and where the line falls below 0. Source: Maugis,
+/// Contact, Adhesion and Rupture of Elastic Solids (2000), ch. 4; of the loss: energy balance.
 [[nodiscard]] WorkAlongRetraction fit_work_along_retraction(const BranchData& retraction,
                                                             const RetractionCourse& course);
 
