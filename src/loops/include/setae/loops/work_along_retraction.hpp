@@ -10,6 +10,8 @@ namespace setae::loops {
 /// W_ret as a straight line in the contact radius, from the largest contact to pull-off.
 ///
 ///   W_ret(a) = W_po + s (a − a_po),  a_po <= a <= a_max
+///
+/// a_po: radius where the force is smallest. A contact that remains below it follows the same line.
 struct WorkAlongRetraction {
     Estimate at_pull_off;          ///< W_po, at the smallest contact radius before pull-off [J/m²]
     Estimate at_largest_contact;   ///< W_ret(a_max) [J/m²]
