@@ -82,7 +82,7 @@ loops::Outcome<PairWorkAlong> work_along_of(const PairResult& pair, const StudyR
     }
     if (slope.empty()) return Along::missing(loops_of_pair.loops.front()->analysis->work_along_retraction.reason);
     const auto mean = [](const std::vector<Estimate>& values) {
-        return values.empty() ? Estimate{.value = undefined} : weighted_mean_of(values).mean;
+        return values.empty() ? Estimate{.value = undefined} : mean_of(values);
     };
     return PairWorkAlong{mean(at_pull_off), mean(at_largest), mean(slope),
                          mean(loss),        mean(recorded),   static_cast<int>(slope.size())};

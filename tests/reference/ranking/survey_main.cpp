@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ranking_survey estimators [SETS]: the tables of docs/measured/estimators.md, W_int of designs like the published one
+// ranking_survey floored [SETS]: the same by the number of pairs whose true balance is below 0
 // ranking_survey classes [SETS] [SCATTER mJ/m²] [MODEL …]: docs/measured/ranking.md, data sets of each model ranked
 // ranking_survey against [SETS] [SCATTER] [MODEL …]: the same, the true model and `reversible` alone
 // ranking_survey bias [SETS] [SCATTER]: 60 mJ/m² added to W_ret of every pair
@@ -53,6 +54,22 @@ void print_estimators(const PublishedPairs& published, int sets) {
                 100.0 * of.covered_95, of.sets);
             std::fflush(stdout);
         }
+}
+
+void print_floored(const PublishedPairs& published, int sets) {
+    fmt::print(
+        "| floored pairs | bias of the posterior | SD of values | SE stated (rms) | 68 % covers | 95 % covers | bias of "
+        "generalised least squares | its 95 % covers |\n|---|---|---|---|---|---|---|---|\n");
+    constexpr int most = 7;
+    for (int floored = 0; floored <= most; ++floored) {
+        const EstimatorDesign design{"16 pairs", published.points(), {5 * mJ, 5 * mJ, 5 * mJ}, floored};
+        const auto surveys = survey_estimators(design, sets, 5000 + 100000ULL * static_cast<std::uint64_t>(floored));
+        const auto &posterior = surveys.front(), &generalised = surveys.back();
+        fmt::print("| {} | {:+.1f} | {:.1f} | {:.1f} | {:.0f} % | {:.0f} % | {:+.1f} | {:.0f} % |\n", floored,
+                   posterior.bias / mJ, posterior.deviation / mJ, posterior.stated / mJ, 100.0 * posterior.covered_68,
+                   100.0 * posterior.covered_95, generalised.bias / mJ, 100.0 * generalised.covered_95);
+        std::fflush(stdout);
+    }
 }
 
 /// One digit, at most 10⁴ and at least 10⁻⁴.
@@ -133,6 +150,7 @@ int main(int count, char** arguments) {
     const auto start = std::chrono::steady_clock::now();
     const PublishedPairs published;
     if (what == "estimators") print_estimators(published, sets);
+    else if (what == "floored") print_floored(published, sets);
     else if (what == "classes" || what == "against")
         print_classes(
             published, sets, scatter,
@@ -141,7 +159,7 @@ int main(int count, char** arguments) {
     else if (what == "bias") print_bias(published, sets, scatter);
     else if (what == "jitter") print_jitter(published, sets);
     else {
-        fmt::print(stderr, "ranking_survey estimators | classes | against | bias | jitter [SETS] …\n");
+        fmt::print(stderr, "ranking_survey estimators | floored | classes | against | bias | jitter [SETS] …\n");
         return 2;
     }
     fmt::print(stderr, "{:.0f} s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
