@@ -211,6 +211,37 @@ Outcome<RetractionFit> analyse_retraction(const PreparedRecord& record, const Co
     });
 }
 
+/// k [N/m] as given, else of the jump out; infinite where neither is known.
+double stiffness_of_machine(const ContactAnalysis& analysis, const AnalysisOptions& options) {
+    if (options.machine_stiffness) return *options.machine_stiffness;
+    if (analysis.pull_off && analysis.pull_off->machine_stiffness > 0.0) return analysis.pull_off->machine_stiffness;
+    return INFINITY;
+}
+
+/// W_ret from where the edge lets go to the pull-off.
+Outcome<WorkAlongRetraction> analyse_work_along(const PreparedRecord& record, const ContactAnalysis& analysis,
+                                                double machine_stiffness, const LensAndCounterBody& bodies,
+                                                const AnalysisOptions& options) {
+    using Course = Outcome<WorkAlongRetraction>;
+    if (!analysis.unloading) return Course::missing(analysis.unloading.reason);
+    if (record.level.contact_radius.size() == 0)
+        return Course::missing("undetermined: the contact radius was not measured, only the pull-off is known");
+    return attempt([&] {
+        const JkrFit& loading = analysis.loading.primary();
+        require_known_modulus(loading);
+        const FitRange& range = analysis.unloading->range;
+        const Selection selection =
+            without_ignored(range_selection({range.first, range.last}, range.name), record.segments);
+        return fit_work_along_retraction(
+            as_half_space(branch_data(record.levelled(), selection, options), bodies, options),
+            {.radius = bodies.radius,
+             .contact_modulus = loading.contact_modulus,
+             .work_approach = loading.work_of_adhesion,
+             .largest_contact_radius = analysis.context.largest_contact_radius,
+             .machine_stiffness = machine_stiffness});
+    });
+}
+
 /// Contact radius at the largest force: that of the loading fit, moved by the mean of what the last frames before it
 /// differ from the fit, at the end of a hold, in which the contact may grow. The largest of noisy frames would be too
 /// large.
@@ -343,11 +374,8 @@ Outcome<EnergyLedger> keep_ledger(const PreparedRecord& record, Index index, con
         .smooth_sphere = {bodies.radius, fit.contact_modulus.value, std::max(fit.work_of_adhesion.value, 0.0)},
         .largest_contact_area = analysis.context.largest_contact_area,
         .true_area_ratio = options.true_area_ratio,
-        .machine_stiffness = INFINITY,
         .drift = options.segments.drift};
-    if (options.machine_stiffness) inputs.machine_stiffness = *options.machine_stiffness;
-    else if (analysis.pull_off && analysis.pull_off->machine_stiffness > 0.0)
-        inputs.machine_stiffness = analysis.pull_off->machine_stiffness;
+    inputs.machine_stiffness = stiffness_of_machine(analysis, options);
     if (options.machine_stiffness && options.machine_stiffness_standard_error > 0.0)
         inputs.displacement_stiffness =
             Estimate{.value = *options.machine_stiffness, .standard_error = options.machine_stiffness_standard_error};
@@ -387,6 +415,8 @@ ContactAnalysis analyse_contact(const PreparedRecord& record, Index index, const
     analysis.pull_off = find_pull_off(record, contact, bodies.radius, analysis.loading.primary().contact_modulus.value);
     analysis.retraction = analyse_retraction(record, contact, analysis, bodies, options);
     analysis.loop = attempt([&] { return loop_energy(record.deflected, segments, index, options.segments.drift); });
+    analysis.work_along_retraction =
+        analyse_work_along(record, analysis, stiffness_of_machine(analysis, options), bodies, options);
     analysis.ledger = keep_ledger(record, index, analysis, bodies, options);
     if (held) free.contact_point = {.mode = Mode::value, .value = analysis.contact_points->contact_point.value};
     add_compliance_error(analysis, record, contact, bodies, free);

@@ -339,7 +339,7 @@ std::vector<AlertKind> of_studies() {
          "docs/measured/crack-front.md has the range; N counts Larkin lengths along the edge of the contact"},
         {"REFERENCE_INCOMPLETE", about, "a reference's loop is not whole"},
         {"REFERENCE_HYSTERESIS", about,
-         "a smooth reference's W of retraction is not shown to be within [comparison] margin of that of approach",
+         "a smooth reference's W_ret at pull-off is not shown to be within [comparison] margin of that of approach",
          "the margin is the user's; 5 mJ/m² by default, a seventh of PDMS on diamond"},
         {"LOSS_CONTRADICTS_WORKS", about,
          "the energy that a loop lost and that which its own W_app and W_ret would lose differ by more than three "

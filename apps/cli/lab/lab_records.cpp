@@ -19,7 +19,7 @@ namespace {
 constexpr const char* explanation =
     "records    simulated loops of a sphere, each with one fault that laboratories meet, or with two of them\n"
     "columns    median bias in percent, median bias in standard errors, share of 95 % intervals that cover the known value\n"
-    "E*, W      modulus and work of adhesion of the fit to loading; W_ret: of the fit to retraction\n"
+    "E*, W      modulus and work of adhesion of the fit to loading; W_ret: at pull-off, of the fit to retraction\n"
     "W_pull_off from the smallest force; W_last_points: from the last samples before pull-off; E_loss: energy of the loop\n"
     "refused    records that are not analysed; cause named: refused or warned with the fault named\n"
     "silently   a quantity is off by more than four standard errors and 2 %, and neither a refusal nor a warning names the fault\n";

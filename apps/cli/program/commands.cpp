@@ -117,7 +117,7 @@ constexpr Command table[] = {
     {"", "study", "run a study: surfaces, elastomers, experiments → tables and fits", study_command::declare},
     {"study", "init", "draft a study from what files in folders say; what it must be told is asked in its lines",
      study_init_command::declare},
-    {"", "predict", "hysteresis from roughness: W_ret, pull-off and loss of every pair, and the law that says the measured ones",
+    {"", "predict", "hysteresis from roughness: W_ret at pull-off, pull-off force and loss of every pair, and the law that says the measured ones",
      predict_command::declare},
     {"", "plot", "draw one figure of a study: SVG, PDF, PNG or its numbers as CSV", plot_command::declare},
     {"lab", "make", "write what instruments would record on surfaces and loops of a recipe", lab_make_command::declare},

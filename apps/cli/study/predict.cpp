@@ -28,11 +28,12 @@ namespace setae::cli::predict_command {
 namespace {
 
 constexpr const char* explanation =
-    "every pair of the study, measured or not: W_ret, pull-off and the energy that a whole loop loses, from roughness alone\n"
+    "every pair of the study, measured or not: W_ret at pull-off, the pull-off force and the energy that a whole loop loses, from roughness alone\n"
     "  W_app           (7) with the study's W_int\n"
-    "  W_ret           the likeliest retraction model that tends to a smooth surface's W_ret as roughness tends to zero; a likelier\n"
-    "                  model without this limit is shown beside; W_app, a lower bound, where fewer than 6 pairs have W_ret\n"
+    "  W_ret           at pull-off, by the likeliest retraction model that tends to a smooth surface's W_ret as roughness tends to zero;\n"
+    "                  a likelier model without this limit is shown beside; W_app, a lower bound, where fewer than 6 pairs have W_ret\n"
     "  pairs that do not come into full contact of themselves, U_el/AW > 0.3, go by the ranking of all pairs\n"
+    "  W_x             work per unit true area, at pull-off as W_ret is; it need not be that of the whole retraction\n"
     "laws, φ = W_ret/W_app of a smooth reference on the same elastomer, alone or times every other\n"
     "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted; simulated k grows with N, the Larkin\n"
     "  lengths of the contact's edge, at the largest load and at pull-off\n"

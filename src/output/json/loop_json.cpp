@@ -92,7 +92,7 @@ Json pull_off_json(const loops::PullOff& pull_off) {
     Json json{{"index", pull_off.index}};
     add(json, quantity("force", "F_po", pull_off.force, "N"));
     auto fixed_load = quantity("work_of_adhesion", "W_po", pull_off.work_of_adhesion, "J/m2");
-    fixed_load.source = "W = 2|F_po|/(3 pi R), the smallest force; [D19] (S1)";
+    fixed_load.source = "at pull-off, W = 2|F_po|/(3 pi R), the smallest force; [D19] (S1)";
     add(json, fixed_load);
     add(json, quantity("last_force", "F_last", pull_off.last_force, "N"));
     add_outcome(json, "work_of_adhesion_fixed_grips", pull_off.work_of_adhesion_fixed_grips, [](const Estimate& work) {
@@ -107,7 +107,7 @@ Json pull_off_json(const loops::PullOff& pull_off) {
 Json retraction_json(const loops::RetractionFit& fit) {
     Json json;
     auto work = quantity("work_of_adhesion", "W_ret", fit.work_of_adhesion, "J/m2");
-    work.source = "[D19] (S2) on the last points before pull-off";
+    work.source = "at pull-off, [D19] (S2) on the last points";
     work.n = static_cast<int>(fit.n);
     add(json, work);
     add(json, quantity("contact_modulus", "E*", fit.contact_modulus, "Pa"));
@@ -116,6 +116,23 @@ Json retraction_json(const loops::RetractionFit& fit) {
     json["last"] = fit.last;
     add(json, quantity("rms_residual", "rms", fit.rms_residual, "N"));
     json["contact_radius_measured"] = fit.radius_measured;
+    return json;
+}
+
+Json work_along_json(const loops::WorkAlongRetraction& along) {
+    Json json;
+    add(json, quantity("work_at_pull_off", "W_ret(a_po)", along.at_pull_off, "J/m2"));
+    add(json, quantity("work_at_largest_contact", "W_ret(a_max)", along.at_largest_contact, "J/m2"));
+    auto slope = quantity("slope", "dW_ret/da", along.slope, "J/m3");
+    slope.source = "line through G(a) = (4E*a^3/3R - F)^2/(8 pi E* a^3) of the receding edge";
+    slope.n = static_cast<int>(along.n);
+    add(json, slope);
+    add(json, quantity("smallest_contact_radius", "a_po", along.smallest_radius, "m"));
+    add(json, quantity("largest_contact_radius", "a_max", along.largest_radius, "m"));
+    add(json, quantity("rms_residual", "rms", along.rms_residual, "J/m2"));
+    json["chi_squared_reduced"] = number(along.chi2_reduced);
+    add(json, quantity("energy_loss", "E_loss", along.energy_loss, "J"));
+    add(json, quantity("energy_loss_constant_work", "E_loss", along.energy_loss_constant, "J"));
     return json;
 }
 
@@ -295,6 +312,7 @@ Json contact_json(const Contact& analysis) {
     if (analysis.hold) json["hold"] = hold_json(*analysis.hold);
     add_outcome(json, "unloading", analysis.unloading, branch_json);
     add_outcome(json, "retraction", analysis.retraction, retraction_json);
+    add_outcome(json, "work_along_retraction", analysis.work_along_retraction, work_along_json);
     add_outcome(json, "pull_off", analysis.pull_off, pull_off_json);
     add_energies(json, analysis);
     add_outcome(json, "contact_points", analysis.contact_points, contact_points_json);

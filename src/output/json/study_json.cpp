@@ -344,6 +344,16 @@ Json measured_json(const Quantity& value, const Components& inputs) {
     return json;
 }
 
+Json pair_work_along_json(const study::PairWorkAlong& along) {
+    Json json{{"loops", along.loops}};
+    add(json, quantity("work_at_pull_off", "W_ret(a_po)", along.at_pull_off, "J/m2"));
+    add(json, quantity("work_at_largest_contact", "W_ret(a_max)", along.at_largest_contact, "J/m2"));
+    add(json, quantity("slope", "dW_ret/da", along.slope, "J/m3"));
+    add(json, quantity("energy_loss", "E_loss", along.energy_loss, "J"));
+    add(json, quantity("energy_loss_recorded", "E_loss", along.energy_recorded, "J"));
+    return json;
+}
+
 Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draws) {
     Json json{{"surface", pair.surface}, {"elastomer", pair.elastomer}, {"experiments", pair.experiments}};
     Json measured;
@@ -365,6 +375,7 @@ Json pair_json(const study::PairResult& pair, const adhesion::BalanceDraws& draw
         share.source = "share of the hysteresis that the smooth reference has, too";
         measured["reference_share"] = to_json(share);
     }
+    add_outcome(measured, "work_along_retraction", pair.work_along_retraction, pair_work_along_json);
     json["measured"] = measured;
     if (pair.modified) {
         add(json, named("true_area_ratio", "A_true/A_app", pair.area_ratio, "1", "[D19] (9)"));

@@ -31,8 +31,8 @@ DataTable pairs(const study::Hysteresis& h, const Json& study) {
          {"law", ""},
          {"contact", "1"},
          {"*W*_app", "J/m2"},
-         {"*W*_ret", "J/m2"},
-         {"measured *W*_ret", "J/m2"},
+         {"*W*_ret at pull-off", "J/m2"},
+         {"measured *W*_ret at pull-off", "J/m2"},
          {"pull-off force", "N"},
          {"*E*_loss", "J"}},
         {}};

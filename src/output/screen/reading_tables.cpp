@@ -152,8 +152,8 @@ tables::TidyTable elastomers(const StudyResult& result) {
 
 tables::TidyTable loops(const StudyResult& result) {
     tables::TidyTable table{"Loops",
-                            {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]", "W pull-off [mJ/m²]",
-                             "W retraction [mJ/m²]", "E_loss [nJ]", ""},
+                            {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]", "W_ret at pull-off (S1) [mJ/m²]",
+                             "W_ret at pull-off (S2) [mJ/m²]", "E_loss [nJ]", ""},
                             {}};
     for (const auto& e : result.experiments) {
         const auto file = std::filesystem::path(e.input.file).filename().string();
@@ -179,12 +179,26 @@ tables::TidyTable loops(const StudyResult& result) {
 tables::TidyTable references(const StudyResult& result) {
     tables::TidyTable table{
         "Smooth references",
-        {"elastomer", "stage", "W loading [mJ/m²]", "W retraction [mJ/m²]", "excess energy [nJ]", "ideal sphere [nJ]"},
+        {"elastomer", "stage", "W loading [mJ/m²]", "W_ret at pull-off [mJ/m²]", "excess energy [nJ]", "ideal sphere [nJ]"},
         {}};
     for (const auto& r : result.references)
         table.rows.push_back({r.elastomer, r.stage, uncertain_number(r.approach, mJ_per_m2),
                               uncertain_number(r.retraction, mJ_per_m2), optional_number(r.excess_energy, nJ),
                               exact(r.ideal_loss.value_or(undefined), nJ)});
+    return table;
+}
+
+tables::TidyTable work_along(const StudyResult& result) {
+    tables::TidyTable table{"W_ret along the retraction of recorded loops",
+                            {"surface", "elastomer", "at the largest contact [mJ/m²]", "at pull-off [mJ/m²]",
+                             "slope [mJ/m² per µm]", "E_loss by it [nJ]", "recorded [nJ]"},
+                            {}};
+    constexpr double per_um = 1e3;  // mJ/m² per µm in J/m³
+    for (const auto& pair : result.pairs)
+        if (const auto& along = pair.work_along_retraction)
+            table.rows.push_back({pair.surface, pair.elastomer, uncertain_number(along->at_largest_contact, mJ_per_m2),
+                                  uncertain_number(along->at_pull_off, mJ_per_m2), uncertain_number(along->slope, per_um),
+                                  uncertain_number(along->energy_loss, nJ), uncertain_number(along->energy_recorded, nJ)});
     return table;
 }
 

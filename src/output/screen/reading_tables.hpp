@@ -15,6 +15,8 @@ enum class Spectra { used, all };
 [[nodiscard]] tables::TidyTable agreement(const study::StudyResult& result);
 [[nodiscard]] tables::TidyTable elastomers(const study::StudyResult& result);
 [[nodiscard]] tables::TidyTable loops(const study::StudyResult& result);
+/// Empty without loops whose contact radius was measured.
+[[nodiscard]] tables::TidyTable work_along(const study::StudyResult& result);
 [[nodiscard]] tables::TidyTable references(const study::StudyResult& result);
 /// Measured and predicted works of adhesion, one row a pair.
 [[nodiscard]] tables::TidyTable pairs(const study::StudyResult& result);

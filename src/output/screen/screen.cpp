@@ -137,9 +137,10 @@ std::string summary(const StudyResult& result, std::size_t width) {
     for (const auto& sentence : said.findings) text += wrapped("+ " + sentence, width, 2) + "\n";
     for (const auto& sentence : said.limits) text += wrapped("- " + sentence, width, 2) + "\n";
     text += "\n";
-    for (const auto& table : {reading::surfaces(result, reading::Spectra::all), reading::agreement(result),
-                              reading::elastomers(result), reading::loops(result), reading::references(result),
-                              reading::all_pairs(result), reading::all_fits(result), reading::cutoffs(result)})
+    for (const auto& table :
+         {reading::surfaces(result, reading::Spectra::all), reading::agreement(result), reading::elastomers(result),
+          reading::loops(result), reading::work_along(result), reading::references(result), reading::all_pairs(result),
+          reading::all_fits(result), reading::cutoffs(result)})
         if (!table.rows.empty()) text += tables::as_text_within(table, width) + "\n";
     if (const auto groups = grouped_alerts(result); !groups.empty()) {
         text += "Alerts\n";

@@ -99,8 +99,8 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
     const bool wide = width == FigureWidth::double_column;
     StudyFigure drawn{.identifier = "hysteresis", .name = "hysteresis"};
     drawn.title = "Work of adhesion on retraction: measured against predicted from roughness";
-    Panel panel{.x = {.quantity = "predicted *W*_ret", .unit = "mJ/m2", .from = 0.0},
-                .y = {.quantity = "measured *W*_ret", .unit = "mJ/m2", .from = 0.0}};
+    Panel panel{.x = {.quantity = "predicted *W*_ret at pull-off", .unit = "mJ/m2", .from = 0.0},
+                .y = {.quantity = "measured *W*_ret at pull-off", .unit = "mJ/m2", .from = 0.0}};
     std::vector<std::string> surfaces, elastomers;
     std::vector<figures::Series> points;
     double largest = 0.0;
@@ -111,7 +111,7 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
         largest = std::max({largest, points.back().upper[0], points.back().right[0]});
     }
     if (points.empty()) {
-        drawn.reason = "no pair has W_ret measured";
+        drawn.reason = "no pair has W_ret at pull-off measured";
         return drawn;
     }
     panel.series.push_back({.label = "equal",
@@ -132,7 +132,7 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
     std::vector<std::string> laws;
     for (const auto& pair : h.pairs) (void)place_of(laws, pair.model.name());
     drawn.caption = fmt::format(
-        "W_ret of {} against what roughness predicts by {}; bars are one standard error. Symbol: surface; colour: elastomer; "
+        "W_ret at pull-off of {} against what roughness predicts by {}; bars are one standard error. Symbol: surface; colour: elastomer; "
         "hollow: bodies that do not come into full contact of themselves. Dashed: equal.",
         setae::counted(points.size(), "pair", "pairs"), fmt::join(laws, ", "));
     return drawn;

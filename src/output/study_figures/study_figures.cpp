@@ -131,9 +131,9 @@ const std::vector<Kind>& kinds() {
           "pairs with a prediction"},
          prediction_against_modulus},
         {{"hysteresis", "Work of adhesion on retraction: measured against predicted from roughness",
-          "measured against predicted W_ret, by the likeliest model with a smooth limit; symbol by surface, colour by elastomer, hollow where "
+          "measured against predicted W_ret at pull-off, by the likeliest model with a smooth limit; symbol by surface, colour by elastomer, hollow where "
           "contact is partial",
-          "pairs with a measured W_ret"},
+          "pairs with a measured W_ret at pull-off"},
          way_back},
         {{"losses", "Where the joules of loops went",
           "a bar a pair: the sphere's jumps, the crack tip, roughness; symbols: measured E_loss",

@@ -110,10 +110,11 @@ std::string with_miss(const ModelScore& score) {
 std::string best_sentence(const NamedRanking& of) {
     const auto& best = *of.ranking.best();
     const auto parameter = parameter_text(best);
-    auto text = fmt::format("W_ret of {}: {}{}, W_ret = {}{}, misses a surface that was not fitted by {}", of.words,
-                            of.ranking.all_refused() ? "every model is off by a constant, least so " : "likeliest is ",
-                            best.fitted.model.name(), best.fitted.model.formula(),
-                            parameter.empty() ? "" : " with " + parameter, work(best.surface_left_out));
+    auto text =
+        fmt::format("W_ret at pull-off of {}: {}{}, W_ret = {}{}, misses a surface that was not fitted by {}", of.words,
+                    of.ranking.all_refused() ? "every model is off by a constant, least so " : "likeliest is ",
+                    best.fitted.model.name(), best.fitted.model.formula(),
+                    parameter.empty() ? "" : " with " + parameter, work(best.surface_left_out));
     std::vector<std::string> possible, refused;
     for (const auto* score : of.ranking.possible())
         if (score != &best) possible.push_back(with_miss(*score));
@@ -128,8 +129,9 @@ std::string best_sentence(const NamedRanking& of) {
 
 std::string deciding_sentence(const study::DecidingPair& pair) {
     constexpr double apart = 2.0;
-    const auto there = fmt::format("W_ret of {} on {}, {} or {}, {:.2g} standard errors apart", pair.elastomer,
-                                   pair.surface, work(pair.first_work), work(pair.second_work), pair.standard_errors);
+    const auto there =
+        fmt::format("W_ret at pull-off of {} on {}, {} or {}, {:.2g} standard errors apart", pair.elastomer,
+                    pair.surface, work(pair.first_work), work(pair.second_work), pair.standard_errors);
     const auto rests = pair.largest_input.empty()
                            ? ""
                            : fmt::format("; most of what the difference rests on is {}", pair.largest_input);
@@ -165,8 +167,8 @@ std::string verdict_cell(const Ranking& ranking, const ModelScore& score) {
 
 /// Models for a reader, what cannot be judged below the others.
 TidyTable shown_models(const study::Hysteresis& h, const NamedRanking& of) {
-    TidyTable table{fmt::format("models of W_ret, {}", of.words),
-                    {"model", "number [mJ/m²]", "off [mJ/m²]", "odds against", "which is"},
+    TidyTable table{fmt::format("models of W_ret at pull-off, {}", of.words),
+                    {"model", "fitted [mJ/m²]", "off [mJ/m²]", "odds against", "which is"},
                     {}};
     const auto in_milli = [](double value) { return fmt::format("{:.1f}", value / milli); };
     for (const auto& s : of.ranking.models)
@@ -189,7 +191,7 @@ struct Answered {
 /// Pairs by one model.
 TidyTable shown_pairs(const Answered& answered, const std::vector<const study::PairHysteresis*>& pairs) {
     TidyTable table{fmt::format("from roughness alone, by {} [mJ/m², mN, nJ]", answered.by),
-                    {"pair", "contact", "W_app", "W_ret", "measured", "pull-off", "E_loss"},
+                    {"pair", "contact", "W_app", "W_ret at pull-off", "measured", "pull-off", "E_loss"},
                     {}};
     if (!answered.likelier.empty()) {
         table.title += fmt::format("; beside it W_ret by {}", answered.likelier);
@@ -409,7 +411,7 @@ std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
     if (losses.rows.empty()) return text;
     text += "\n" + tables::as_text_within(losses, width);
     if (std::ranges::any_of(h.pairs, [](const auto& p) { return p.decomposition && p.decomposition->of_works; }))
-        text += "* from W_app, W_ret and the contact area; the loop's own area is not known\n";
+        text += "* from W_app, W_ret at pull-off and the contact area; the loop's own area is not known\n";
     return text + shown_joint(h, width);
 }
 

@@ -249,7 +249,7 @@ void add_energies(tables::TidyTable& table, const LoopLabels& labels, const loop
 tables::TidyTable loop_rows_table() {
     return {
         "",
-        {"loop", "E* [MPa]", "W loading [mJ/m²]", "W unloading [mJ/m²]", "W pull-off [mJ/m²]", "loss [nJ]", "warnings"},
+        {"loop", "E* [MPa]", "W loading [mJ/m²]", "W unloading [mJ/m²]", "W_ret at pull-off [mJ/m²]", "loss [nJ]", "warnings"},
         {}};
 }
 

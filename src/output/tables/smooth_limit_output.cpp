@@ -36,7 +36,7 @@ Span distance_of(const study::Hysteresis& hysteresis, const hysteresis::Retracti
 
 tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis) {
     tables::TidyTable table{"models on a smooth reference, r = 1 and U_el = 0 [mJ/m²]",
-                            {"model", "W_ret by the model", "measured", "off by", "tends to the reference"},
+                            {"model", "W_ret at pull-off by the model", "measured", "off by", "tends to the reference"},
                             {}};
     for (const auto& score : hysteresis.all.models) {
         Span model, measured, off;

@@ -59,7 +59,7 @@ std::string sentence_of_retraction(const study::Hysteresis& h) {
         : others > 0        ? fmt::format("{} cannot be excluded", counted(others, "other model", "other models"))
                             : "clearly better than every other model";
     auto text = fmt::format(
-        "On retraction the likeliest model is W_ret = {}{}: it misses surfaces left out by {} ({}, {}).",
+        "On retraction the likeliest model of W_ret at pull-off is {}{}: it misses surfaces left out by {} ({}, {}).",
         model.formula(), fitted, format_value(best->surface_left_out, "J/m2", 2), pairs_text(h.measured_pairs), beside);
     for (const auto& sentence : smooth_limit_sentences(h)) text += " " + sentence + ".";
     return text;

@@ -45,6 +45,7 @@ public:
         say_of_test();
         say_of_rivals();
         say_of_fits();
+        say_of_retraction();
         say_of_design();
         say_of_spectra();
         say_of_alerts();
@@ -110,6 +111,27 @@ private:
         if (!result_.modified && result_.work_of_adhesion) say("No fit of approach: " + result_.modified.reason + ".");
         if (!result_.loop) say("No fit of loop energies: " + result_.loop.reason + ".");
         if (!result_.work_of_adhesion) say("No prediction: " + result_.work_of_adhesion.reason + ".");
+    }
+
+    void say_of_retraction() {
+        int unknown = 0;
+        std::vector<std::string> changing;
+        for (const auto& pair : result_.pairs) {
+            const auto& along = pair.work_along_retraction;
+            if (!along) unknown += pair.retraction || pair.pull_off ? 1 : 0;
+            else if (interval_of(along->slope) && !may_be_zero(along->slope))
+                changing.push_back(fmt::format("{} × {} ({} at the largest contact, {} at pull-off)", pair.surface,
+                                               pair.elastomer, format_uncertain(along->at_largest_contact, "J/m2"),
+                                               format_uncertain(along->at_pull_off, "J/m2")));
+        }
+        if (unknown > 0)
+            say(
+                fmt::format("Whether W_ret is the same during the whole retraction is undetermined for {}: only the "
+                            "pull-off is known.",
+                            pairs_text(unknown)));
+        if (!changing.empty())
+            say("W_ret changes along the retraction of " + listed(changing) +
+                ": its value at pull-off is not the work of the whole retraction.");
     }
 
     void say_of_exact_inputs() {

@@ -27,7 +27,7 @@ constexpr std::array<Number, 7> numbers{{{&LoopNumbers::contact_modulus, &LoopDe
                                          {&LoopNumbers::youngs_modulus, &LoopDependence::youngs_modulus, "E"},
                                          {&LoopNumbers::approach, &LoopDependence::approach, "W of approach"},
                                          {&LoopNumbers::pull_off, &LoopDependence::pull_off, "W of pull-off"},
-                                         {&LoopNumbers::retraction, &LoopDependence::retraction, "W of retraction"},
+                                         {&LoopNumbers::retraction, &LoopDependence::retraction, "W_ret at pull-off"},
                                          {&LoopNumbers::loss, &LoopDependence::loss, "the loss"},
                                          {&LoopNumbers::contact_area, &LoopDependence::contact_area, "the contact area"}}};
 

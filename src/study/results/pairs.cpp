@@ -63,6 +63,31 @@ void take_loops(PairResult& pair, const StudyResult& result, const ElastomerResu
     }
 }
 
+/// W_ret along the retraction of the pair's loops; of published pairs, and without it, why not.
+loops::Outcome<PairWorkAlong> work_along_of(const PairResult& pair, const StudyResult& result) {
+    using Along = loops::Outcome<PairWorkAlong>;
+    const auto loops_of_pair = loops_with(result, loop_quantities().front(), pair.elastomer, pair.surface, false);
+    if (loops_of_pair.loops.empty())
+        return Along::missing(pair.retraction || pair.pull_off ? "undetermined: only the pull-off is known"
+                                                               : "nothing of the retraction was measured");
+    std::vector<Estimate> at_pull_off, at_largest, slope, loss, recorded;
+    for (const auto* e : loops_of_pair.loops) {
+        const auto& along = e->analysis->work_along_retraction;
+        if (!along) continue;
+        at_pull_off.push_back(along->at_pull_off);
+        at_largest.push_back(along->at_largest_contact);
+        slope.push_back(along->slope);
+        loss.push_back(along->energy_loss);
+        if (e->analysis->loop) recorded.push_back(e->analysis->loop->estimate());
+    }
+    if (slope.empty()) return Along::missing(loops_of_pair.loops.front()->analysis->work_along_retraction.reason);
+    const auto mean = [](const std::vector<Estimate>& values) {
+        return values.empty() ? Estimate{.value = undefined} : mean_of(values);
+    };
+    return PairWorkAlong{mean(at_pull_off), mean(at_largest), mean(slope),
+                         mean(loss),        mean(recorded),   static_cast<int>(slope.size())};
+}
+
 /// Measured values by the mixed model, where the loops on the pair's elastomer name what was repeated.
 void take_replicates(PairResult& pair, const StudyResult& result, const ElastomerResult& elastomer) {
     for (const auto& replicates : result.replicates) {
@@ -84,6 +109,7 @@ void take_measured(PairResult& pair, const StudyResult& result, const ElastomerR
     if (const auto* published = published_of(result.study, pair)) take_published(pair, *published);
     take_loops(pair, result, elastomer);
     take_replicates(pair, result, elastomer);
+    pair.work_along_retraction = work_along_of(pair, result);
     if (!pair.ideal_loss && pair.approach) pair.ideal_loss = ideal_loss(elastomer, pair.approach->value);
 }
 

@@ -165,7 +165,7 @@ void evaluate_references(StudyResult& result) {
     add_shares(result);
     for (const auto& reference : result.references) {
         require_equivalence(
-            result, "REFERENCE_HYSTERESIS", reference, reference.hysteresis, "W of retraction less W of approach",
+            result, "REFERENCE_HYSTERESIS", reference, reference.hysteresis, "W_ret at pull-off less W_app",
             shares_of(result, reference.elastomer),
             "part of the rough loops' hysteresis is not roughness: compare rates and holds, and take it "
             "off before conclusions");

@@ -130,6 +130,21 @@ TEST_F(StudyOfFiles, PropagatesTheUncertaintyOfEachTip) {
     EXPECT_GT(surface.average.spread.sources[0].minus.rms_slope, surface.average.spread.sources[0].plus.rms_slope);
 }
 
+TEST_F(StudyOfFiles, FindsTheWorkAlongTheRetraction) {
+    const auto result = run(rough_loops);
+    int loops = 0;
+    for (const auto& pair : result.pairs) {
+        const auto& along = pair.work_along_retraction;
+        ASSERT_TRUE(along) << along.reason;
+        loops += along->loops;
+        const double work_out = pair.retraction->value, across = 1e-4;  // m, about the largest contact radius
+        EXPECT_NEAR(along->slope.value * across / work_out, 0.0, 0.02) << pair.surface << pair.elastomer;
+        EXPECT_NEAR(along->at_pull_off.value / work_out, 1.0, 0.01);
+        EXPECT_NEAR(along->energy_recorded.value / pair.loss->value, 1.0, 1e-12);
+    }
+    EXPECT_EQ(loops, 4);
+}
+
 TEST_F(StudyOfFiles, FindsTheWorkAndTheLossPutIn) {
     const auto result = run(rough_loops);
     int checked = 0;

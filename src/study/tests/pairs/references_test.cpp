@@ -50,6 +50,16 @@ std::vector<Alert> alerts_with(const StudyResult& result, const std::string& cod
     return found;
 }
 
+TEST(PublishedPair, LeavesTheWorkAlongTheRetractionUndetermined) {
+    auto study = study_with_reference();
+    const auto& along = run_study(study, {1}).pairs.at(0).work_along_retraction;
+    EXPECT_FALSE(along);
+    EXPECT_EQ(along.reason, "undetermined: only the pull-off is known");
+    study.published.front().retraction.reset();
+    EXPECT_EQ(run_study(study, {1}).pairs.at(0).work_along_retraction.reason,
+              "nothing of the retraction was measured");
+}
+
 TEST(SmoothReference, OfTableS3HasHysteresisAndItsShareOfTheRoughOne) {
     const auto result = run_study(study_with_reference(), {1});
     const auto& test = result.references.at(0).hysteresis;

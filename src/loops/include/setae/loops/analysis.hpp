@@ -16,6 +16,7 @@
 #include "setae/loops/record_checks.hpp"
 #include "setae/loops/retraction.hpp"
 #include "setae/loops/segments.hpp"
+#include "setae/loops/work_along_retraction.hpp"
 
 namespace setae::loops {
 
@@ -146,6 +147,7 @@ struct ContactAnalysis {
     Outcome<BranchAnalysis> unloading;  ///< behind the pinned stretch where that is left out
     Outcome<PullOff> pull_off;
     Outcome<RetractionFit> retraction;
+    Outcome<WorkAlongRetraction> work_along_retraction;  ///< from where the edge lets go
     Outcome<LoopEnergy> loop;
     LoopContext context;
     Outcome<ContactPoints> contact_points;

@@ -74,6 +74,14 @@ struct ElastomerReplicates {
     loops::Outcome<statistics::MixedModel> model;
 };
 
+/// W_ret along the retraction: means over the loops of a pair that have it.
+struct PairWorkAlong {
+    Estimate at_pull_off, at_largest_contact;  ///< [J/m²]
+    Estimate slope;                            ///< dW_ret/da [J/m³]
+    Estimate energy_loss, energy_recorded;     ///< by the line, and of the same loops as recorded [J]
+    int loops = 0;
+};
+
 /// One surface × elastomer pair: what was measured on it and what roughness predicts.
 struct PairResult {
     std::string surface;
@@ -93,6 +101,7 @@ struct PairResult {
     Components contact_area_inputs;           ///< of it: what loops share, and "fit of FILE" of each loop [m²]
     std::optional<double> ideal_loss;         ///< of a smooth sphere with this W and E* [J]
     std::optional<Estimate> reference_share;  ///< of the hysteresis W_ret − W_app, what the smooth reference has, too
+    loops::Outcome<PairWorkAlong> work_along_retraction;
     int experiments = 0;                      ///< loops behind the measured values; 0 for published ones
 
     double area_ratio = 1.0;
