@@ -130,7 +130,7 @@ Json times_json(const study::ElastomerTimes& times) {
     return json;
 }
 
-Json branch_json(const hysteresis::BranchPinning& branch) {
+Json pinned_branch_json(const hysteresis::BranchPinning& branch) {
     Json json{{"larkin_lengths", number(branch.larkin_lengths)}, {"measured", branch.measured}};
     add(json, quantity("pinning_coefficient", "k",
                        {.value = branch.coefficient.value, .standard_error = branch.coefficient.standard_error}, "1"));
@@ -142,8 +142,8 @@ Json branch_json(const hysteresis::BranchPinning& branch) {
 /// k of simulated fronts as long as the edge of the pair's contact.
 Json pinning_json(const hysteresis::PairPinning& pinning) {
     return {{"energy_share", number(pinning.energy_share)},
-            {"approach", branch_json(pinning.approach)},
-            {"retraction", branch_json(pinning.retraction)}};
+            {"approach", pinned_branch_json(pinning.approach)},
+            {"retraction", pinned_branch_json(pinning.retraction)}};
 }
 
 /// The likeliest model where it is not the answer.
