@@ -35,10 +35,10 @@ double longest_front(double energy_share) {
 
 double least_length(double energy_share) { return 0.965 * (1.0 + 5.3 * std::pow(energy_share, 0.655)); }
 
-constexpr double length_exponent = 0.68;
+constexpr double of_length = 0.68;
 
 double shortness(double energy_share, double larkin_lengths) {
-    return std::pow(least_length(energy_share) / larkin_lengths, length_exponent);
+    return std::pow(least_length(energy_share) / larkin_lengths, of_length);
 }
 
 /// k∞ exp(−shortness)
@@ -51,7 +51,7 @@ PinningCoefficient fitted(double energy_share, double larkin_lengths) {
     constexpr double other_bands = 0.35, of_fits = 0.04, least = 0.02;
     const double short_of = shortness(energy_share, larkin_lengths), k = fitted_value(energy_share, short_of);
     // dk/d ln N times what other bands do to N
-    const double of_band = k > 0.0 ? length_exponent * short_of * other_bands * k : 0.0;
+    const double of_band = k > 0.0 ? of_length * short_of * other_bands * k : 0.0;
     return {k, std::hypot(of_band, of_fits * k, least)};
 }
 

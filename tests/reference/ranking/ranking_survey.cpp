@@ -53,6 +53,8 @@ void count(ModelCalibration& result, const Ranking& ranking, const RetractionMod
     else if (distinction == Distinction::better) ++result.beaten_better;
     else ++result.not_distinguished;
     const bool wins = likeliest(ranking) == own;
+    if (!wins && !own->bias.refuses_model && distinction != Distinction::cannot_be_distinguished)
+        ++result.beaten_by[likeliest(ranking)->fitted.model.name()];
     for (const auto& other : ranking.models) {
         if (!wins || &other == own) continue;
         if (other.odds_against.distinction() == Distinction::clearly_better) ++result.claims_clearly;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct ModelCalibration {
     int sets = 0;
     int best = 0;                                                      ///< it is the likeliest model
     int not_distinguished = 0, beaten_better = 0, beaten_clearly = 0;  ///< it is not, by the class of the likeliest
-    int refused = 0;                                                   ///< a constant refuses it
+    std::map<std::string, int> beaten_by;       ///< data sets in which a model is better or clearly better
+    int refused = 0;                            ///< a constant refuses it
     int left = 0;                               ///< models that remain possible, summed over data sets
     int claims_clearly = 0, claims_better = 0;  ///< other models that it beats in each class, where it is likeliest
     // against `reversible`

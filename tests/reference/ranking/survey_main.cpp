@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "estimator_survey.hpp"
 #include "published_pairs.hpp"
@@ -98,17 +99,19 @@ void print_classes(const PublishedPairs& published, int sets, double scatter, co
     const auto ranking = hysteresis::rank_models(all, published.ranked(), {}, {1});
     fmt::print(
         "| true model | scatter | data sets | likeliest | cannot be distinguished | another better | another clearly "
-        "better | refused for a constant | models left | claims of it: clearly better | better | odds against "
+        "better | by | refused for a constant | models left | claims of it: clearly better | better | odds against "
         "`reversible`, 5, 50, 95 % | `reversible` excluded | both possible |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const auto& truth : chosen(ranking, scatter, names)) {
         const auto models = against_reversible ? std::vector{truth.fitted.model, all.front()} : all;
         const auto of = calibrate(models, published.ranked(), truth, sets, first_seed);
-        fmt::print("| `{}` | {:g} | {} | {} | {} | {} | {} | {} | {:.1f} | {} | {} | {}, {}, {} | {} | {} |\n",
+        std::vector<std::string> by;
+        for (const auto& [name, times] : of.beaten_by) by.push_back(fmt::format("`{}` {}", name, times));
+        fmt::print("| `{}` | {:g} | {} | {} | {} | {} | {} | {} | {} | {:.1f} | {} | {} | {}, {}, {} | {} | {} |\n",
                    of.model, scatter / mJ, of.sets, of.best, of.not_distinguished, of.beaten_better, of.beaten_clearly,
-                   of.refused, static_cast<double>(of.left) / std::max(1, of.sets), of.claims_clearly, of.claims_better,
-                   odds_text(of.odds_lower), odds_text(of.odds_median), odds_text(of.odds_upper),
-                   of.reversible_excluded, of.reversible_undecided);
+                   fmt::join(by, ", "), of.refused, static_cast<double>(of.left) / std::max(1, of.sets),
+                   of.claims_clearly, of.claims_better, odds_text(of.odds_lower), odds_text(of.odds_median),
+                   odds_text(of.odds_upper), of.reversible_excluded, of.reversible_undecided);
         std::fflush(stdout);
     }
 }
