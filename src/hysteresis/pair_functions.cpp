@@ -92,7 +92,8 @@ PairState PairFunctions::contact_state(const Roughness& rough, const Inputs& in)
 
 PairState PairFunctions::contact_state(const RetractionModel& model, const Roughness& rough, const Inputs& in) const {
     auto state = contact_state(rough, in);
-    if (!pair_.radius || !is_of_simulated_fronts(model.law)) return state;
+    const bool known = pair_.radius && rough.mean_wavelength > 0.0;
+    if (!known || !is_of_simulated_fronts(model.law)) return state;
     const auto sphere = sphere_of(state, in);
     state.edge = edge_lengths(largest_radius(sphere, in), sphere);
     return state;

@@ -36,7 +36,7 @@ RankedPair pair_of(const round_contacts::FittedWorks& loop) {
     RetractionPair pair{
         .rough = {"share " + std::to_string(loop.energy_share) + ", surface " + std::to_string(loop.seed),
                   parameters_of(loop), no_spread},
-        .soft = {"soft", TracedValue(modulus), TracedValue(0.0)},
+        .soft = {"cast " + std::to_string(loop.seed), TracedValue(modulus), TracedValue(0.0)},
         .work_of_adhesion = TracedValue(0.8 * W),
         .radius = TracedValue(round_contacts::radius),
         .pressing = Pressing{.maximum_force = 1e-4}};
@@ -58,7 +58,9 @@ const ModelScore& score_of(const Ranking& ranking, Law law) {
 
 TEST(SimulatedFronts, HaveTheLarkinLengthsOfTheirSolver) {
     for (const auto& loop : round_contacts::fitted_works) {
-        const auto pinning = pinning_of(pair_of(loop).pair);
+        auto pair = pair_of(loop).pair;
+        pair.work_of_adhesion = TracedValue(W);
+        const auto pinning = pinning_of(pair);
         EXPECT_NEAR(pinning.energy_share / loop.energy_share, 1.0, 1e-9);
         EXPECT_TRUE(pinning.approach.measured && pinning.retraction.measured);
         for (const auto& edge : round_contacts::edge_works) {
@@ -70,29 +72,20 @@ TEST(SimulatedFronts, HaveTheLarkinLengthsOfTheirSolver) {
     }
 }
 
+// two shares of energy and three casts leave W_int known to a tenth
 TEST(SimulatedFronts, WorkThatWentInIsFoundWithinItsError) {
-    const auto ranking = rank_models({{Law::reversible, Tip::none},
-                                      {Law::pinning, Tip::none},
-                                      {Law::fitted_pinning, Tip::none},
-                                      {Law::conformal_loss, Tip::none},
-                                      {Law::opening_work, Tip::none}},
-                                     all_pairs());
-    ASSERT_EQ(ranking.models.size(), 5U);
+    const auto ranking = rank_models(
+        {{Law::reversible, Tip::none}, {Law::pinning, Tip::none}, {Law::fitted_pinning, Tip::none}}, all_pairs());
+    ASSERT_EQ(ranking.models.size(), 3U);
+    const auto& without = score_of(ranking, Law::reversible);
     for (const Law law : {Law::pinning, Law::fitted_pinning}) {
-        const auto& found = score_of(ranking, law).work_of_adhesion;
-        EXPECT_NEAR(found.value, W, 2.0 * found.standard_error) << found.value << " ± " << found.standard_error;
-        EXPECT_LT(found.standard_error, 0.02 * W);
+        const auto& score = score_of(ranking, law);
+        const auto& found = score.work_of_adhesion;
+        EXPECT_NEAR(found.value, W, found.standard_error) << found.value << " ± " << found.standard_error;
+        EXPECT_LT(found.standard_error, 0.12 * W);
+        EXPECT_GT(found.value, without.work_of_adhesion.value) << "without what pins it W comes out too low";
+        EXPECT_GT(score.left_out_log_likelihood, without.left_out_log_likelihood);
     }
-    const auto possible = ranking.possible();
-    EXPECT_TRUE(std::ranges::any_of(possible, [](const ModelScore* score) {
-        return score->fitted.model == RetractionModel{Law::pinning, Tip::none};
-    }));
-    const auto& best = ranking.best()->fitted.model.law;
-    EXPECT_TRUE(best == Law::pinning || best == Law::fitted_pinning) << ranking.best()->fitted.model.name();
-    EXPECT_GT(score_of(ranking, Law::reversible).odds_against.lower, 20.0);
-    // by approach alone, without what pins it, W comes out too low
-    const auto& without = score_of(ranking, Law::reversible).work_of_adhesion;
-    EXPECT_LT(without.value + 2.0 * without.standard_error, W);
 }
 
 }  // namespace

@@ -63,12 +63,6 @@ std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
 
 std::string work(double value) { return fmt::format("{:.3g} mJ/m²", value / milli); }
 
-/// "1.41 … 2.69", one number where both are alike.
-std::string span_text(double least, double greatest) {
-    const auto low = fmt::format("{:.3g}", least), high = fmt::format("{:.3g}", greatest);
-    return low == high ? low : low + " … " + high;
-}
-
 /// k and N of simulated fronts on both branches of the pairs of a ranking.
 std::string pinning_cell(const study::Hysteresis& h, const Ranking& ranking) {
     double k_least = INFINITY, k_most = 0.0, least = INFINITY, most = 0.0;
@@ -82,7 +76,7 @@ std::string pinning_cell(const study::Hysteresis& h, const Ranking& ranking) {
         }
     }
     if (k_most == 0.0) return "";
-    return fmt::format("k {}, N {}", span_text(k_least, k_most), span_text(least, most));
+    return fmt::format("k {:.1f}…{:.1f}, N {:.0f}…{:.0f}", k_least, k_most, least, most);
 }
 
 /// θ as columns have it, works in mJ/m².
