@@ -9,6 +9,7 @@
 
 #include "setae/core/errors.hpp"
 #include "setae/loops/analysis.hpp"
+#include "setae/loops/spring_jumps.hpp"
 #include "synthetic_loop.hpp"
 
 namespace setae::loops::work_along_retraction_test {
@@ -118,17 +119,13 @@ TEST(WorkAlongRetraction, LosesWhatTheLoopLoses) {
         const double integral = trapezoid(loop);
         EXPECT_NEAR(found.energy_loss.value / integral, 1.0, 5e-3) << slope;
         EXPECT_NEAR(analysis.loop->energy / integral, 1.0, 1e-3) << slope;
-        // W_ret at pull-off, which is read where the force is smallest, during the whole retraction: Maugis' closed
-        // form
+        // W_ret at pull-off, which is read where the force is smallest, during the whole retraction: Maugis' jumps
         const double at_pull_off = found.at_pull_off.value,
-                     approach = analysis.loading.primary().work_of_adhesion.value;
-        const contact::jkr::Contact in{planted.radius, analysis.loading.primary().contact_modulus.value, approach},
-            out{planted.radius, in.contact_modulus, at_pull_off};
-        const double a_in = contact::jkr::jump_in_at_fixed_grips(in).contact_radius,
-                     a_out = contact::jkr::pull_off_at_fixed_grips(out).contact_radius;
-        const double constant =
-            pi * (0.6 * approach * a_in * a_in + (at_pull_off - approach) * std::pow(found.largest_radius, 2) +
-                  0.4 * at_pull_off * a_out * a_out);
+                     approach = analysis.loading.primary().work_of_adhesion.value,
+                     modulus = analysis.loading.primary().contact_modulus.value, k = analysis.ledger->machine_stiffness;
+        const double constant = spring_jumps({planted.radius, modulus, approach}, k).jump_in_loss +
+                                (at_pull_off - approach) * pi * std::pow(found.largest_radius, 2) +
+                                spring_jumps({planted.radius, modulus, at_pull_off}, k).jump_out_loss;
         EXPECT_NEAR(found.energy_loss_constant.value / constant, 1.0, 1e-5) << slope;
         if (slope != 0.0) {
             EXPECT_GT(std::abs(constant / integral - 1.0), 0.01) << slope;

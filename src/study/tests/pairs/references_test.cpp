@@ -52,7 +52,7 @@ std::vector<Alert> alerts_with(const StudyResult& result, const std::string& cod
 
 TEST(PublishedPair, LeavesTheWorkAlongTheRetractionUndetermined) {
     auto study = study_with_reference();
-    const auto& along = run_study(study, {1}).pairs.at(0).work_along_retraction;
+    const auto along = run_study(study, {1}).pairs.at(0).work_along_retraction;
     EXPECT_FALSE(along);
     EXPECT_EQ(along.reason, "undetermined: only the pull-off is known");
     study.published.front().retraction.reset();
