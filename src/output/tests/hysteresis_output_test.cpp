@@ -150,7 +150,7 @@ TEST(HysteresisOfAStudy, WithoutAWorkOfAdhesionIsRefused) {
 
 TEST(HysteresisText, BeginsWithTheAnswer) {
     const auto& h = published_hysteresis();
-    const auto text = hysteresis_text(h, 100);
+    const auto text = hysteresis_text(h, 1000);
     EXPECT_EQ(text.find("W_ret at pull-off of 10 pairs"), 0U) << text;
     for (const auto& line :
          {"that come into full contact of themselves: likeliest is crack_tip_opening_work",
