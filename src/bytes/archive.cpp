@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -110,19 +111,88 @@ zip_stat_t announced(zip* archive, std::uint64_t index, const Source& source) {
 
 /// A member expanded when it is asked for, as far as it is asked for while that is little, then whole and once,
 /// whichever thread asks.
+struct Close {
+    void operator()(zip* archive) const { zip_discard(archive); }
+};
+
+}  // namespace
+
+/// What copies of an archive and its members share. libzip serves one thread at a time.
+class Archive::Opened {
+public:
+    explicit Opened(const Source& source) : source_(source), zip_(opened(source_)) {
+        std::set<std::string> known;
+        for (auto& name : names()) {
+            if (!stays_inside(name))
+                broken(source_, fmt::format("member '{:.80}' leads out of the archive; it is refused", name));
+            if (!known.insert(name).second)
+                broken(source_,
+                       fmt::format("two members are named '{:.80}', and programs differ in which one they read; "
+                                   "remove one of them",
+                                   name));
+        }
+    }
+
+    [[nodiscard]] const Source& source() const { return source_; }
+
+    [[nodiscard]] std::vector<std::string> names() const {
+        const std::lock_guard lock(guard_);
+        return locked_names();
+    }
+
+    [[nodiscard]] bool has(const std::string& name) const {
+        const std::lock_guard lock(guard_);
+        return zip_name_locate(zip_.get(), name.c_str(), 0) >= 0;
+    }
+
+    [[nodiscard]] zip_stat_t stat(const std::string& name) const {
+        const std::lock_guard lock(guard_);
+        return announced(zip_.get(), index_of(name), source_);
+    }
+
+    [[nodiscard]] std::string head(const std::string& name, std::uint64_t count) const;
+
+private:
+    [[nodiscard]] std::vector<std::string> locked_names() const {
+        std::vector<std::string> names;
+        const auto count = zip_get_num_entries(zip_.get(), 0);
+        for (zip_int64_t i = 0; i < count; ++i)
+            if (const char* name = zip_get_name(zip_.get(), static_cast<zip_uint64_t>(i), 0)) names.emplace_back(name);
+        return names;
+    }
+
+    [[nodiscard]] std::uint64_t index_of(const std::string& name) const {
+        const auto index = zip_name_locate(zip_.get(), name.c_str(), 0);
+        if (index < 0)
+            broken(source_, fmt::format("no member '{}', it holds: {}", name, fmt::join(locked_names(), ", ")));
+        return static_cast<std::uint64_t>(index);
+    }
+
+    Source source_;
+    mutable std::mutex guard_;
+    std::unique_ptr<zip, Close> zip_;
+};
+
+namespace {
+
+/// A member that is expanded as far as it is read. A large one is read by an archive of its own, so that threads read
+/// several at once; for small ones reading the directory again would take longer.
 struct LazyMember {
-    Source archive;
+    Archive archive;
+    Source source;  ///< of the archive
     std::string name;
     std::mutex guard;
     std::shared_ptr<const std::string> head, content;
 
-    /// What holds the bytes up to `end`; less where the member ends before.
+    LazyMember(Archive of, Source from, std::string named)
+        : archive(std::move(of)), source(std::move(from)), name(std::move(named)) {}
+
     std::shared_ptr<const std::string> holding(std::uint64_t end) {
         const std::lock_guard lock(guard);
         if (content) return content;
         if (end > head->size() && end <= largest_head)
-            head = std::make_shared<const std::string>(Archive(archive).head(name, std::max(2 * end, 4 * head_bytes)));
-        if (end > largest_head) content = std::make_shared<const std::string>(Archive(archive).read(name));
+            head = std::make_shared<const std::string>(archive.head(name, std::max(2 * end, 4 * head_bytes)));
+        if (end > largest_head) content = std::make_shared<const std::string>(Archive(source).read(name));
         return content ? content : head;
     }
 };
@@ -141,40 +211,22 @@ bool stays_inside(std::string_view name) {
 
 bool is_zip(std::string_view head) { return head.starts_with("PK\x03\x04"); }
 
-void Archive::Close::operator()(zip* archive) const { zip_discard(archive); }
+Archive::Archive(const Source& source) : opened_(std::make_shared<Opened>(source)) {}
 
-Archive::Archive(const Source& source) : source_(source) {
-    zip_.reset(opened(source_));
-    for (const auto& name : names())
-        if (!stays_inside(name))
-            broken(source_, fmt::format("member '{:.80}' leads out of the archive; it is refused", name));
-}
+std::vector<std::string> Archive::names() const { return opened_->names(); }
 
-std::vector<std::string> Archive::names() const {
-    std::vector<std::string> names;
-    const auto count = zip_get_num_entries(zip_.get(), 0);
-    for (zip_int64_t i = 0; i < count; ++i)
-        if (const char* name = zip_get_name(zip_.get(), static_cast<zip_uint64_t>(i), 0)) names.emplace_back(name);
-    return names;
-}
+bool Archive::has(const std::string& name) const { return opened_->has(name); }
 
-bool Archive::has(const std::string& name) const { return zip_name_locate(zip_.get(), name.c_str(), 0) >= 0; }
-
-std::uint64_t Archive::index_of(const std::string& name) const {
-    const auto index = zip_name_locate(zip_.get(), name.c_str(), 0);
-    if (index < 0) broken(source_, fmt::format("no member '{}', it holds: {}", name, fmt::join(names(), ", ")));
-    return static_cast<std::uint64_t>(index);
-}
-
-std::uint64_t Archive::size(const std::string& name) const {
-    return announced(zip_.get(), index_of(name), source_).size;
-}
+std::uint64_t Archive::size(const std::string& name) const { return opened_->stat(name).size; }
 
 std::string Archive::read(const std::string& name) const {
     return head(name, std::numeric_limits<std::uint64_t>::max());
 }
 
-std::string Archive::head(const std::string& name, std::uint64_t count) const {
+std::string Archive::head(const std::string& name, std::uint64_t count) const { return opened_->head(name, count); }
+
+std::string Archive::Opened::head(const std::string& name, std::uint64_t count) const {
+    const std::lock_guard lock(guard_);
     const auto index = index_of(name);
     const auto compressed = std::min<std::uint64_t>(announced(zip_.get(), index, source_).comp_size, source_.size);
     const std::unique_ptr<zip_file_t, CloseMember> file(zip_fopen_index(zip_.get(), index, 0));
@@ -201,18 +253,17 @@ std::string Archive::head(const std::string& name, std::uint64_t count) const {
 }
 
 Source Archive::member(const std::string& name) const {
-    const auto stat = announced(zip_.get(), index_of(name), source_);
-    if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, source_.size);
+    const auto& archive = opened_->source();
+    const auto stat = opened_->stat(name);
+    if (const auto compressed = std::min<std::uint64_t>(stat.comp_size, archive.size);
         stat.size > most_expanded(compressed))
-        broken(source_,
+        broken(archive,
                fmt::format(
                    "member '{}' announces {} bytes, {} compressed ones become no more than {}; the archive is damaged",
                    name, stat.size, compressed, most_expanded(compressed)));
-    auto lazy = std::make_shared<LazyMember>();
-    lazy->archive = source_;
-    lazy->name = name;
+    auto lazy = std::make_shared<LazyMember>(*this, archive, name);
     lazy->head = std::make_shared<const std::string>(head(name, head_bytes));
-    Source source{fmt::format("{}: {}", source_.name, name), size(name), {}, {}};
+    Source source{fmt::format("{}: {}", archive.name, name), stat.size, {}, {}};
     source.read_into = [lazy, label = source.name, size = source.size](std::uint64_t offset, std::uint64_t count,
                                                                        char* target) {
         if (offset > size || count > size - offset)

@@ -9,4 +9,6 @@ FolderLock::FolderLock(const std::string& folder) : lock_(platform::lock_folder(
 
 FolderLock::~FolderLock() { platform::unlock_folder(lock_); }
 
+bool FolderLock::holds(const std::string& folder) const { return lock_ >= 0 && platform::is_locked(lock_, folder); }
+
 }  // namespace setae::bytes

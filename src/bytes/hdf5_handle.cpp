@@ -101,6 +101,7 @@ Hdf5Handle opened_hdf5(const Source& source) {
     if (!file)
         throw FormatError(source.name, {.offset = *start},
                           "HDF5: the library cannot open it; it is damaged, or another program is writing it");
+    require_unchanged(source);
     return file;
 }
 

@@ -58,10 +58,15 @@ void TomlReader::remark(const char* key, std::string text) {
                          where_.empty() ? std::string(key) : fmt::format("{}.{}", where_, key), std::move(text)});
 }
 
+std::string TomlReader::without_zero_byte(const char* key, const std::string& text) const {
+    if (text.find('\0') != std::string::npos) fail(key, "a text with a zero byte (\\u0000), which no name may hold");
+    return text;
+}
+
 std::optional<std::string> TomlReader::text(const char* key) {
     const auto* node = find(key);
     if (!node) return std::nullopt;
-    if (const auto* value = node->as_string()) return value->get();
+    if (const auto* value = node->as_string()) return without_zero_byte(key, value->get());
     fail(key, "expected a text in quotes");
 }
 
@@ -213,7 +218,7 @@ std::vector<Value> TomlReader::list(const char* key, const std::function<Value(c
 
 std::vector<std::string> TomlReader::texts(const char* key) {
     return list<std::string>(key, [&](const toml::node& node) -> std::string {
-        if (const auto* value = node.as_string()) return value->get();
+        if (const auto* value = node.as_string()) return without_zero_byte(key, value->get());
         fail(key, "expected texts in quotes");
     });
 }
@@ -286,7 +291,12 @@ std::string TomlReader::beside(const std::string& path) const {
 
 std::vector<std::string> TomlReader::keys() const {
     std::vector<std::pair<toml::source_position, std::string>> found;
-    for (const auto& [key, node] : *table_) found.emplace_back(key.source().begin, std::string(key.str()));
+    for (const auto& [key, node] : *table_) {
+        if (key.str().find('\0') != std::string_view::npos)
+            throw FormatError(path_, position_at(key.source().begin),
+                              "a key with a zero byte (\\u0000), which no name may hold");
+        found.emplace_back(key.source().begin, std::string(key.str()));
+    }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<std::string> names;
     for (auto& [at, name] : found) names.push_back(std::move(name));

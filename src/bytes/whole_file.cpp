@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <random>
 #include <regex>
 #include <system_error>
 
@@ -62,12 +65,69 @@ void require_file(const std::string& path, const platform::ReadableFile& file) {
     if (file.failure()) throw FileError(fmt::format("{}: {}", path, refusal(file.failure())));
 }
 
-void read_from_file(const std::string& path, std::uint64_t offset, std::uint64_t count, char* target) {
-    const platform::ReadableFile file(path);
-    require_file(path, file);
-    if (!file.read(offset, count, target))
-        throw FileError(fmt::format("{}: reading {} bytes at byte {} failed", path, count, offset));
+bool is_same_content(const platform::FileFacts& a, const platform::FileFacts& b) {
+    return a.identity == b.identity && a.size == b.size && a.changed == b.changed;
 }
+
+[[noreturn]] void refuse_changed(const std::string& path) {
+    throw FileError(path + ": another program changed it while it was read; wait until it is complete, or read a copy");
+}
+
+std::string state_of(const platform::FileFacts& facts) {
+    return fmt::format("{}:{} {} {} {}", facts.identity.first, facts.identity.second, facts.size, facts.changed,
+                       facts.status_changed);
+}
+
+/// A file that is read in pieces, all of them of the content it had when it was opened. It stays open, so that
+/// a file which is replaced is read to its end; where many are open it is opened again for each piece.
+class HeldFile {
+public:
+    HeldFile(std::string path, const platform::FileFacts& facts, std::shared_ptr<const platform::ReadableFile> file)
+        : path_(std::move(path)), facts_(facts) {
+        keep(std::move(file));
+    }
+    HeldFile(const HeldFile&) = delete;
+    HeldFile& operator=(const HeldFile&) = delete;
+    ~HeldFile() {
+        if (kept_) --kept_open();
+    }
+
+    /// @throws FileError where the bytes cannot be read, or another program changed the file since it was opened.
+    void read(std::uint64_t offset, std::uint64_t count, char* target) {
+        const auto file = opened();
+        const bool whole = file->read(offset, count, target);
+        const auto now = file->current_facts();
+        if (!now || !is_same_content(*now, facts_)) refuse_changed(path_);
+        if (!whole) throw FileError(fmt::format("{}: reading {} bytes at byte {} failed", path_, count, offset));
+    }
+
+private:
+    using File = std::shared_ptr<const platform::ReadableFile>;
+
+    static std::atomic<int>& kept_open() {
+        static std::atomic<int> count{0};
+        return count;
+    }
+    File opened() {
+        const std::lock_guard lock(mutex_);
+        if (kept_) return kept_;
+        auto file = std::make_shared<const platform::ReadableFile>(path_);
+        require_file(path_, *file);
+        if (!file->facts() || !is_same_content(*file->facts(), facts_)) refuse_changed(path_);
+        keep(file);
+        return file;
+    }
+    void keep(File file) {
+        constexpr int most_kept_open = 128;  // of the 1024 files that a process may usually have open
+        if (++kept_open() <= most_kept_open) kept_ = std::move(file);
+        else --kept_open();
+    }
+
+    const std::string path_;
+    const platform::FileFacts facts_;
+    std::mutex mutex_;
+    File kept_;
+};
 
 /// Refuses what lies beyond the end of a source.
 void require_inside(const std::string& name, std::uint64_t size, std::uint64_t offset, std::uint64_t count) {
@@ -97,18 +157,44 @@ void require_replaceable(const std::string& path) {
     require_no_input(path);
 }
 
-/// A name beside `path` that no other writer of this or another process uses.
-std::string temporary_name(const std::string& path) {
-    static std::atomic<unsigned> counter{0};
-    return fmt::format("{}.{}.{}.part", path, platform::this_process(), counter++);
+/// 16 hexadecimal digits that nobody can foresee.
+std::string unforeseen_digits() {
+    std::random_device device;
+    return fmt::format("{:08x}{:08x}", device(), device());
 }
 
-/// The process a temporary name belongs to; nothing for other names.
-std::optional<platform::ProcessId> writer_of(const std::string& name) {
-    static const std::regex pattern(R"(.+\.([0-9]{1,9})\.[0-9]+\.part)");
+/// Makes an empty file beside `path` under a name that nothing had and nobody foresees, readable by those who may read
+/// `path`.
+std::string new_temporary_file(const std::string& path) {
+    constexpr int most_tries = 100;
+    constexpr std::size_t most_bytes_of_name = 200;  // of the 255 that a name may have
+    const auto slash = path.rfind('/');
+    const auto name_at = slash == std::string::npos ? 0 : slash + 1;
+    const auto beginning = path.substr(0, name_at + most_bytes_of_name);
+    std::error_code failure;
+    for (int i = 0; i < most_tries; ++i) {
+        auto name = fmt::format("{}.{}-{}.part", beginning, platform::this_process(), unforeseen_digits());
+        failure = platform::make_new_file(name, platform::facts_of(path).has_value());
+        if (!failure) return name;
+        if (failure != std::errc::file_exists) break;
+    }
+    refuse_writing(path, "created", failure.value());
+}
+
+/// What a temporary name was made for, and by which process.
+struct Leftover {
+    std::string name;
+    platform::ProcessId writer = 0;
+};
+
+/// Nothing for names that new_temporary_file() does not make.
+std::optional<Leftover> leftover(const std::string& name) {
+    static const std::regex pattern(R"((.+)\.([0-9]{1,9})-[0-9a-f]{16}\.part)");
     std::smatch match;
     if (!std::regex_match(name, match, pattern)) return std::nullopt;
-    return spelled<platform::ProcessId>(match[1].str());
+    const auto writer = spelled<platform::ProcessId>(match[2].str());
+    if (!writer) return std::nullopt;
+    return Leftover{match[1].str(), *writer};
 }
 
 }  // namespace
@@ -130,13 +216,16 @@ std::string Source::up_to(std::uint64_t offset, std::uint64_t count) const {
 namespace {
 
 Source source_of(const std::string& path) {
-    const platform::ReadableFile file(path);
-    require_file(path, file);
-    Source source{path, file.facts() ? file.facts()->size : 0, path, {}};
-    source.read_into = [path, size = source.size](std::uint64_t offset, std::uint64_t count, char* target) {
+    const auto file = std::make_shared<const platform::ReadableFile>(path);
+    require_file(path, *file);
+    if (!file->facts()) throw FileError(path + ": its size cannot be told");
+    Source source{path, file->facts()->size, path, {}};
+    source.read_into = [file = std::make_shared<HeldFile>(path, *file->facts(), file), path, size = source.size](
+                           std::uint64_t offset, std::uint64_t count, char* target) {
         require_inside(path, size, offset, count);
-        read_from_file(path, offset, count, target);
+        file->read(offset, count, target);
     };
+    source.state = state_of(*file->facts());
     return source;
 }
 
@@ -173,6 +262,27 @@ Source file_source(const std::string& path) {
     return source;
 }
 
+Source own_source(const std::string& path) { return source_of(path); }
+
+std::string file_state(const std::string& path) {
+    if (const auto facts = platform::facts_of(path)) return state_of(*facts);
+    const auto outer = archive_on_the_way(path);
+    return outer ? file_state(*outer) : std::string();
+}
+
+std::int64_t age_of_change(const std::string& path) {
+    if (const auto facts = platform::facts_of(path)) {
+        const auto now = std::chrono::system_clock::now().time_since_epoch();
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count() - facts->status_changed;
+    }
+    const auto outer = archive_on_the_way(path);
+    return outer ? age_of_change(*outer) : 0;
+}
+
+void require_unchanged(const Source& source) {
+    if (!source.state.empty() && file_state(source.path) != source.state) refuse_changed(source.path);
+}
+
 Source memory_source(std::string name, std::string content) {
     const auto shared = std::make_shared<const std::string>(std::move(content));
     Source source{std::move(name), shared->size(), {}, {}};
@@ -198,10 +308,15 @@ std::string read_file(const std::string& path) { return file_source(path).all();
 
 std::string read_back(const std::string& path) { return source_of(path).all(); }
 
-void write_whole_file(const std::string& link, const std::function<void(const std::string&)>& write) {
+namespace {
+
+/// Whether a file is on the disk before it takes the place of another.
+enum class Flushed { no, yes };
+
+void replace_file(const std::string& link, Flushed flushed, const std::function<void(const std::string&)>& write) {
     const auto path = target_of(link);
     require_replaceable(path);
-    const auto temporary = temporary_name(path);
+    const auto temporary = new_temporary_file(path);
     const auto remove = [&] {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
@@ -212,17 +327,20 @@ void write_whole_file(const std::string& link, const std::function<void(const st
         remove();
         throw;
     }
-    std::error_code error;
-    std::filesystem::rename(temporary, path, error);
-    if (!error) return;
-    remove();
-    refuse_writing(path, "replaced", error.value());
+    auto error = platform::take_permissions(temporary, path);
+    if (!error && flushed == Flushed::yes) error = platform::flush_to_disk(temporary);
+    if (!error) std::filesystem::rename(temporary, path, error);
+    if (error) {
+        remove();
+        refuse_writing(path, "replaced", error.value());
+    }
+    // the new content is in place; where the folder cannot be flushed, the old one may come back after a power failure
+    if (flushed == Flushed::yes)
+        static_cast<void>(platform::flush_to_disk(std::filesystem::path(path).parent_path().string()));
 }
 
-void write_whole_file(const std::string& path, std::string_view content) { write_whole_file(path, {content}); }
-
-void write_whole_file(const std::string& path, const std::function<void(const Write&)>& content) {
-    write_whole_file(path, [&](const std::string& temporary) {
+void replace_by_pieces(const std::string& path, Flushed flushed, const std::function<void(const Write&)>& content) {
+    replace_file(path, flushed, [&](const std::string& temporary) {
         std::ofstream file(temporary, std::ios::binary);
         if (!file) refuse_writing(path, "created", errno);
         content([&](std::string_view piece) {
@@ -234,18 +352,37 @@ void write_whole_file(const std::string& path, const std::function<void(const Wr
     });
 }
 
+}  // namespace
+
+void write_whole_file(const std::string& path, const std::function<void(const std::string&)>& write) {
+    replace_file(path, Flushed::yes, write);
+}
+
+void write_whole_file(const std::string& path, std::string_view content) { write_whole_file(path, {content}); }
+
+void write_whole_file(const std::string& path, const std::function<void(const Write&)>& content) {
+    replace_by_pieces(path, Flushed::yes, content);
+}
+
 void write_whole_file(const std::string& path, std::initializer_list<std::string_view> parts) {
-    write_whole_file(path, [&](const Write& write) {
+    replace_by_pieces(path, Flushed::yes, [&](const Write& write) {
         for (const auto part : parts) write(part);
     });
 }
 
-void remove_leftovers(const std::string& folder) {
+void write_unflushed_file(const std::string& path, std::initializer_list<std::string_view> parts) {
+    replace_by_pieces(path, Flushed::no, [&](const Write& write) {
+        for (const auto part : parts) write(part);
+    });
+}
+
+void remove_leftovers(const std::string& folder, const std::set<std::string>& names) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-        const auto writer = writer_of(entry.path().filename().string());
-        const bool left = writer && *writer != platform::this_process() && platform::is_gone(*writer);
-        if (left) std::filesystem::remove(entry.path(), ignored);
+        const auto left = leftover(entry.path().filename().string());
+        const bool own = left && names.contains(left->name) && !entry.is_symlink(ignored);
+        if (own && left->writer != platform::this_process() && platform::is_gone(left->writer))
+            std::filesystem::remove(entry.path(), ignored);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "setae/bytes/png_mark.hpp"
+#include "setae/bytes/temporary_folder.hpp"
 #include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/text.hpp"
@@ -18,45 +19,6 @@
 
 namespace setae::figures {
 namespace {
-
-/// Where temporary folders may be made: $TMPDIR, the system's, and where the program runs.
-std::vector<std::string> places_for_temporaries() {
-    std::vector<std::string> places;
-    if (const char* chosen = std::getenv("TMPDIR"); chosen && *chosen) places.emplace_back(chosen);
-    places.insert(places.end(), {"/tmp", "/var/tmp", "."});
-    return places;
-}
-
-/// A folder of its own, removed with all it holds.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::error_code first_failure;
-        const auto places = places_for_temporaries();
-        for (const auto& place : places) {
-            std::error_code failure;
-            path_ = platform::new_folder((std::filesystem::path(place) / "setae_figure_").string(), failure);
-            if (!failure) return;
-            if (!first_failure) first_failure = failure;
-        }
-        throw FileError(
-            fmt::format("{}: no folder for temporary files can be made in it ({}), nor in /tmp, /var/tmp or here; "
-                        "set TMPDIR to a folder that is writable and has space",
-                        places.front(), first_failure.message()));
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
-    [[nodiscard]] std::string path() const { return path_.string(); }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// The program's environment without time zone, language and gnuplot's own settings, which would change figures.
 std::vector<std::string> environment() {
@@ -97,11 +59,13 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 }
 
 /// SVG with what gnuplot leaves to the reader: fonts that look alike where there is no Liberation Sans, which the file
-/// names and does not hold, and blanks between upright and italic text.
+/// names and does not hold, blanks between upright and italic text, and a sign that gnuplot does not escape.
 void complete_svg(std::string& content) {
     replace_all(content, "font-family=\"Liberation Sans\"",
                 "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
     replace_all(content, "<text>", "<text xml:space=\"preserve\">");
+    // outside CDATA sections, of which gnuplot writes none, XML forbids these three letters
+    replace_all(content, "]]>", "]]&gt;");
 }
 
 /// What gnuplot writes, within a folder of its own.
@@ -110,19 +74,19 @@ std::string output_name(const std::string& ending) { return "figure." + ending; 
 }  // namespace
 
 std::string drawn(const Figure& figure, const std::string& ending) {
-    const TemporaryFolder folder;
+    const bytes::TemporaryFolder folder("figure");
     // relative, so that no folder's name needs quoting
     const auto output = output_name(ending);
-    bytes::write_whole_file(folder.file("script.gp"), gnuplot_script(figure, ending, output));
+    bytes::write_unflushed_file(folder.file("script.gp"), {gnuplot_script(figure, ending, output)});
     const auto end = run_gnuplot(folder.path(), "script.gp", folder.file("words.txt"));
     if (end.start == std::errc::no_such_file_or_directory)
         throw FileError(
             "a figure cannot be drawn without gnuplot; install it (Debian: apt-get install gnuplot-nox) or run ./setup");
     if (end.start) throw FileError(fmt::format("gnuplot cannot be started: {}", end.start.message()));
     std::error_code missing;
-    if (!end.well() || std::filesystem::file_size(folder.file(output.c_str()), missing) == 0 || missing)
+    if (!end.well() || std::filesystem::file_size(folder.file(output), missing) == 0 || missing)
         throw FileError(fmt::format("gnuplot failed: {}", trimmed(bytes::read_back(folder.file("words.txt")))));
-    auto content = bytes::read_back(folder.file(output.c_str()));
+    auto content = bytes::read_back(folder.file(output));
     if (ending == "pdf") erase_date(content);
     if (ending == "svg") complete_svg(content);
     return bytes::with_png_mark(std::move(content));

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <optional>
-#include <sstream>
+#include <map>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -22,58 +22,55 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* list_name = study::result_list;
-constexpr std::string_view heading = study::result_list_heading;
-constexpr std::string_view study_mark = "# study: ";
 
 /// What says, where it exists, that all results do.
 constexpr const char* marks[] = {"report.html", "study.json"};
 
-/// How the list names a study: its path as seen from the folder, so that both may be moved together; by its title where
-/// it has no path.
+/// Where a study has no path, its results are named by its title.
+constexpr std::string_view by_title = "titled ";
+
+/// How the list names a study: its path as seen from the folder, which exists, so that both may be moved together.
+/// @throws FileError where that cannot be told.
 std::string identity_of(const study::Study& study, const std::string& folder) {
-    if (study.path.empty()) return "titled " + one_line(study.title);
+    if (study.path.empty()) return std::string(by_title) + one_line(study.title);
+    std::error_code of_study, of_folder;
+    const auto file = fs::weakly_canonical(study.path, of_study), from = fs::canonical(folder, of_folder);
+    const auto seen = of_study || of_folder ? fs::path() : file.lexically_relative(from);
+    if (seen.empty())
+        throw FileError(
+            fmt::format("{}: where the study {} lies as seen from this folder cannot be told", folder, study.path));
+    return seen.generic_string();
+}
+
+/// @throws FileError where the list is that of a study that may still be there.
+void require_same_study(const std::string& listed, const std::string& study, const std::string& folder) {
+    if (listed == study) return;
+    if (listed.empty())
+        throw FileError(
+            fmt::format("{}/{}: does not say whose results these are, expected a line '# study: …'; move "
+                        "the folder away, or give the study another output",
+                        folder, list_name));
     std::error_code ignored;
-    const auto file = fs::weakly_canonical(study.path, ignored),
-               from = fs::weakly_canonical(folder.empty() ? "." : folder, ignored);
-    return file.lexically_relative(from).generic_string();
-}
-
-/// A name a list may hold: inside the folder, by its letters.
-bool stays_inside(const std::string& name) {
-    const fs::path path(name);
-    return !name.empty() && path.is_relative() && path == path.lexically_normal() && *path.begin() != ".." &&
-           *path.begin() != "." && name.back() != '/';
-}
-
-struct FileList {
-    std::string study;
-    std::set<std::string> names;
-};
-
-FileList read_list(const std::string& path) {
-    FileList list;
-    std::istringstream lines(bytes::read_back(path));
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with(study_mark)) list.study = line.substr(study_mark.size());
-        else if (!line.starts_with('#') && stays_inside(line)) list.names.insert(line);
-    }
-    return list;
-}
-
-std::string list_text(const std::string& study, const std::set<std::string>& names) {
-    auto text = std::string(heading) + std::string(study_mark) + study + "\n";
-    for (const auto& name : names) text += name + "\n";
-    return text;
-}
-
-/// @throws FileError where the list is that of a study whose file is still there.
-void require_same_study(const FileList& list, const std::string& study, const std::string& folder) {
-    if (list.study.empty() || list.study == study) return;
-    std::error_code ignored;
-    if (!fs::exists(fs::path(folder) / list.study, ignored)) return;
+    const bool gone = !listed.starts_with(by_title) && !fs::exists(fs::path(folder) / listed, ignored);
+    if (gone) return;
     throw FileError(fmt::format(
         "{}: holds the results of {}, expected a folder of this study's own or none; give it another output", folder,
-        list.study));
+        one_line(listed)));
+}
+
+/// Keeps other processes waiting, in the folder that the path leads to: another one may remove it before it is locked.
+/// @throws FileError where it cannot be made.
+std::unique_ptr<bytes::FolderLock> locked_folder(const std::string& folder, bool& made) {
+    constexpr int most_tries = 100;
+    std::unique_ptr<bytes::FolderLock> lock;
+    for (int i = 0; i < most_tries && !(lock && lock->holds(folder)); ++i) {
+        std::error_code failure;
+        made = fs::create_directories(folder, failure) || made;
+        if (failure)
+            throw FileError(fmt::format("{}: cannot make the folder of the results ({})", folder, failure.message()));
+        lock = std::make_unique<bytes::FolderLock>(folder);
+    }
+    return lock;
 }
 
 void protect_inputs(const study::Study& study) {
@@ -85,73 +82,91 @@ void protect_inputs(const study::Study& study) {
 
 }  // namespace
 
-ResultFolder::ResultFolder(const study::Study& study)
-    : folder_(study.output), study_(identity_of(study, study.output)) {
-    std::error_code failure;
-    made_ = fs::create_directories(folder_, failure);
-    if (failure)
-        throw FileError(fmt::format("{}: cannot make the folder of the results ({})", folder_, failure.message()));
+ResultFolder::ResultFolder(const study::Study& study) : folder_(study.output.empty() ? "." : study.output) {
     protect_inputs(study);
-    const bytes::FolderLock alone(folder_);
-    const auto list_path = (fs::path(folder_) / list_name).string();
-    if (!fs::exists(list_path, failure)) return;
-    auto list = read_list(list_path);
-    require_same_study(list, study_, folder_);
-    listed_ = std::move(list.names);
+    const auto alone = locked_folder(folder_, made_);
+    study_ = identity_of(study, folder_);
+    std::error_code ignored;
+    if (fs::exists(list_path(), ignored)) {
+        auto list = study::read_result_list(list_path());
+        require_same_study(list.study, study_, folder_);
+        listed_ = std::move(list.names);
+        if (list.study == study_) return;
+    }
+    bytes::write_whole_file(list_path(), study::as_text({study_, listed_}));
 }
 
 ResultFolder::~ResultFolder() {
-    std::error_code not_empty;
-    if (made_) fs::remove(folder_, not_empty);
+    if (!listed_.empty()) return;
+    std::error_code ignored;
+    const bytes::FolderLock alone(folder_);
+    try {
+        // another run of the same study may have written since
+        if (study::read_result_list(list_path()) == study::ResultList{study_, {}}) fs::remove(list_path(), ignored);
+    } catch (const std::exception&) {  // no list, nothing to remove
+    }
+    if (made_) fs::remove(folder_, ignored);  // where it is empty
 }
+
+std::string ResultFolder::list_path() const { return (fs::path(folder_) / list_name).string(); }
 
 bool ResultFolder::holds(const std::string& name) const {
     std::error_code ignored;
     return fs::exists(fs::symlink_status(fs::path(folder_) / name, ignored));
 }
 
-std::set<std::string> ResultFolder::names_on_disk() const {
-    const auto path = fs::path(folder_) / list_name;
+void ResultFolder::require_own_folder() const {
     std::error_code ignored;
-    return fs::exists(path, ignored) ? read_list(path.string()).names : std::set<std::string>();
+    // a list that was removed during the run is made again
+    if (!fs::exists(list_path(), ignored)) bytes::write_whole_file(list_path(), study::as_text({study_, listed_}));
+    require_same_study(study::study_of_result_list(list_path()), study_, folder_);
+}
+
+bool ResultFolder::is_inside(const std::string& name) const {
+    std::error_code ignored;
+    const auto below = fs::weakly_canonical((fs::path(folder_) / name).parent_path(), ignored)
+                           .lexically_relative(fs::weakly_canonical(folder_, ignored));
+    return !below.empty() && *below.begin() != "..";
 }
 
 void ResultFolder::remove(const std::string& name) const {
     const auto path = fs::path(folder_) / name;
     std::error_code ignored;
-    // a folder below that leads elsewhere holds nothing of ours
-    const auto inside = fs::weakly_canonical(path.parent_path(), ignored)
-                            .lexically_relative(fs::weakly_canonical(folder_.empty() ? "." : folder_, ignored));
-    if (inside.empty() || *inside.begin() == ".." || !fs::is_regular_file(path, ignored)) return;
+    if (!is_inside(name) || !fs::is_regular_file(path, ignored)) return;
     bytes::require_no_input(path.string());
     fs::remove(path, ignored);
 }
 
 void ResultFolder::begin() const {
+    const bytes::FolderLock alone(folder_);
+    require_own_folder();
     for (const char* mark : marks)
         if (listed_.contains(mark)) remove(mark);
-    bytes::remove_leftovers(folder_);
-    bytes::remove_leftovers((fs::path(folder_) / "figures").string());
+    std::map<fs::path, std::set<std::string>> names;  // by the folder below
+    for (const auto& name : listed_)
+        if (is_inside(name)) names[fs::path(name).parent_path()].insert(fs::path(name).filename().string());
+    names[{}].insert(list_name);
+    for (const auto& [below, files] : names) bytes::remove_leftovers((fs::path(folder_) / below).string(), files);
 }
 
 std::string ResultFolder::claim(const std::string& name) {
     const auto path = (fs::path(folder_) / name).string();
     const std::lock_guard lock(mutex_);
     bytes::require_no_input(path);
+    if (!is_inside(name))
+        throw FileError(fmt::format("{}: its folder is a link that leads out of the results; remove the link", path));
+    const bytes::FolderLock alone(folder_);  // another process may be running the same study
+    require_own_folder();
     if (!listed_.contains(name)) {
-        const bytes::FolderLock alone(folder_);  // another process may be running the same study
-        if (holds(name) && !names_on_disk().contains(name))
+        if (holds(name) && !study::read_result_list(list_path()).names.contains(name))
             throw FileError(fmt::format(
                 "{}: was not written by a run of this study ({} does not name it) and is kept; move it away, or give the "
                 "study another output",
                 path, list_name));
-        const auto list_path = fs::path(folder_) / list_name;
-        std::error_code ignored;
-        if (!fs::exists(list_path, ignored)) bytes::write_whole_file(list_path.string(), list_text(study_, {}));
-        std::ofstream list(list_path, std::ios::app);
-        list << name << '\n';
+        std::ofstream list(list_path(), std::ios::app);
+        list << study::result_list_line(name);
         list.close();
-        if (!list) throw FileError(fmt::format("{}: cannot be written; check that it has space", list_path.string()));
+        if (!list) throw FileError(fmt::format("{}: cannot be written; check that it has space", list_path()));
         listed_.insert(name);
     }
     claimed_.insert(name);
@@ -166,18 +181,22 @@ void ResultFolder::drop(const std::string& name) {
 void ResultFolder::finish() {
     const std::lock_guard lock(mutex_);
     const bytes::FolderLock alone(folder_);
-    auto names = names_on_disk();  // with those another process has claimed since
+    require_own_folder();
+    auto names = study::read_result_list(list_path()).names;  // with those another process has claimed since
     for (const auto& name : listed_)
         if (!claimed_.contains(name)) {
             remove(name);
             names.erase(name);
         }
     names.insert(claimed_.begin(), claimed_.end());
-    std::error_code ignored;
+    std::set<fs::path> below;
     for (const auto& name : listed_)
-        if (const auto below = fs::path(name).parent_path(); !below.empty())
-            fs::remove(fs::path(folder_) / below, ignored);  // where it is empty now
-    bytes::write_whole_file((fs::path(folder_) / list_name).string(), list_text(study_, names));
+        if (auto parent = fs::path(name).parent_path(); !parent.empty()) below.insert(std::move(parent));
+    std::error_code ignored;
+    for (const auto& folder : below)
+        if (fs::is_directory(fs::symlink_status(fs::path(folder_) / folder, ignored)))
+            fs::remove(fs::path(folder_) / folder, ignored);  // where it is empty now
+    bytes::write_whole_file(list_path(), study::as_text({study_, names}));
     listed_ = std::move(names);
 }
 

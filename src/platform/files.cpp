@@ -20,12 +20,23 @@ FileKind kind_of(mode_t mode) {
     return FileKind::device;
 }
 
+std::int64_t nanoseconds(const timespec& time) { return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec; }
+
 FileFacts facts_of(const struct stat& found) {
     return {kind_of(found.st_mode),
             static_cast<std::uint64_t>(found.st_size),
             {found.st_dev, found.st_ino},
-            std::int64_t{found.st_mtim.tv_sec} * 1'000'000'000 + found.st_mtim.tv_nsec};
+            nanoseconds(found.st_mtim),
+            nanoseconds(found.st_ctim)};
 }
+
+std::optional<FileFacts> facts_of(int descriptor) {
+    struct stat found {};
+    if (::fstat(descriptor, &found) != 0) return std::nullopt;
+    return facts_of(found);
+}
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
 
 }  // namespace
 
@@ -38,13 +49,14 @@ std::optional<FileFacts> facts_of(const std::string& path) {
 ReadableFile::ReadableFile(const std::string& path)
     : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
     if (descriptor_ < 0) {
-        failure_ = {errno, std::generic_category()};
+        failure_ = last_error();
         facts_ = platform::facts_of(path);
         return;
     }
-    struct stat found {};
-    if (::fstat(descriptor_, &found) == 0) facts_ = facts_of(found);
+    facts_ = current_facts();
 }
+
+std::optional<FileFacts> ReadableFile::current_facts() const { return facts_of(descriptor_); }
 
 ReadableFile::~ReadableFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -76,10 +88,48 @@ void unlock_folder(int lock) {
     ::close(lock);
 }
 
+bool is_locked(int lock, const std::string& folder) {
+    const auto locked = facts_of(lock), found = facts_of(folder.empty() ? "." : folder);
+    return locked && found && locked->identity == found->identity;
+}
+
+std::error_code make_new_file(const std::string& path, bool for_owner_alone) {
+    constexpr mode_t of_owner = 0600, of_new_files = 0666;
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                            for_owner_alone ? of_owner : of_new_files);
+    if (file < 0) return last_error();
+    ::close(file);
+    return {};
+}
+
+std::error_code take_permissions(const std::string& path, const std::string& model) {
+    constexpr mode_t of_all = 0777;
+    struct stat kept {};
+    if (::stat(model.c_str(), &kept) != 0 || !S_ISREG(kept.st_mode)) return {};
+    const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (file < 0) return last_error();
+    std::error_code failure;
+    // only root may give a file to another owner; for everybody else the new file is the writer's
+    static_cast<void>(::fchown(file, kept.st_uid, kept.st_gid) == 0);
+    if (::fchmod(file, kept.st_mode & of_all) != 0) failure = last_error();
+    ::close(file);
+    return failure;
+}
+
+std::error_code flush_to_disk(const std::string& path) {
+    const int file = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0) return last_error();
+    std::error_code failure;
+    // file systems that know no flushing, EINVAL, have nothing to wait for
+    if (::fsync(file) != 0 && errno != EINVAL) failure = last_error();
+    ::close(file);
+    return failure;
+}
+
 std::string new_folder(const std::string& beginning, std::error_code& failure) {
     auto path = beginning + "XXXXXX";
     if (::mkdtemp(path.data())) return path;
-    failure = {errno, std::generic_category()};
+    failure = last_error();
     return {};
 }
 

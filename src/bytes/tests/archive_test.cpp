@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "byte_builder.hpp"
 #include "error_message.hpp"
@@ -36,6 +39,34 @@ TEST(Archive, OnlyWhatIsAskedForIsReadFromItsSource) {
     EXPECT_EQ(Archive(counting).read("small"), "five!");
     EXPECT_LT(*count, 1u << 18);
     EXPECT_EQ(Archive(counting).read("large"), noise(1 << 20));
+}
+
+/// Bytes of an archive of n small members that are read to read them all.
+std::uint64_t bytes_read(int n) {
+    std::vector<std::pair<std::string, std::string>> members;
+    for (int i = 0; i < n; ++i) members.emplace_back("member" + std::to_string(i), "five!");
+    const auto archive = memory_source("a", zip_archive({members.begin(), members.end()}));
+    const auto count = std::make_shared<std::atomic<std::uint64_t>>(0);
+    Source counting = archive;
+    counting.read_into = [inner = archive.read_into, count](std::uint64_t offset, std::uint64_t bytes, char* target) {
+        *count += bytes;
+        inner(offset, bytes, target);
+    };
+    const Archive opened(counting);
+    for (const auto& name : opened.names()) EXPECT_EQ(opened.member(name).all(), "five!");
+    return *count;
+}
+
+TEST(Archive, IsReadOnceForAllItsMembers) {
+    const auto few = bytes_read(100), many = bytes_read(1000);
+    EXPECT_LT(std::log10(static_cast<double>(many) / static_cast<double>(few)), 1.1);
+}
+
+TEST(Archive, OfTwoMembersWithOneNameIsRefused) {
+    auto bytes = zip_archive({{"name_a", "1"}, {"name_b", "2"}});
+    for (auto at = bytes.find("name_b"); at != std::string::npos; at = bytes.find("name_b")) bytes[at + 5] = 'a';
+    EXPECT_NE(message_of([&] { (void)Archive(memory_source("c.zip", bytes)); }).find("c.zip: ZIP: two members"),
+              std::string::npos);
 }
 
 TEST(Archive, MemberThatAnnouncesMoreThanItsBytesCanBecomeIsRefused) {

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include "container_measurement.hpp"
+#include "setae/bytes/temporary_folder.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/units.hpp"
 #include "setae/formats/container_draft.hpp"
-#include "setae/platform/processes.hpp"
 
 namespace setae::formats {
 namespace {
@@ -97,30 +95,14 @@ private:
     ContainerReport& report_;
 };
 
-/// A file name among the temporary ones that goes away.
-class TemporaryFile {
-public:
-    TemporaryFile()
-        : path_(std::filesystem::temp_directory_path() / fmt::format("setae_check_{}.zip", platform::this_process())) {}
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-    [[nodiscard]] std::string path() const { return path_.string(); }
-
-private:
-    std::filesystem::path path_;
-};
-
 std::vector<std::string> differences_after_writing(const bytes::Source& source, const ContainerFile& file) {
-    const TemporaryFile written;
+    const bytes::TemporaryFolder folder("check");
+    const auto written = folder.file("written.zip");
     std::vector<ContainerMember> members;
-    for (const auto& name : file.members)
-        members.push_back({name, [source, name] { return container_member(source, name); }});
-    write_container(written.path(), file.container, members);
-    return container_differences(source, bytes::file_source(written.path()));
+    const bytes::Archive archive(source);
+    for (const auto& name : file.members) members.push_back({name, [archive, name] { return archive.member(name); }});
+    write_container(written, file.container, members);
+    return container_differences(source, bytes::file_source(written));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "channel_building.hpp"
 #include "container_measurement.hpp"
+#include "setae/bytes/archive.hpp"
 #include "setae/bytes/expand.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/named_choice.hpp"
@@ -244,10 +245,11 @@ using NewNames = std::map<std::string, std::string>;
 
 NewNames take_members(ContainerDraft& draft, const bytes::Source& source, const std::vector<std::string>& members) {
     NewNames names;
+    const bytes::Archive archive(source);
     for (const auto& name : members) {
         const auto free = free_name(draft, name);
         names[name] = free;
-        draft.members.push_back({free, [source, name] { return container_member(source, name); }});
+        draft.members.push_back({free, [archive, name] { return archive.member(name); }});
     }
     return names;
 }

@@ -141,6 +141,83 @@ TEST_F(FolderTest, OfAnotherStudyIsRefusedWhileThatOneIsThere) {
     EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
 }
 
+TEST_F(FolderTest, OfAnotherStudyIsRefusedByARelativePathToo) {
+    const auto before = fs::current_path();
+    fs::current_path(root);
+    study.output = "results";
+    run({"a.csv"});
+    EXPECT_EQ(study::read_result_list("results/files.txt").study, "../study.toml");
+    study.path = "other.toml";
+    std::ofstream(study.path) << "title = \"b\"";
+    EXPECT_THROW(run({"b.csv"}), FileError);
+    EXPECT_EQ(files(), (std::set<std::string>{"a.csv", "files.txt"}));
+    fs::current_path(before);
+    study.output = (root / "results").string();
+}
+
+TEST_F(FolderTest, OfAnotherStudyThatHasBegunIsRefused) {
+    const ResultFolder first(study);
+    study.path = (root / "other.toml").string();
+    std::ofstream(study.path) << "title = \"b\"";
+    EXPECT_THROW(ResultFolder{study}, FileError);
+}
+
+TEST_F(FolderTest, ThatAnotherStudyHasTakenIsRefusedAtTheNextFile) {
+    ResultFolder folder(study);
+    bytes::write_whole_file(folder.claim("a.csv"), "mine");
+    std::ofstream(root / "other.toml") << "title = \"b\"";
+    bytes::write_whole_file(study.output + "/files.txt", study::as_text({"../other.toml", {"b.csv"}}));
+    EXPECT_THROW((void)folder.claim("c.csv"), FileError);
+    EXPECT_THROW((void)folder.claim("a.csv"), FileError);
+    EXPECT_THROW(folder.finish(), FileError);
+}
+
+TEST_F(FolderTest, WhoseListNamesNoStudyIsRefused) {
+    run({"a.csv"});
+    bytes::write_whole_file(study.output + "/files.txt",
+                            std::string(study::result_list_heading) + "# study: \na.csv\n");
+    EXPECT_THROW(run({"b.csv"}), FileError);
+    EXPECT_TRUE(fs::exists(study.output + "/a.csv"));
+}
+
+TEST_F(FolderTest, OfAStudyWithoutAPathIsKnownByItsTitle) {
+    study.path.clear();
+    study.title = "one";
+    run({"a.csv"});
+    study.title = "two";
+    EXPECT_THROW(run({"b.csv"}), FileError);
+    study.title = "one";
+    run({"b.csv"});
+    EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt"}));
+}
+
+TEST_F(FolderTest, IsNotEnteredByTheNameOfAStudy) {
+    study.path = (root / "study\nnotes.txt\n.toml").string();
+    std::ofstream(study.path) << "title = \"a\"";
+    fs::create_directories(study.output);
+    std::ofstream(fs::path(study.output) / "notes.txt") << "mine";
+    run({"a.csv"});
+    run({"b.csv"});
+    EXPECT_EQ(files(), (std::set<std::string>{"b.csv", "files.txt", "notes.txt"}));
+}
+
+TEST_F(FolderTest, KeepsFilesThatAreNamedLikeTemporaryOnes) {
+    run({"a.csv"});
+    for (const char* name : {"x.999999.1.part", "a.csv.999999.1.part", "x.999999-0123456789abcdef.part"})
+        std::ofstream(fs::path(study.output) / name) << "mine";
+    const auto elsewhere = root / "elsewhere";
+    fs::create_directories(elsewhere);
+    std::ofstream(elsewhere / "1.svg.999999-0123456789abcdef.part") << "mine";
+    fs::create_directory_symlink(elsewhere, fs::path(study.output) / "figures");
+    bytes::write_whole_file(study.output + "/files.txt", study::as_text({"../study.toml", {"a.csv", "figures/1.svg"}}));
+    EXPECT_THROW(run({"figures/1.svg"}), FileError) << "it would be written elsewhere";
+    run({"a.csv"});
+    EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), {}), 1);
+    EXPECT_TRUE(fs::exists(study.output + "/x.999999.1.part"));
+    EXPECT_TRUE(fs::exists(study.output + "/a.csv.999999.1.part"));
+    EXPECT_TRUE(fs::exists(study.output + "/x.999999-0123456789abcdef.part"));
+}
+
 TEST_F(FolderTest, MovesWithItsStudy) {
     run({"a.csv", "b.csv"});
     const auto moved = root.string() + "_moved";

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view magic = "setae cache", format = "setae cache 2\n";
+constexpr std::string_view magic = "setae cache", format = "setae cache 3\n";
 constexpr std::string_view ending = ".entry";
 constexpr std::size_t key_length = 64;
 
@@ -26,9 +26,11 @@ std::string signed_part(const std::string& version, const std::string& key, std:
     return fmt::format("{}\n{}\n", version, key) + std::string(content);
 }
 
-/// First lines of an entry: what it is, the version that wrote it, its key, the digest of these and of what follows.
+/// First lines of an entry: what it is, the version that wrote it, its key, the bytes that follow, the digest of these
+/// and of what follows.
 std::string header(const std::string& version, const std::string& key, std::string_view content) {
-    return fmt::format("{}{}\n{}\n{}\n", format, version, key, bytes::sha256(signed_part(version, key, content)));
+    return fmt::format("{}{}\n{}\n{}\n{}\n", format, version, key, content.size(),
+                       bytes::sha256(signed_part(version, key, content)));
 }
 
 /// The line that begins at `at`, which moves behind it; nothing where no line ends.
@@ -47,14 +49,20 @@ struct Entry {
     std::string content;
 };
 
-Entry parsed(const std::string& bytes, const std::string& wanted_version, const std::string& wanted_key) {
-    if (!bytes.starts_with(format)) return {bytes.starts_with(magic) ? State::of_other_version : State::damaged, {}};
+/// Nothing beyond its first lines is read where these are not those of the wanted entry, or announce another size than
+/// the file has. @throws FileError where it cannot be read.
+Entry read_entry(const bytes::Source& file, const std::string& wanted_version, const std::string& wanted_key) {
+    constexpr std::uint64_t longest_header = 4096;
+    const auto head = file.head(longest_header);
+    if (!head.starts_with(format)) return {head.starts_with(magic) ? State::of_other_version : State::damaged, {}};
     std::size_t at = format.size();
-    const auto version = next_line(bytes, at), key = next_line(bytes, at), digest = next_line(bytes, at);
-    if (!version || !key || !digest) return {};
+    const auto version = next_line(head, at), key = next_line(head, at), size = next_line(head, at),
+               digest = next_line(head, at);
+    if (!version || !key || !size || !digest) return {};
     if (*version != wanted_version) return {State::of_other_version, {}};
-    auto content = bytes.substr(at);
-    if (*key != wanted_key || *digest != bytes::sha256(signed_part(*version, *key, content))) return {};
+    if (*key != wanted_key || *size != fmt::format("{}", file.size - at)) return {};
+    auto content = file.bytes(at, file.size - at);
+    if (*digest != bytes::sha256(signed_part(*version, *key, content))) return {};
     return {State::whole, std::move(content)};
 }
 
@@ -63,14 +71,14 @@ fs::path path_of(const std::string& folder, const std::string& key) {
     return fs::path(folder) / key.substr(0, 2) / (key + std::string(ending));
 }
 
-/// Nothing for a missing file; no bytes for what cannot be read, such as a folder or a pipe in its place.
-std::optional<std::string> bytes_of(const fs::path& path) {
+/// Nothing for a missing file; a damaged entry for what cannot be read, such as a folder or a pipe in its place.
+std::optional<Entry> entry_at(const fs::path& path, const std::string& version, const std::string& key) {
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(path, ignored))) return std::nullopt;
     try {
-        return bytes::read_back(path.string());
+        return read_entry(bytes::own_source(path.string()), version, key);
     } catch (const std::exception&) {
-        return std::string();
+        return Entry{};
     }
 }
 
@@ -133,11 +141,10 @@ Store::Store(std::string folder, std::string version) : folder_(std::move(folder
 
 std::optional<std::string> Store::find(const std::string& key) const {
     if (!enabled()) return std::nullopt;
-    const auto bytes = bytes_of(path_of(folder_, key));
-    if (!bytes) return std::nullopt;
-    auto entry = parsed(*bytes, version_, key);
-    switch (entry.state) {
-        case State::whole: ++counters_.found; return std::move(entry.content);
+    auto entry = entry_at(path_of(folder_, key), version_, key);
+    if (!entry) return std::nullopt;
+    switch (entry->state) {
+        case State::whole: ++counters_.found; return std::move(entry->content);
         case State::of_other_version: ++counters_.other_version; return std::nullopt;
         case State::damaged: break;
     }
@@ -147,8 +154,8 @@ std::optional<std::string> Store::find(const std::string& key) const {
 
 bool Store::holds(const std::string& key) const {
     if (!enabled()) return false;
-    const auto bytes = bytes_of(path_of(folder_, key));
-    return bytes && parsed(*bytes, version_, key).state == State::whole;
+    const auto entry = entry_at(path_of(folder_, key), version_, key);
+    return entry && entry->state == State::whole;
 }
 
 void Store::keep(const std::string& key, std::string_view content) const {
@@ -158,7 +165,7 @@ void Store::keep(const std::string& key, std::string_view content) const {
     fs::create_directories(path.parent_path(), failure);
     clear_place(path);
     try {
-        bytes::write_whole_file(path.string(), {header(version_, key, content), content});
+        bytes::write_unflushed_file(path.string(), {header(version_, key, content), content});
         ++counters_.kept;
     } catch (const FileError&) {
         ++counters_.not_kept;  // the result itself is fine

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "setae/bytes/png_mark.hpp"
 #include "setae/bytes/source.hpp"
 #include "setae/bytes/text.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 
 namespace setae::study {
@@ -68,7 +70,81 @@ bool is_own_pdf(const bytes::Source& file, std::string_view head) {
     return holds(end, "cairo") && holds(end, "/CreationDate (D:20000101000000Z");
 }
 
+constexpr std::string_view study_mark = "# study: ";
+
+constexpr std::string_view hexadecimal = "0123456789abcdef";
+
+bool needs_escape(char letter) {
+    const auto byte = static_cast<unsigned char>(letter);
+    return byte < 0x20 || byte == 0x7f || letter == '\\';
+}
+
+std::string escaped(const std::string& name) {
+    std::string text;
+    for (const char letter : name) {
+        if (!needs_escape(letter)) {
+            text += letter;
+            continue;
+        }
+        const auto byte = static_cast<unsigned char>(letter);
+        text += {'\\', 'x', hexadecimal[byte >> 4U], hexadecimal[byte & 15U]};
+    }
+    return text;
+}
+
+std::string unescaped(std::string_view text) {
+    std::string name;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto digit = [&](std::size_t at) {
+            return at < text.size() ? hexadecimal.find(text[at]) : std::string_view::npos;
+        };
+        const auto high = digit(i + 2), low = digit(i + 3);
+        const bool escape =
+            text.substr(i).starts_with("\\x") && high != std::string_view::npos && low != std::string_view::npos;
+        name += escape ? static_cast<char>(16 * high + low) : text[i];
+        if (escape) i += 3;
+    }
+    return name;
+}
+
+/// A name a list may hold: inside the folder, by its letters.
+bool stays_inside(const std::string& name) {
+    const fs::path path(name);
+    return !name.empty() && name.find('\0') == std::string::npos && path.is_relative() &&
+           path == path.lexically_normal() && *path.begin() != ".." && *path.begin() != "." && name.back() != '/';
+}
+
+ResultList parsed_list(const std::string& text) {
+    ResultList list;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(study_mark)) list.study = unescaped(line.substr(study_mark.size()));
+        else if (auto name = unescaped(line); !line.starts_with('#') && stays_inside(name))
+            list.names.insert(std::move(name));
+    }
+    return list;
+}
+
 }  // namespace
+
+ResultList read_result_list(const std::string& path) { return parsed_list(bytes::read_back(path)); }
+
+std::string study_of_result_list(const std::string& path) {
+    constexpr std::uint64_t longest_path = 4 * 4096;  // all of its letters escaped
+    std::ifstream file(path, std::ios::binary);
+    std::string head(result_list_heading.size() + study_mark.size() + longest_path, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return parsed_list(head).study;
+}
+
+std::string result_list_line(const std::string& name) { return escaped(name) + "\n"; }
+
+std::string as_text(const ResultList& list) {
+    auto text = std::string(result_list_heading) + std::string(study_mark) + result_list_line(list.study);
+    for (const auto& name : list.names) text += result_list_line(name);
+    return text;
+}
 
 bool is_own_output(const std::string& file) {
     constexpr std::uint64_t enough = 1 << 15;
@@ -96,12 +172,10 @@ std::set<std::string> results_in(const std::string& folder) {
     std::error_code ignored;
     const auto list = fs::path(folder) / result_list;
     if (fs::is_regular_file(list, ignored)) try {
-            const auto text = bytes::file_source(list.string()).all();
-            if (text.starts_with(result_list_heading)) {
+            if (bytes::file_source(list.string()).head(result_list_heading.size()) == result_list_heading) {
                 files.insert(list.string());
-                std::istringstream lines(text);
-                for (std::string line; std::getline(lines, line);)
-                    if (!line.empty() && !line.starts_with('#')) files.insert((fs::path(folder) / line).string());
+                for (const auto& name : read_result_list(list.string()).names)
+                    files.insert((fs::path(folder) / name).string());
                 return files;
             }
         } catch (const Error&) {  // no list that can be read

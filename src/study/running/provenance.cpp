@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/study/provenance.hpp"
 
-#include <algorithm>
+#include <cstdint>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -17,8 +18,9 @@ namespace {
 
 std::vector<std::string> named_files(const Study& study) {
     std::vector<std::string> files{study.path};
-    const auto add = [&files](const std::string& file) {
-        if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    std::set<std::string> named(files.begin(), files.end());
+    const auto add = [&](const std::string& file) {
+        if (named.insert(file).second) files.push_back(file);
     };
     for (const auto& surface : study.surfaces) {
         if (surface.power_spectrum) add(*surface.power_spectrum);
@@ -35,21 +37,55 @@ std::vector<std::string> named_files(const Study& study) {
     return files;
 }
 
+/// Time between two changes of a file that its time of change may not tell apart [ns], with a margin: systems count it
+/// in hundredths of a second.
+constexpr std::int64_t clock_step = 50'000'000;
+
+/// The digest of what a file holds, and its state before and after. @throws FileError where it cannot be read.
+InputFile digested(const std::string& path) {
+    InputFile input{.path = path};
+    input.state = bytes::file_state(path);
+    const auto source = bytes::file_source(path);
+    input.sha256 = bytes::sha256(source);
+    input.size = source.size;
+    input.settled = bytes::age_of_change(path) > clock_step;
+    if (bytes::file_state(path) != input.state) throw FileError(path + ": changed while it was read");
+    return input;
+}
+
+/// The same once more where another program changed the file meanwhile.
+InputFile input_file(const std::string& path) {
+    InputFile input{.path = path};
+    constexpr int most_tries = 3;
+    for (int i = 0; i < most_tries; ++i) {
+        const auto before = bytes::file_state(path);
+        try {
+            return digested(path);
+        } catch (const FileError&) {
+            // without digest: whoever reads the file says why
+            input.changed = bytes::file_state(path) != before;
+        }
+        if (!input.changed) break;
+    }
+    return input;
+}
+
 }  // namespace
+
+bool is_unchanged(const InputFile& input) {
+    if (input.sha256.empty() || bytes::file_state(input.path) != input.state) return false;
+    if (input.settled) return true;
+    try {
+        return bytes::sha256(bytes::file_source(input.path)) == input.sha256;
+    } catch (const FileError&) {
+        return false;
+    }
+}
 
 std::vector<InputFile> input_files(const Study& study, parallel::Threads threads) {
     const auto names = named_files(study);
     std::vector<InputFile> inputs(names.size());
-    parallel::for_each_index(names.size(), threads, [&](std::size_t i) {
-        inputs[i].path = names[i];
-        try {
-            const auto source = bytes::file_source(names[i]);
-            inputs[i].sha256 = bytes::sha256(source);
-            inputs[i].size = source.size;
-        } catch (const FileError&) {
-            // without digest: whoever reads the file says why
-        }
-    });
+    parallel::for_each_index(names.size(), threads, [&](std::size_t i) { inputs[i] = input_file(names[i]); });
     return inputs;
 }
 

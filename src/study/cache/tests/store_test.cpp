@@ -123,6 +123,17 @@ TEST_F(StoreTest, ComputesAgainWhatIsNoFile) {
     EXPECT_EQ(store.traffic().not_kept, 1);
 }
 
+TEST_F(StoreTest, ReadsNoMoreThanAnEntryAnnounces) {
+    const Store store(folder, "1");
+    store.keep(key, "content");
+    fs::resize_file(entry(key), std::uintmax_t{1} << 36);  // a hole of 64 GiB behind it
+    EXPECT_FALSE(store.find(key));
+    EXPECT_EQ(store.traffic().damaged, 1);
+    fs::resize_file(entry(key), 0);
+    fs::resize_file(entry(key), std::uintmax_t{1} << 36);
+    EXPECT_FALSE(store.find(key));
+}
+
 TEST_F(StoreTest, LeavesFilesOfLikeNamesAlone) {
     const Store store(folder, "1");
     store.keep(key, "content");

@@ -15,6 +15,9 @@ public:
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
+    /// Whether the path still leads to the folder that is locked; false where none is.
+    [[nodiscard]] bool holds(const std::string& folder) const;
+
 private:
     int lock_ = -1;
 };

@@ -15,6 +15,7 @@ struct Source {
     std::string path;        ///< on disk; empty for a member of an archive
     /// exactly `count` bytes from `offset` into memory of the caller, from any thread
     std::function<void(std::uint64_t offset, std::uint64_t count, char* target)> read_into;
+    std::string state = {};  ///< file_state() of a file on disk when it was opened; empty for others
 
     /// Exactly `count` bytes from `offset`. @throws FormatError where the source ends before; nothing is allocated
     /// then.
@@ -33,6 +34,20 @@ inline constexpr std::size_t detection_bytes = 1 << 16;
 /// ZIP archive, as "archive.zip/folder/member", is that member.
 /// @throws FileError for a missing path, what is no regular file and what cannot be opened.
 [[nodiscard]] Source file_source(const std::string& path);
+
+/// The same for what this library wrote and may write again: it is no input.
+[[nodiscard]] Source own_source(const std::string& path);
+
+/// What tells whether a file is still the one it was: device, number, size and times of change; empty where there is no
+/// file. Of a path into an archive: that of the archive.
+[[nodiscard]] std::string file_state(const std::string& path);
+
+/// How long ago the content or status of a file changed [ns]; 0 where there is no file.
+[[nodiscard]] std::int64_t age_of_change(const std::string& path);
+
+/// For libraries that open a file by its name: that it is still what the source was opened as.
+/// @throws FileError where another program changed or replaced it.
+void require_unchanged(const Source& source);
 
 /// Bytes in memory under a name.
 [[nodiscard]] Source memory_source(std::string name, std::string content);

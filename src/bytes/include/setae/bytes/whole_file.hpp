@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -14,8 +15,10 @@ namespace setae::bytes {
 /// The same for what this library wrote and may write again.
 [[nodiscard]] std::string read_back(const std::string& path);
 
-/// Replaces a file as a whole: written under a temporary name in the same folder, then renamed, so that a reader finds
-/// the old content or the new one and never a part. What a symbolic link leads to is replaced, the link stays.
+/// Replaces a file as a whole: written under a temporary name in the same folder, flushed to the disk, then renamed, so
+/// that a reader finds the old content or the new one and never a part, after a power failure, too. What a symbolic
+/// link leads to is replaced, the link stays; the new file has the permissions of the old one. The temporary name is
+/// new and cannot be foreseen.
 /// @throws FileError where the folder is missing or cannot be written, for protected inputs, and for what is no regular
 /// file; the old content is then untouched.
 void write_whole_file(const std::string& path, std::string_view content);
@@ -29,7 +32,12 @@ void write_whole_file(const std::string& path, const std::function<void(const Wr
 /// replaced.
 void write_whole_file(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 
-/// Removes from a folder the temporary files of writers that are no more: processes of this machine that were killed.
-void remove_leftovers(const std::string& folder);
+/// The same for content that can be made again: it is not flushed to the disk, and may be damaged after a power
+/// failure.
+void write_unflushed_file(const std::string& path, std::initializer_list<std::string_view> parts);
+
+/// Removes from a folder the temporary files that were to become one of `names`, of writers that are no more: processes
+/// of this machine that were killed.
+void remove_leftovers(const std::string& folder, const std::set<std::string>& names);
 
 }  // namespace setae::bytes

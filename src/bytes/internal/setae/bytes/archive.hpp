@@ -9,8 +9,6 @@
 
 #include "setae/bytes/source.hpp"
 
-struct zip;
-
 namespace setae::bytes {
 
 /// Whether bytes begin as a ZIP archive.
@@ -19,8 +17,8 @@ namespace setae::bytes {
 /// Whether a member's name stays in the archive's own folder: no "../x", "/x", "c:x".
 [[nodiscard]] bool stays_inside(std::string_view name);
 
-/// A ZIP archive open for reading, from one thread at a time: a file, a part of one, or bytes in memory. Only its
-/// directory and the members asked for are read.
+/// A ZIP archive open for reading: a file, a part of one, or bytes in memory. Only its directory, once, and the members
+/// asked for are read. Copies and members share it.
 class Archive {
 public:
     /// @throws FormatError for bytes that are no whole ZIP archive, or a member whose name leads out of it ("../x",
@@ -44,14 +42,9 @@ public:
     [[nodiscard]] Source member(const std::string& name) const;
 
 private:
-    struct Close {
-        void operator()(zip* archive) const;
-    };
+    class Opened;
 
-    [[nodiscard]] std::uint64_t index_of(const std::string& name) const;
-
-    Source source_;
-    std::unique_ptr<zip, Close> zip_;
+    std::shared_ptr<Opened> opened_;
 };
 
 }  // namespace setae::bytes

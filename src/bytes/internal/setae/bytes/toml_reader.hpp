@@ -103,6 +103,7 @@ public:
     [[nodiscard]] const std::vector<KeyRemark>& remarks() const { return *remarks_; }
 
 private:
+    [[nodiscard]] std::string without_zero_byte(const char* key, const std::string& text) const;
     const toml::node* find(const char* key);
     template <class Value>
     std::vector<Value> list(const char* key, const std::function<Value(const toml::node&)>& convert);

@@ -12,14 +12,15 @@ namespace setae::output {
 /// The folder of a study's results. It knows which files runs of this study wrote into it, by the list in files.txt: a
 /// run replaces and removes those alone.
 ///
-/// The list grows before each file is written, so that it names every one of a run that was killed, too. Threads may
-/// claim files at the same time.
+/// The list says whose results they are before anything is computed, and is looked at before each file is written: of
+/// two studies that begin at once, one is refused. It grows before each file is written, so that it names every one of
+/// a run that was killed, too. Threads may claim files at the same time.
 class ResultFolder {
 public:
     /// Makes the folder where missing, and protects every file the study reads. @throws FileError where it cannot be
-    /// made, or holds the results of a study that is still there and is not this one.
+    /// made, holds the results of a study that is still there and is not this one, or a list that names no study.
     explicit ResultFolder(const study::Study& study);
-    /// Removes a folder that it made and nothing was written into.
+    /// Removes the list, and a folder that it made, where nothing else was written.
     ~ResultFolder();
     ResultFolder(const ResultFolder&) = delete;
     ResultFolder& operator=(const ResultFolder&) = delete;
@@ -30,7 +31,8 @@ public:
     void begin() const;
 
     /// Where a file called `name`, "surfaces.csv" or "figures/figure_1.svg", is to be written.
-    /// @throws FileError for an input, and for a file that no run of this study wrote.
+    /// @throws FileError for an input, for a file that no run of this study wrote, for a folder below that is a link
+    /// elsewhere, and where another study has taken the folder.
     [[nodiscard]] std::string claim(const std::string& name);
 
     /// A file that was claimed and could not be written.
@@ -40,8 +42,12 @@ public:
     void finish();
 
 private:
+    [[nodiscard]] std::string list_path() const;
     [[nodiscard]] bool holds(const std::string& name) const;
-    [[nodiscard]] std::set<std::string> names_on_disk() const;
+    /// Whether no link leads a file below out of the folder.
+    [[nodiscard]] bool is_inside(const std::string& name) const;
+    /// @throws FileError where another study has taken the folder since.
+    void require_own_folder() const;
     void remove(const std::string& name) const;
 
     std::string folder_, study_;

@@ -15,10 +15,16 @@ struct InputFile {
     std::string path;         ///< as results name it
     std::string sha256;       ///< of its content, 64 hexadecimal digits; empty where it could not be read
     std::uintmax_t size = 0;  ///< [bytes]
+    std::string state = {};   ///< bytes::file_state() while the digest was taken
+    bool settled = true;      ///< false: changed so shortly before that `state` may miss another change
+    bool changed = false;     ///< another program changed it during the run: its content has no digest
 };
 
 /// Every file a study names, each once and in its order, the study itself first.
 [[nodiscard]] std::vector<InputFile> input_files(const Study& study, parallel::Threads threads = {});
+
+/// Whether a file still has the content whose digest was taken.
+[[nodiscard]] bool is_unchanged(const InputFile& input);
 
 /// Release and digest of the build: sources, compiler, flags and libraries, such as "0.1.0+4f1c09ab".
 [[nodiscard]] std::string version();

@@ -13,6 +13,21 @@ inline constexpr const char* result_list = "files.txt";
 inline constexpr std::string_view result_list_heading =
     "# setae: files of this study's results; the next run replaces and removes these alone\n";
 
+/// What the list of a folder of results says. A line of it holds one name; control characters and the backslash are
+/// written as a backslash, x and two hexadecimal digits, so that no name makes a second line.
+struct ResultList {
+    std::string study;            ///< whose results the folder holds; empty: the list does not say so
+    std::set<std::string> names;  ///< files, relative to the folder and inside it
+
+    friend bool operator==(const ResultList&, const ResultList&) = default;
+};
+[[nodiscard]] ResultList read_result_list(const std::string& path);
+/// Whose results they are, without the names: of the first lines alone.
+[[nodiscard]] std::string study_of_result_list(const std::string& path);
+[[nodiscard]] std::string as_text(const ResultList& list);
+/// One line of the list, which can be put behind it.
+[[nodiscard]] std::string result_list_line(const std::string& name);
+
 /// Whether setae wrote a file that is no measurement, loop or study: a figure (.svg, .pdf, .png, its numbers), an
 /// overlay, a table of fits, energies, functions of scale or predictions, JSON of a result, a report. What it wrote as
 /// data (levelled heights, traced contours, loop files, contact radii) is none.
