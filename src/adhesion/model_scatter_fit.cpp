@@ -7,11 +7,10 @@
 #include <limits>
 #include <map>
 
-#include <boost/math/tools/minima.hpp>
-
 #include "alike.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/minimum.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -124,12 +123,12 @@ ModelScatter ScatterFit::climbed(Restricted& restricted, ModelScatter scatter, d
                 return -restricted.log_likelihood(tried);
             };
             const double before = scatter.*level;
-            auto best = boost::math::tools::brent_find_minima(loss, 0.0, reach, bits);
+            auto best = numerics::minimum_between(loss, 0.0, reach, bits);
             // Brent's rule looks into one valley: neither the end at 0 nor where it came from is to be lost
             for (const double known : {0.0, before})
-                if (const double there = loss(known); there <= best.second) best = {known, there};
-            moved = std::max(moved, std::abs(best.first - before));
-            scatter.*level = best.first;
+                if (const double there = loss(known); there <= best.value) best = {known, there};
+            moved = std::max(moved, std::abs(best.place - before));
+            scatter.*level = best.place;
         }
         if (moved < 1e-5 * reach) break;
     }

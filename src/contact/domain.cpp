@@ -9,12 +9,26 @@
 
 namespace setae::contact {
 
+namespace {
+
+/// @throws InvalidArgument for what is no number, which users did not give: it follows from quantities out of range.
+void require_number(double value, const char* what) {
+    if (std::isnan(value))
+        throw InvalidArgument(fmt::format(
+            "{} cannot be computed; check radius, forces, displacements and their units, one of which is out of range",
+            what));
+}
+
+}  // namespace
+
 void require_positive(double value, const char* what) {
+    require_number(value, what);
     if (!(value > 0.0) || std::isinf(value))
         throw InvalidArgument(fmt::format("{} must be > 0 and finite, got {}", what, value));
 }
 
 void require_not_negative(double value, const char* what) {
+    require_number(value, what);
     if (!(value >= 0.0)) throw InvalidArgument(fmt::format("{} must be >= 0, got {}", what, value));
 }
 

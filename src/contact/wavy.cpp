@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <boost/math/tools/minima.hpp>
 
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/bracketing.hpp"
+#include "setae/numerics/minimum.hpp"
 
 namespace setae::contact::wavy {
 
@@ -20,7 +20,7 @@ double closing_pressure(double energy_ratio) {
     // beyond a = 1/4 the curve has one maximum, the last before full contact
     const auto less = [alpha](double a) { return alpha * std::sqrt(std::tan(pi * a)) - std::pow(std::sin(pi * a), 2); };
     constexpr int bits = 50;
-    return -boost::math::tools::brent_find_minima(less, 0.25, 0.5 - 1e-9, bits).second;
+    return -numerics::minimum_between(less, 0.25, 0.5 - 1e-9, bits).value;
 }
 
 double closing_energy() {

@@ -291,10 +291,26 @@ double unit_factor(std::string_view text, const Dimension& expected) {
     return unit.factor;
 }
 
+namespace {
+
+/// Powers of any quantity stay within what a double holds. The fourth power of the largest is 1e240.
+constexpr double least_magnitude = 1e-60, greatest_magnitude = 1e60;
+
+/// @throws InvalidArgument for a number that no measurement can give.
+void require_magnitude(double value, std::string_view given) {
+    const double magnitude = std::abs(value);
+    if (value == 0.0 || (magnitude >= least_magnitude && magnitude <= greatest_magnitude)) return;
+    throw InvalidArgument(fmt::format("'{}', expected 0 or a magnitude from {:g} to {:g} in SI units", given,
+                                      least_magnitude, greatest_magnitude));
+}
+
+}  // namespace
+
 void require_within(const Domain& domain, double value, std::string_view given) {
     const bool inside =
         std::isfinite(value) && (domain.open ? value > domain.lower : value >= domain.lower) && value <= domain.upper;
     if (!inside) throw InvalidArgument(fmt::format("'{}', expected {}", given, domain.words));
+    require_magnitude(value, given);
 }
 
 double parse_quantity(std::string_view text, const Expected& expected) {
@@ -314,6 +330,7 @@ Estimate value_and_error(std::string_view of_value, std::string_view of_error, c
         throw InvalidArgument(fmt::format("'{}', expected an uncertainty of 0 or above", text));
     const Estimate estimate{in_si(value.number, value.rest.empty() ? error.rest : value.rest, expected.dimension, text),
                             in_si(error.number, error.rest, expected.dimension, text), "given"};
+    require_magnitude(estimate.standard_error, text);
     require_within(expected.domain, estimate.value, text);
     if (expected.domain.open && expected.domain.lower == 0.0 && estimate.standard_error > estimate.value)
         throw InvalidArgument(

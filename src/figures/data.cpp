@@ -7,18 +7,13 @@
 
 #include "ranges.hpp"
 #include "setae/bytes/whole_file.hpp"
+#include "setae/core/spreadsheet_text.hpp"
 #include "setae/figures/typesetting.hpp"
 
 namespace setae::figures {
 namespace {
 
-/// A cell of text as RFC 4180 has it.
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
-}
+std::string cell(const std::string& text) { return spreadsheet_cell(text); }
 
 /// Twelve digits: what was scaled to the unit of an axis ends as it began.
 std::string cell(double value) { return std::isnan(value) ? std::string() : fmt::format("{:.12g}", value); }

@@ -8,30 +8,15 @@
 #include <fmt/format.h>
 
 #include "setae/core/layout.hpp"
+#include "setae/core/spreadsheet_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/core/units.hpp"
 
 namespace setae::tables {
 namespace {
 
-/// Text on one line, behind an apostrophe where a spreadsheet would take it for a formula.
-std::string harmless(const std::string& text) {
-    const bool formula = !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
-    return (formula ? "'" : "") + one_line(text);
-}
-
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"') result += '"';
-        result += c;
-    }
-    return result + '"';
-}
-
 std::string csv_cell(const TidyTable::Cell& cell) {
-    if (const auto* text = std::get_if<std::string>(&cell)) return quoted(harmless(*text));
+    if (const auto* text = std::get_if<std::string>(&cell)) return spreadsheet_cell(*text);
     const double number = std::get<double>(cell);
     return std::isnan(number) ? "" : fmt::format("{}", number);
 }
@@ -51,7 +36,7 @@ std::string padded(const std::string& text, std::size_t to, bool right) {
 std::string as_csv(const TidyTable& table) {
     std::string csv;
     const auto append = [&csv](std::size_t column, const std::string& cell) { csv += (column > 0 ? "," : "") + cell; };
-    for (std::size_t i = 0; i < table.columns.size(); ++i) append(i, quoted(table.columns[i]));
+    for (std::size_t i = 0; i < table.columns.size(); ++i) append(i, spreadsheet_cell(table.columns[i]));
     csv += '\n';
     for (const auto& row : table.rows) {
         for (std::size_t i = 0; i < row.size(); ++i) append(i, csv_cell(row[i]));

@@ -27,6 +27,10 @@ CancellationScope::CancellationScope(const std::atomic<bool>& cancelled) : outer
 
 CancellationScope::~CancellationScope() { cancellation = outer_; }
 
+void stop_if_cancelled() {
+    if (cancellation && *cancellation) throw Cancelled("the caller asked to stop");
+}
+
 void limit_threads(Threads threads) { most_threads = std::max(0, threads.count); }
 
 int Threads::resolved() const {
@@ -43,7 +47,7 @@ void for_each_index(std::size_t n, Threads threads, const std::function<void(std
         const auto* outer = std::exchange(cancellation, cancelled);
         for (auto i = next.fetch_add(1); i < n; i = next.fetch_add(1)) {
             try {
-                if (cancelled && *cancelled) throw Cancelled("the caller asked to stop");
+                stop_if_cancelled();
                 body(i);
             } catch (...) {
                 failures[i] = std::current_exception();

@@ -414,6 +414,15 @@ TEST(GnuplotScript, MakesRoomForALegendBesideTheAxes) {
     EXPECT_NE(script_of(figure).find("set key at screen "), std::string::npos);
 }
 
+TEST(Draw, HoldsNoNameThatEndsASectionOfXml) {
+    if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
+    auto figure = figure_of(rising("a]]>b"));
+    figure.panels[0].title = "c]]>d";
+    const auto content = drawn(figure, "svg");
+    EXPECT_EQ(content.find("]]>"), std::string::npos);
+    EXPECT_NE(content.find("]]&gt;"), std::string::npos);
+}
+
 TEST(Draw, HoldsMapsWithinTheFile) {
     if (!there_is_gnuplot()) GTEST_SKIP() << "no gnuplot";
     const auto content = drawn(map_figure(), "svg");
@@ -449,6 +458,10 @@ TEST(FigureData, AreARowAPoint) {
     EXPECT_NE(text.find("\n1,\"say \"\"a, b\"\"\",,wavevector q,1/m,10,C_1D,m3,3,,4,,\n"), std::string::npos) << text;
     EXPECT_NE(text.find("\nB,\"say \"\"a, b\"\"\",third,wavevector q,1,100,C_1D,m3,9,8,10,,\n"), std::string::npos)
         << text;
+    figure.panels[1].title = "=1+1";
+    figure.panels[1].series[0].label = "＝2";
+    write_data(figure, folder / "a.csv");
+    EXPECT_NE(content_of(folder / "a.csv").find("\n'=1+1,'＝2,third,"), std::string::npos);
     EXPECT_EQ(count(text, "\n"), 7u);
 }
 

@@ -41,18 +41,28 @@ void require_valid(const Resample& grid, const topography::Metadata& metadata) {
                         topography::label(metadata), grid.nx, grid.ny, *grid.pixel_size));
 }
 
+/// @throws InvalidArgument for more points along a direction than any map has.
+Index point_count(double count, double old_count, const topography::Metadata& metadata) {
+    constexpr double greatest = 2147483648.0;
+    if (count > greatest)
+        throw InvalidArgument(fmt::format("{}: resampling {:g} points to {:g} along a direction; expected at most {:g}",
+                                          topography::label(metadata), old_count, count, greatest));
+    return static_cast<Index>(count);
+}
+
 /// `asked`: number of points, or 0 for the grid's pixel size. Open: from the first to the last of the old points.
 Points points_of(const Resample& grid, Index asked, Index old_count, double size, bool open,
                  const topography::Metadata& metadata) {
     const double old_step = size / static_cast<double>(old_count);
-    Points points{asked, 0.0, size};
+    const auto counted = [&](double count) { return point_count(count, static_cast<double>(old_count), metadata); };
+    Points points{counted(static_cast<double>(asked)), 0.0, size};
     if (open) {
         const double length = old_step * static_cast<double>(old_count - 1);
-        if (asked == 0) points.count = static_cast<Index>(std::floor(length / *grid.pixel_size * (1.0 + 1e-12))) + 1;
+        if (asked == 0) points.count = counted(std::floor(length / *grid.pixel_size * (1.0 + 1e-12))) + 1;
         points.step = asked == 0 ? *grid.pixel_size : length / static_cast<double>(std::max<Index>(1, asked - 1));
         points.size = points.step * static_cast<double>(points.count);
     } else {
-        if (asked == 0) points.count = static_cast<Index>(std::llround(size / *grid.pixel_size));
+        if (asked == 0) points.count = counted(std::round(size / *grid.pixel_size));
         points.step = size / static_cast<double>(points.count);
     }
     if (points.count < 2 || (open && old_count < 2))

@@ -3,9 +3,11 @@
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -16,20 +18,41 @@ namespace {
 
 [[noreturn]] void refuse(const mu::ParserError& error) { throw InvalidArgument(error.GetMsg()); }
 
+/// @throws InvalidArgument for what muParser takes and an expression over columns is not: a value given to a column, a
+/// list of expressions of which the last one counts, and text behind a zero byte.
+void require_one_value(const std::string& text) {
+    if (text.find('\0') != std::string::npos) throw InvalidArgument("the expression has a zero byte");
+    constexpr std::string_view before_equals = "=<>!";
+    for (auto at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
+        const bool compares = (at > 0 && before_equals.find(text[at - 1]) != std::string_view::npos) ||
+                              (at + 1 < text.size() && text[at + 1] == '=');
+        if (!compares)
+            throw InvalidArgument(
+                fmt::format("'{}' gives a value to a column, expected an expression without '='; "
+                            "'==' compares",
+                            text));
+    }
+}
+
 /// An expression bound to variables that can be set between evaluations.
 class Expression {
 public:
     Expression(const std::string& text, const std::vector<std::string>& names) : values_(names.size()) {
+        require_one_value(text);
         try {
             for (std::size_t i = 0; i < names.size(); ++i) parser_.DefineVar(names[i], &values_[i]);
             parser_.SetExpr(text);
             (void)parser_.Eval();
+            if (parser_.GetNumResults() != 1)
+                throw InvalidArgument(
+                    fmt::format("'{}' is {} expressions, expected one", text, parser_.GetNumResults()));
         } catch (const mu::ParserError& error) {
             refuse(error);
         }
     }
 
     void set(std::size_t variable, double value) { values_[variable] = value; }
+    [[nodiscard]] double value(std::size_t variable) const { return values_[variable]; }
 
     [[nodiscard]] double operator()() const {
         try {
@@ -82,6 +105,31 @@ bool has_dimension(Expression& expression, const std::vector<Dimension>& dimensi
     return true;
 }
 
+/// Whether the expression scales so at the values that are set, which may lead into a branch of its own.
+bool has_dimension_here(Expression& expression, const std::vector<Dimension>& dimensions, const Dimension& expected) {
+    std::vector<double> kept;
+    for (std::size_t i = 0; i < dimensions.size(); ++i) kept.push_back(expression.value(i));
+    const double before = expression();
+    bool scales = true;
+    for (std::size_t base = 0; base < expected.exponents.size() && std::isfinite(before); ++base) {
+        const auto depends = [base](const Dimension& dimension) { return dimension.exponents[base] != 0; };
+        if (!depends(expected) && std::none_of(dimensions.begin(), dimensions.end(), depends)) continue;
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            expression.set(i, std::ldexp(kept[i], dimensions[i].exponents[base]));
+        const double after = expression(), scaled = std::ldexp(before, expected.exponents[base]);
+        // rounding of differences between much larger values is no other dimension
+        constexpr double rounding = 1e-6;
+        scales = scales && (!std::isfinite(after) || std::abs(after - scaled) <= rounding * std::abs(scaled));
+    }
+    for (std::size_t i = 0; i < kept.size(); ++i) expression.set(i, kept[i]);
+    return scales;
+}
+
+[[noreturn]] void refuse_dimension(const Dimension& expected) {
+    throw InvalidArgument(
+        fmt::format("the expression is no {}; give its constants their units, as in \"3.01 N/m\"", si_unit(expected)));
+}
+
 }  // namespace
 
 bool is_identifier(const std::string& name) {
@@ -97,9 +145,9 @@ void require_expression(const std::string& expression, const std::vector<std::st
 
 Array1D evaluate(const std::string& text, const ExpressionInputs& inputs, const Dimension& expected) {
     Expression expression(text, names_of(inputs));
-    if (!has_dimension(expression, dimensions_of(inputs), expected))
-        throw InvalidArgument(fmt::format("the expression is no {}; give its constants their units, as in \"3.01 N/m\"",
-                                          si_unit(expected)));
+    if (!has_dimension(expression, dimensions_of(inputs), expected)) refuse_dimension(expected);
+    const bool branches = text.find_first_of("?<>=") != std::string::npos;
+    const auto dimensions = dimensions_of(inputs);
     const auto constants = inputs.constants.size();
     for (std::size_t k = 0; k < constants; ++k) expression.set(k, inputs.constants[k].value);
     const auto rows = inputs.columns.empty() ? Index{0} : inputs.columns.front().values.size();
@@ -107,6 +155,7 @@ Array1D evaluate(const std::string& text, const ExpressionInputs& inputs, const 
     for (Index i = 0; i < rows; ++i) {
         for (std::size_t k = 0; k < inputs.columns.size(); ++k)
             expression.set(constants + k, inputs.columns[k].values[i]);
+        if (branches && !has_dimension_here(expression, dimensions, expected)) refuse_dimension(expected);
         result[i] = expression();
     }
     return result;

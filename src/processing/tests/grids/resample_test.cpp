@@ -109,6 +109,14 @@ TEST(Resample, TakesLinesAndPolylines) {
 
 TEST(Resample, RefusesWhatHasNoMeaning) {
     const HeightMap map = plane(5, 5);
+    for (const double pixel : {1e-40, 1e-300}) try {
+            (void)resampled(map, Resample{.pixel_size = pixel});
+            ADD_FAILURE() << pixel;
+        } catch (const InvalidArgument& error) {
+            EXPECT_EQ(std::string(error.what()).find("-92233"), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("expected at most"), std::string::npos) << error.what();
+        }
+    EXPECT_THROW((void)resampled(map, Resample{.nx = Index{1} << 40, .ny = 2}), InvalidArgument);
     EXPECT_THROW((void)resampled(map, Resample{}), InvalidArgument);
     EXPECT_THROW((void)resampled(map, Resample{.nx = 1, .ny = 1}), InvalidArgument);
     EXPECT_THROW((void)resampled(map, Resample{.nx = 4, .pixel_size = 1.0}), InvalidArgument);

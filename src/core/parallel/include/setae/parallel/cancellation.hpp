@@ -20,4 +20,7 @@ private:
     const std::atomic<bool>* outer_;
 };
 
+/// For iterations that begin no index: @throws Cancelled where a CancellationScope of this thread was asked to stop.
+void stop_if_cancelled();
+
 }  // namespace setae::parallel
