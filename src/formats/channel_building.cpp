@@ -168,6 +168,10 @@ double complete(ChannelInfo& info, const ReadOptions& options, const bytes::Sour
              fmt::format("give it, as in {}", size_example(info))});
         info.size.clear();
     }
+    for (const double size : options.size.value_or(std::vector<double>()))
+        if (!is_extent(size))
+            throw InvalidArgument(fmt::format("{}: a size of {} m was given, expected a length above 0, as in {}",
+                                              source.name, size, size_example(info)));
     if (info.size.empty() && options.size) {
         if (options.size->size() != info.shape.size())
             throw InvalidArgument(fmt::format("{}: {} sizes given for data of {} dimensions; give them as in {}",

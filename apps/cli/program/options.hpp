@@ -51,6 +51,8 @@ public:
     Option& one_at_a_time();
     /// A number within a domain.
     Option& within(const Domain& domain);
+    /// A whole number from 0 that 64 bits hold.
+    Option& natural();
     /// A text that is a quantity, with its standard error or without. usual_unit: what a number alone is told to have,
     /// where it is another than that of its dimension.
     Option& quantity(const Expected& expected, const std::string& usual_unit = {});

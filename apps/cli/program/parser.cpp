@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -21,6 +22,7 @@
 #include "program/terminal.hpp"
 #include "setae/bytes/protected_inputs.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/number_text.hpp"
 #include "setae/core/text.hpp"
 #include "setae/study/provenance.hpp"
 
@@ -92,6 +94,13 @@ Option& Option::within(const Domain& domain) {
         require_within(domain, value, text);
     });
 }
+Option& Option::natural() {
+    return read_by([](const std::string& text) {
+        if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos || !spelled<std::uint64_t>(text))
+            throw InvalidArgument(fmt::format("'{}', expected a whole number from 0 to {}", text,
+                                              std::numeric_limits<std::uint64_t>::max()));
+    });
+}
 Option& Option::quantity(const Expected& expected, const std::string& usual_unit) {
     return read_by([expected, usual_unit](const std::string& text) {
         double number = 0.0;
@@ -126,7 +135,9 @@ Option Options::add(const std::string& names, Value& value, const std::string& d
     Option option(*verb_.add_option(names, value, description), declared_);
     constexpr bool real = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>> ||
                           std::is_same_v<Value, std::vector<double>>;
-    return real ? option.within(domain::finite) : option;
+    constexpr bool natural =
+        std::is_same_v<Value, std::uint64_t> || std::is_same_v<Value, std::optional<std::uint64_t>>;
+    return real ? option.within(domain::finite) : natural ? option.natural() : option;
 }
 
 template Option Options::add(const std::string&, std::string&, const std::string&);

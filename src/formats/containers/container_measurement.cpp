@@ -95,6 +95,10 @@ MemberEntry entry_of(const ContainerTopography& topography, const std::string& s
                                    : topography.data_source.value_or(0);
     if (!entry.squeezed && !entry.source && !topography.data_source) entry.named = topography.channel;
     entry.height_scale = topography.height_scale.value_or(1.0);
+    if (!(entry.height_scale > 0.0) || !std::isfinite(entry.height_scale))
+        throw FormatError(file, {},
+                          fmt::format("{} / {}: height_scale {} of the index, expected above 0", surface,
+                                      topography.name, entry.height_scale));
     if (!topography.unit.empty()) {
         entry.options.unit = topography.unit;
         const double factor = unit_factor(topography.unit, dimension::length);

@@ -204,8 +204,11 @@ std::string provenance_html(const StudyResult& result, const RunRecord& run) {
     html = as_html(Fold{.identifier = "run", .kind = "text", .title = "How this was made", .html = html + "</dl>"});
     std::vector<std::vector<std::string>> rows;
     for (const auto& input : result.inputs)
-        rows.push_back(
-            {input.path, input.sha256.empty() ? "could not be read" : fmt::format("{}", input.size), input.sha256});
+        rows.push_back({input.path,
+                        input.changed          ? "changed during the run"
+                        : input.sha256.empty() ? "could not be read"
+                                               : fmt::format("{}", input.size),
+                        input.sha256});
     if (rows.empty()) return html;
     return html + plain_table("inputs", "Inputs", {"file", "size [bytes]", "SHA-256"}, rows);
 }

@@ -10,17 +10,18 @@ namespace setae::output {
 namespace {
 
 /// Kinds that put a number in doubt, worst first; others follow in the order they were found.
-constexpr std::array<std::string_view, 23> telling{
-    "UNITS_IMPLAUSIBLE",    "PART_FAILED",       "LIKELIHOOD_FAILED",       "NOT_CONVERGED",
-    "FILES_LEFT_OUT",       "UNREADABLE_MEMBER", "UNIT_MISMATCH",           "SIZE_MISMATCH",
-    "INSTRUMENTS_DISAGREE", "NO_INSTRUMENT",     "NO_TIP_RADIUS",           "SAME_MEASUREMENT",
-    "UNIT_GUESSED",         "UNIT_ASSUMED",      "SPECTRUM_CONVENTION",     "WAVES_BEYOND_DATA",
-    "BAND_LIMITED",         "ONE_PLACE",         "HEIGHT_UNKNOWN",          "WILL_NOT_CONFORM",
-    "MEASUREMENTS_SCATTER", "MEASURED_SLOPES",   "SINGLE_INSTRUMENT_DECADE"};
+constexpr std::array<std::string_view, 24> telling{
+    "INPUT_CHANGED",     "UNITS_IMPLAUSIBLE",    "PART_FAILED",       "LIKELIHOOD_FAILED",
+    "NOT_CONVERGED",     "FILES_LEFT_OUT",       "UNREADABLE_MEMBER", "UNIT_MISMATCH",
+    "SIZE_MISMATCH",     "INSTRUMENTS_DISAGREE", "NO_INSTRUMENT",     "NO_TIP_RADIUS",
+    "SAME_MEASUREMENT",  "UNIT_GUESSED",         "UNIT_ASSUMED",      "SPECTRUM_CONVENTION",
+    "WAVES_BEYOND_DATA", "BAND_LIMITED",         "ONE_PLACE",         "HEIGHT_UNKNOWN",
+    "WILL_NOT_CONFORM",  "MEASUREMENTS_SCATTER", "MEASURED_SLOPES",   "SINGLE_INSTRUMENT_DECADE"};
 
 /// Kinds before these: which numbers of a file are heights at all.
-constexpr std::array<std::string_view, 6> of_heights{"NO_DATA_SUSPECTED",  "NO_DATA",      "LABELS_NOT_HEIGHTS",
-                                                     "POSITIONS_REPEATED", "ROWS_MISSING", "PASSES_SPLIT"};
+constexpr std::array<std::string_view, 9> of_heights{"HEIGHTS_IMPLAUSIBLE", "CONSTANT",     "GAP_BRIDGED",
+                                                     "NO_DATA_SUSPECTED",   "NO_DATA",      "LABELS_NOT_HEIGHTS",
+                                                     "POSITIONS_REPEATED",  "ROWS_MISSING", "PASSES_SPLIT"};
 
 template <std::size_t n>
 std::size_t place_in(const std::array<std::string_view, n>& kinds, const std::string& code) {

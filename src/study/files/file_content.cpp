@@ -207,9 +207,11 @@ bool is_certain(const FileContent& content) {
     return !info.size.empty() && !info.unit.empty();
 }
 
+bool is_hdf5(const bytes::Source& source) { return source.head(8).starts_with("\x89HDF"); }
+
 /// Pictures in HDF5 come before the arrays they are. @throws as picture_content for what begins as a picture.
 std::optional<imaging::PictureContent> picture_in_hdf5(const std::string& file, const bytes::Source& source) {
-    if (!source.head(8).starts_with("\x89HDF")) return std::nullopt;
+    if (!is_hdf5(source)) return std::nullopt;
     try {
         return imaging::picture_content(file);
     } catch (const Error&) {  // an array, not a picture
@@ -229,6 +231,7 @@ FileContent content_of_measurement(const std::string& file, const bytes::Source&
         if (!named.foreign() || is_certain(content)) return content;
     } catch (const Error&) {
         if (!named.foreign()) {
+            if (is_hdf5(source)) throw;  // no picture, as was seen above: the reason is that of the arrays
             if (auto picture = imaging::picture_content(file)) return content_of_picture(file, std::move(*picture));
             throw;
         }

@@ -8,6 +8,13 @@ namespace setae::study {
 void remark_implausible(bytes::TomlReader& reader, const char* key, double value, double lower, double upper,
                         const std::string& unit) {
     if (value == 0.0 || (value >= lower && value <= upper)) return;
+    // no unit is off by so much: what follows from such a value is no number
+    constexpr double most_off = 1e12;
+    const auto in_unit = [&](double number) { return format_value(number, unit.empty() ? "1" : unit, 3); };
+    if (value < lower / most_off || value > upper * most_off)
+        reader.fail(key, std::isinf(upper) ? fmt::format("{}, expected {} or above", in_unit(value), in_unit(lower))
+                                           : fmt::format("{}, expected 0, or {} to {}", in_unit(value), in_unit(lower),
+                                                         in_unit(upper)));
     const double nearest = value < lower ? lower : upper;
     const double thousands = std::log10(nearest / value) / 3.0;
     const double power = 3.0 * (thousands > 0.0 ? std::ceil(thousands) : std::floor(thousands));
@@ -15,10 +22,9 @@ void remark_implausible(bytes::TomlReader& reader, const char* key, double value
     const std::string factor = corrected >= lower && corrected <= upper
                                    ? fmt::format(": the likely factor is 10^{:.0f}", power)
                                    : std::string();
-    const auto shown = [&](double number) { return format_value(number, unit.empty() ? "1" : unit, 3); };
-    const auto range = std::isinf(upper) ? fmt::format("is below {}", shown(lower))
-                                         : fmt::format("lies outside {} to {}", shown(lower), shown(upper));
-    reader.remark(key, fmt::format("{} {}{}", shown(value), range, factor));
+    const auto range = std::isinf(upper) ? fmt::format("is below {}", in_unit(lower))
+                                         : fmt::format("lies outside {} to {}", in_unit(lower), in_unit(upper));
+    reader.remark(key, fmt::format("{} {}{}", in_unit(value), range, factor));
 }
 
 }  // namespace setae::study

@@ -32,6 +32,7 @@ void parse_at(const bytes::TomlReader& reader, const char* key, const Parser& pa
 }
 
 /// Keeps a remark where a value lies outside two, with the power of 1000 that its unit may be off by. 0 is a choice.
+/// @throws FormatError where a value lies outside by more than 12 powers of ten.
 void remark_implausible(bytes::TomlReader& reader, const char* key, double value, double lower, double upper,
                         const std::string& unit);
 

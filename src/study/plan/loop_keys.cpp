@@ -26,6 +26,7 @@ auto fitted(Field field) {
 void read_machine_stiffness(TomlReader& reader, ExperimentInput& e) {
     auto stiffness = reader.uncertain("machine_stiffness", positive(dimension::stiffness));
     if (!stiffness) return;
+    remark_implausible(reader, "machine_stiffness", stiffness->value, 1e-6, 1e12, si_unit(dimension::stiffness));
     e.options.machine_stiffness = stiffness->value;
     e.machine_stiffness = std::move(*stiffness);
 }
@@ -99,6 +100,7 @@ Keys<ExperimentInput> keys_of_loops() {
              "rate of the displacement's drift, where a reference tells it")
         .add("interaction_range", analysis(&Analysis::interaction_range), positive(dimension::length),
              "z0 of the Tabor parameter")
+        .plausible(1e-11, 1e-5)
         .by_default("3e-10")
         .add(
             "baseline_share", [](auto& e) -> auto& { return e.options.segments.baseline_share; },
@@ -106,17 +108,21 @@ Keys<ExperimentInput> keys_of_loops() {
             "share of the record, from its start, that is free flight; where it is missing, free flight is found")
         .add("contact_radius_noise", analysis(&Analysis::contact_radius_noise), positive(dimension::length),
              "of a radius; where it is missing, from the radii's second differences")
+        .plausible(1e-12, 1e-2)
         .add({"machine_stiffness", "quantity ± error", si_unit(dimension::stiffness), "",
               "of a stage whose position stands for the displacement"},
              read_machine_stiffness)
         .add("force_calibration", &ExperimentInput::force_calibration, positive(dimension::none),
              "true force over what the file says")
+        .plausible(0.01, 100.0)
         .by_default("1")
         .add("displacement_calibration", &ExperimentInput::displacement_calibration, positive(dimension::none),
              "likewise of the displacement; a contact point or drift given here is multiplied, too")
+        .plausible(0.01, 100.0)
         .by_default("1")
         .add("contact_radius_calibration", &ExperimentInput::contact_radius_calibration, positive(dimension::none),
              "likewise of the contact radius: the size of the camera's pixel, say; its noise is multiplied, too")
+        .plausible(1e-10, 1e3)
         .by_default("1")
         .parsed(
             "contact_point", "`auto`, `fit`, a method's name or a length",

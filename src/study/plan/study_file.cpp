@@ -47,6 +47,17 @@ double direction_from_text(const std::string& text) {
     return text == "y" ? 0.5 * pi : parse_quantity(text, dimension::none);
 }
 
+/// A scan less itself is nothing.
+void require_other_references(const TomlReader& reader, const MeasurementInput& input) {
+    for (const auto& reference : input.references) {
+        std::error_code ignored;
+        if (fs::path(reference).lexically_normal() == fs::path(input.file).lexically_normal() ||
+            fs::equivalent(reference, input.file, ignored))
+            reader.fail("references",
+                        fmt::format("{} is the measurement itself, expected scans of a smooth standard", reference));
+    }
+}
+
 const Keys<MeasurementInput>& measurement_keys() {
     using Input = MeasurementInput;
     static const auto keys =
@@ -83,8 +94,10 @@ const Keys<MeasurementInput>& measurement_keys() {
                 "height_calibration", &Input::height_calibration, positive(dimension::none),
                 "true heights over those of the file, such as `1.00 ± 0.02`; heights are multiplied with it behind the "
                 "pipeline. Under one name in `[inputs]` it is one instrument's in all surfaces")
+            .plausible(0.01, 100.0)
             .add("lateral_calibration", &Input::lateral_calibration, positive(dimension::none),
                  "the same of lengths along the surface; a micrograph has both under one name")
+            .plausible(0.01, 100.0)
             .add("numerical_aperture", &Input::numerical_aperture, positive(dimension::none),
                  "of an optical profiler; with `light_wavelength` the fitted spectrum allows for what it blurs")
             .plausible(0.01, 1.6)
@@ -165,7 +178,9 @@ const Keys<SurfaceInput>& surface_keys() {
             .add({"measurements", "list of tables", "", "", "files of the surface, keys below"},
                  [](TomlReader& reader, Input& surface) {
                      reader.each_table("measurements", [&](TomlReader inner) {
+                         const auto place = inner;
                          surface.measurements.push_back(measurement_keys().from(std::move(inner)));
+                         require_other_references(place, surface.measurements.back());
                          forget_places(surface.measurements.back());
                      });
                  })
@@ -234,8 +249,10 @@ const Keys<StatedEdgeSpeed>& edge_speed_keys() {
         Keys<Stated>()
             .add("reference_speed", &Stated::reference_speed, positive(dimension::length / dimension::time),
                  "v0 of G(v) = W_ret [1 + (v/v0)^n]")
+            .plausible(1e-15, 100.0)
             .required()
             .add("exponent", &Stated::exponent, positive(dimension::none), "n")
+            .plausible(1e-3, 100.0)
             .required();
     return keys;
 }
@@ -245,8 +262,10 @@ const Keys<StatedRelaxation>& relaxation_keys() {
     static const auto keys =
         Keys<Stated>()
             .add("share", &Stated::share, non_negative(dimension::none), "g of E(t)/E∞ = 1 + Σ g e^(−t/τ)")
+            .plausible(1e-6, 1e3)
             .required()
             .add("time", &Stated::time, positive(dimension::time), "τ")
+            .plausible(1e-9, 1e9)
             .required();
     return keys;
 }
@@ -305,6 +324,7 @@ const Keys<ElastomerInput>& elastomer_keys() {
                 })
             .add("crosslink_molar_mass", &Input::crosslink_molar_mass, positive(dimension::molar_mass),
                  "M_c, for the plausibility of E against ρRT/M_c")
+            .plausible(1e-3, 1e5)
             .add("density", &Input::density, positive({{-3, 1, 0, 0, 0, 0}}), "ρ of it")
             .plausible(100.0, 1e4)
             .add("temperature", &Input::temperature, positive(dimension::temperature), "T of it")
@@ -323,8 +343,10 @@ const Keys<CameraInput>& camera_keys() {
             .add("clock_offset", &Input::clock_offset, dimension::time,
                  "added to the camera's times; without it, it is found")
             .add("pixel_size", &Input::pixel_size, positive(dimension::length), "of pictures that do not say it")
+            .plausible(1e-10, 1e-2)
             .add("frame_rate", &Input::frame_rate, positive(dimension::none / dimension::time),
                  "of pictures that do not say it")
+            .plausible(1e-5, 1e8)
             .add("fringes", &Input::fringes, "pictures show Newton's rings around the contact");
     return keys;
 }
@@ -345,6 +367,7 @@ const Keys<ExperimentInput>& experiment_keys() {
             .add(
                 "spring_constant", [](auto& e) -> auto& { return e.force_curve.spring_constant; },
                 positive(dimension::stiffness), "of force curves whose file does not say it")
+            .plausible(1e-6, 1e9)
             .parsed(
                 "sensitivity", "quantity",
                 [](Input& e, const std::string& text) { e.force_curve.sensitivity = tables::parse_sensitivity(text); },
@@ -542,6 +565,7 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
                 "surface_shortest_wavelength", [](auto& o) -> auto& { return o.likelihood.shortest_wavelength; },
                 positive(dimension::length),
                 "shorter waves the surface does not have, and data that speak of them are left out; of likelihoods")
+            .plausible(1e-11, 1e-3)
             .choice<Conversion>(
                 "conversion", &Options::conversion, {{"exact", Conversion::exact}, {"eq11", Conversion::eq11}},
                 "how C1D gives 2D parameters, with the other one beside it; of averages and given spectra")
@@ -568,7 +592,8 @@ const Keys<SurfaceAnalysisOptions>& analysis_keys() {
             .whole("seed", &Options::seed, std::numeric_limits<std::int64_t>::min(), Keys<Options>::unbounded,
                    "of the replicas")
             .add("cutoff_scan", &Options::cutoff_scan, positive(dimension::length),
-                 "shortest wavelengths at which W_int is fitted again");
+                 "shortest wavelengths at which W_int is fitted again")
+            .plausible(1e-11, 1e-2);
     return keys;
 }
 
@@ -597,7 +622,8 @@ const Keys<ComparisonOptions>& comparison_keys() {
                 "`[\"lens\"]` where a lens's label names the same lens on every surface: it was pressed on all of them "
                 "([replicates](../guides/replicates.md)); without it a lens belongs to its surface")
             .add("margin", &Options::margin, positive(dimension::surface_energy),
-                 "hysteresis and loss per area of a smooth reference are tested to be smaller");
+                 "hysteresis and loss per area of a smooth reference are tested to be smaller")
+            .plausible(1e-6, 10.0);
     return keys;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <string>
 
 #include "setae/core/words.hpp"
 
@@ -83,6 +85,12 @@ void add_limits(std::vector<ExactInputs>& found, const SurfaceAnalysisOptions& o
     of("shortest wavelength", options.shortest_wavelength);
 }
 
+/// The first calibrations with an error, else the last ones.
+void take_uncertain(InstrumentInputs& inputs, const InstrumentInputs& next) {
+    if (exact(inputs.height_calibration)) inputs.height_calibration = next.height_calibration;
+    if (exact(inputs.lateral_calibration)) inputs.lateral_calibration = next.lateral_calibration;
+}
+
 }  // namespace
 
 std::vector<ExactInputs> exact_inputs(const Study& study) {
@@ -96,13 +104,15 @@ std::vector<ExactInputs> exact_inputs(const Study& study) {
 
 std::vector<ExactInputs> exact_inputs(const StudyResult& result) {
     auto study = result.study;
-    for (std::size_t i = 0; i < study.surfaces.size() && i < result.surfaces.size(); ++i)
+    for (std::size_t i = 0; i < study.surfaces.size() && i < result.surfaces.size(); ++i) {
+        std::map<std::string, InstrumentInputs> by_file;
+        for (const auto& m : result.surfaces[i].measurements) take_uncertain(by_file[m.file], m.inputs);
         for (auto& input : study.surfaces[i].measurements)
-            for (const auto& m : result.surfaces[i].measurements) {
-                if (m.file != input.file) continue;
-                if (exact(input.height_calibration)) input.height_calibration = m.inputs.height_calibration;
-                if (exact(input.lateral_calibration)) input.lateral_calibration = m.inputs.lateral_calibration;
+            if (const auto measured = by_file.find(input.file); measured != by_file.end()) {
+                if (exact(input.height_calibration)) input.height_calibration = measured->second.height_calibration;
+                if (exact(input.lateral_calibration)) input.lateral_calibration = measured->second.lateral_calibration;
             }
+    }
     return exact_inputs(study);
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "setae/cache/key.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/study/pipeline_file.hpp"
@@ -8,14 +11,14 @@
 namespace setae::study {
 namespace {
 
-/// Adds the content of files; false where that of one is unknown.
-bool add_content(cache::KeyBuilder& key, const Run& run, const std::vector<std::string>& files) {
+/// The key with the content of files; none where that of one is unknown.
+ResultKey with_content(cache::KeyBuilder& key, const Run& run, std::vector<std::string> files) {
     for (const auto& file : files) {
         const auto digest = run.digest(file);
-        if (digest.empty()) return false;
+        if (digest.empty()) return {};
         key.add("content", digest);
     }
-    return true;
+    return {key.key(), std::move(files)};
 }
 
 std::vector<std::string> files_of(const MeasurementInput& input) {
@@ -30,12 +33,19 @@ std::vector<std::string> files_of(const MeasurementInput& input) {
 }  // namespace
 
 Run::Run(const RunOptions& options, const std::vector<InputFile>& inputs) : options_(options) {
-    for (const auto& input : inputs) digests_[input.path] = input.sha256;
+    for (const auto& input : inputs) inputs_[input.path] = input;
 }
 
 std::string Run::digest(const std::string& file) const {
-    const auto found = digests_.find(file);
-    return found == digests_.end() ? std::string() : found->second;
+    const auto found = inputs_.find(file);
+    return found == inputs_.end() ? std::string() : found->second.sha256;
+}
+
+bool Run::are_unchanged(const std::vector<std::string>& files) const {
+    return std::all_of(files.begin(), files.end(), [&](const auto& file) {
+        const auto found = inputs_.find(file);
+        return found != inputs_.end() && is_unchanged(found->second);
+    });
 }
 
 void Run::expect(std::size_t steps, double work) {
@@ -77,8 +87,8 @@ double surface_work(const SurfaceAnalysisOptions& options, std::size_t measureme
                : 1.0;
 }
 
-std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
-                            const SurfaceAnalysisOptions& options) {
+ResultKey measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
+                          const SurfaceAnalysisOptions& options) {
     cache::KeyBuilder key("measurement");
     // what analyse_measurement() looks at
     SurfaceAnalysisOptions relevant;
@@ -87,41 +97,42 @@ std::string measurement_key(const Run& run, const MeasurementInput& input, std::
     relevant.tip_percentile = options.tip_percentile;
     relevant.largest_map = options.largest_map;
     key.add("input", bytes_of(input)).add("ordinal", std::to_string(ordinal)).add("options", bytes_of(relevant));
-    return add_content(key, run, files_of(input)) ? key.key() : std::string();
+    return with_content(key, run, files_of(input));
 }
 
-std::string surface_key(const Run& run, const SurfaceInput& input, const SurfaceAnalysisOptions& options) {
+ResultKey surface_key(const Run& run, const SurfaceInput& input, const SurfaceAnalysisOptions& options) {
     cache::KeyBuilder key("surface");
     auto relevant = options;
     relevant.cutoff_scan.clear();
     key.add("input", bytes_of(input)).add("options", bytes_of(relevant));
+    std::vector<std::string> files;
     for (const auto& measurement : input.measurements)
-        if (!add_content(key, run, files_of(measurement))) return {};
-    return key.key();
+        for (auto& file : files_of(measurement)) files.push_back(std::move(file));
+    return with_content(key, run, std::move(files));
 }
 
-std::string experiment_key(const Run& run, const ExperimentInput& input, const loops::LensAndCounterBody& bodies) {
+ResultKey experiment_key(const Run& run, const ExperimentInput& input, const loops::LensAndCounterBody& bodies) {
     cache::KeyBuilder key("experiment");
     key.add("input", bytes_of<LoopSource>(input))
         .add("bodies", bytes_of(bodies))
         .add("options", bytes_of(input.options))
         .add("calibration", bytes_of(calibration_of(input)));
-    return add_content(key, run, input.files()) ? key.key() : std::string();
+    return with_content(key, run, input.files());
 }
 
-std::string edge_key(const std::string& of_experiment) {
+ResultKey edge_key(const ResultKey& of_experiment) {
     if (of_experiment.empty()) return {};
     cache::KeyBuilder key("speed of an edge");
-    key.add("experiment", of_experiment);
-    return key.key();
+    key.add("experiment", of_experiment.text);
+    return {key.key(), of_experiment.files};
 }
 
-std::string derivatives_key(const std::string& of_experiment, const std::vector<UncertainInput>& inputs) {
+ResultKey derivatives_key(const ResultKey& of_experiment, const std::vector<UncertainInput>& inputs) {
     if (of_experiment.empty()) return {};
     cache::KeyBuilder key("loop derivatives");
-    key.add("experiment", of_experiment);
+    key.add("experiment", of_experiment.text);
     for (const auto& input : inputs) key.add("input", loops::shared_input_name(input.input));
-    return key.key();
+    return {key.key(), of_experiment.files};
 }
 
 }  // namespace setae::study

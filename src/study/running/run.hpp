@@ -13,6 +13,14 @@
 
 namespace setae::study {
 
+/// Under what a result is kept, and the files whose content it depends on.
+struct ResultKey {
+    std::string text;  ///< as of cache::KeyBuilder; empty: the result is not kept
+    std::vector<std::string> files;
+
+    [[nodiscard]] bool empty() const { return text.empty(); }
+};
+
 /// One run of a study: what its steps ask of the store, and what they say when they are done.
 class Run {
 public:
@@ -22,7 +30,6 @@ public:
 
     /// SHA-256 of an input's content; empty where it is not known.
     [[nodiscard]] std::string digest(const std::string& file) const;
-    [[nodiscard]] const cache::Store* store() const { return options_.store; }
     /// Steps that are still to come beside those known, each of so much work.
     void expect(std::size_t steps, double work);
     void step_begins(const std::string& stage, const std::string& item);
@@ -33,21 +40,29 @@ public:
 
     /// The result under a key; nothing where there is no key, no store or no such result.
     template <class T>
-    [[nodiscard]] std::optional<T> find(const std::string& key) const {
+    [[nodiscard]] std::optional<T> find(const ResultKey& key) const {
         if (key.empty() || !options_.store) return std::nullopt;
-        auto bytes = options_.store->find(key);
+        auto bytes = options_.store->find(key.text);
         return bytes ? value_of<T>(*bytes) : std::nullopt;
     }
+    /// Nothing where a file has changed since its digest was taken: the value may be that of another content. Nor where
+    /// the run is stopped: an iteration may have ended before its result.
     template <class T>
-    void keep(const std::string& key, const T& value) const {
-        if (!key.empty() && options_.store) options_.store->keep(key, bytes_of(value));
+    void keep(const ResultKey& key, const T& value) const {
+        if (cancelled() || key.empty() || !options_.store || !are_unchanged(key.files)) return;
+        options_.store->keep(key.text, bytes_of(value));
+    }
+    /// Whether find() would give something.
+    [[nodiscard]] bool holds(const ResultKey& key) const {
+        return !key.empty() && options_.store && options_.store->holds(key.text);
     }
 
 private:
+    [[nodiscard]] bool are_unchanged(const std::vector<std::string>& files) const;
     void say(const std::string& stage, const std::string& item, bool begins, bool cached) const;
 
     RunOptions options_;
-    std::map<std::string, std::string> digests_;
+    std::map<std::string, InputFile> inputs_;
     std::mutex mutex_;
     std::size_t done_ = 0, total_ = 0;
     double work_done_ = 0.0, work_computed_ = 0.0, work_ = 0.0;
@@ -62,13 +77,13 @@ inline constexpr double measurement_work = 1.0, experiment_work = 0.5;
 
 /// Keys of results, from the content of their files and all settings they depend on; empty where a file's content is
 /// unknown.
-[[nodiscard]] std::string measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
-                                          const SurfaceAnalysisOptions& options);
-[[nodiscard]] std::string surface_key(const Run& run, const SurfaceInput& input, const SurfaceAnalysisOptions& options);
-[[nodiscard]] std::string edge_key(const std::string& of_experiment);
-[[nodiscard]] std::string experiment_key(const Run& run, const ExperimentInput& input,
-                                         const loops::LensAndCounterBody& bodies);
+[[nodiscard]] ResultKey measurement_key(const Run& run, const MeasurementInput& input, std::size_t ordinal,
+                                        const SurfaceAnalysisOptions& options);
+[[nodiscard]] ResultKey surface_key(const Run& run, const SurfaceInput& input, const SurfaceAnalysisOptions& options);
+[[nodiscard]] ResultKey edge_key(const ResultKey& of_experiment);
+[[nodiscard]] ResultKey experiment_key(const Run& run, const ExperimentInput& input,
+                                       const loops::LensAndCounterBody& bodies);
 /// Of the derivatives of an experiment's numbers by some of its inputs. key: that of the experiment, or empty.
-[[nodiscard]] std::string derivatives_key(const std::string& key, const std::vector<UncertainInput>& inputs);
+[[nodiscard]] ResultKey derivatives_key(const ResultKey& of_experiment, const std::vector<UncertainInput>& inputs);
 
 }  // namespace setae::study

@@ -8,8 +8,10 @@
 #include "results/failed_part.hpp"
 #include "results/losses_of_works.hpp"
 #include "results/pairs.hpp"
+#include "results/same_measurements.hpp"
 #include "run.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/parallel/cancellation.hpp"
 #include "setae/study/hysteresis.hpp"
 #include "setae/study/open_loop.hpp"
 #include "setae/study/study_result.hpp"
@@ -96,7 +98,7 @@ private:
 
 /// What the inputs that loops share make of an experiment's numbers.
 LoopDependence dependence_of(const ExperimentResult& result, const std::vector<UncertainInput>& inputs,
-                             const std::string& key, Record& record, const Run& run) {
+                             const ResultKey& key, Record& record, const Run& run) {
     if (inputs.empty()) return {};
     const auto kept_under = derivatives_key(key, inputs);
     auto derivatives = run.find<std::vector<LoopNumbers>>(kept_under);
@@ -109,7 +111,7 @@ LoopDependence dependence_of(const ExperimentResult& result, const std::vector<U
 }
 
 /// How fast the edge of a reference recedes, or why its record does not tell.
-loops::Outcome<loops::CrackSpeedFit> edge_speed_of(const ExperimentResult& result, const std::string& key,
+loops::Outcome<loops::CrackSpeedFit> edge_speed_of(const ExperimentResult& result, const ResultKey& key,
                                                    const Run& run) {
     using Fit = loops::Outcome<loops::CrackSpeedFit>;
     const auto kept_under = edge_key(key);
@@ -217,6 +219,32 @@ Outcome<Hysteresis> way_back_of(StudyResult& result, parallel::Threads threads) 
     }
 }
 
+/// Iterations below end where the caller asks to stop.
+class StopWhenCancelled {
+public:
+    explicit StopWhenCancelled(const RunOptions& options) {
+        if (options.cancelled) scope_.emplace(*options.cancelled);
+    }
+
+private:
+    std::optional<parallel::CancellationScope> scope_;
+};
+
+/// Files that other programs changed since the run began: what was computed from them may be of the old content, the
+/// new one or both.
+void look_for_changed_inputs(StudyResult& result) {
+    for (auto& input : result.inputs) {
+        if (!input.sha256.empty()) input.changed = !is_unchanged(input);
+        if (!input.changed) continue;
+        input.sha256.clear();
+        result.alerts.push_back(
+            {"INPUT_CHANGED", input.path,
+             "another program changed this file during the run; numbers may be of its old content or "
+             "of the new one, and are not kept for later runs",
+             "wait until the file is complete, then run the study again"});
+    }
+}
+
 }  // namespace
 
 StudyResult predicted_study(Study study, SurfaceResult surface) {
@@ -234,6 +262,7 @@ StudyResult run_study(Study study, const RunOptions& options) {
     result.alerts = inputs.alerts;
     result.inputs = input_files(inputs, options.threads);
     Run run(options, result.inputs);
+    const StopWhenCancelled stop(options);
     expect_steps(inputs, run);
     if (inputs.surfaces.empty() && inputs.experiments.empty())
         result.alerts.push_back({"EMPTY_STUDY", inputs.title,
@@ -245,10 +274,13 @@ StudyResult run_study(Study study, const RunOptions& options) {
         if (!run.cancelled()) result.experiments[i] = analyse_experiment(inputs.experiments[i], inputs, run);
     });
     run.stop_if_cancelled();
+    look_for_changed_inputs(result);
+    look_for_same_loops(result);
     bring_together(result);
     result.hysteresis = way_back_of(result, options.threads);
     if (result.hysteresis)
         result.alerts.insert(result.alerts.end(), result.hysteresis->alerts.begin(), result.hysteresis->alerts.end());
+    run.stop_if_cancelled();  // parts that were stopped are none that failed
     return result;
 }
 
@@ -262,7 +294,7 @@ std::vector<PlannedStep> planned_steps(const Study& study, const RunOptions& opt
         try {
             const auto key = experiment_key(run, with_relaxation(input, study), bodies_of(input, study));
             if (key.empty()) throw FileError(fmt::format("{}: cannot be read", input.file));
-            step.cached = options.store && options.store->holds(key);
+            step.cached = run.holds(key);
         } catch (const std::exception& error) {
             step.error = reason_of(error, input.file);
         }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -123,6 +124,69 @@ Alert tiled_map_alert(const topography::Metadata& metadata, const topography::Ti
         "allow more memory (--memory) for these too"};
 }
 
+double length_along_x(const topography::Measurement& measurement) {
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) return map->size[0];
+    if (const auto* scan = std::get_if<topography::LineScan>(&measurement)) return scan->size;
+    const auto& positions = std::get<topography::Profile>(measurement).positions;
+    return positions.maxCoeff() - positions.minCoeff();
+}
+
+/// No instrument distinguishes smaller heights [m].
+constexpr double least_height = 1e-15;
+
+/// Heights that are one number, or are numbers in a wrong unit: nothing below looks wrong in a spectrum.
+void look_at_heights(MeasurementResult& result, const topography::Metadata& metadata, double extent, bool overhangs) {
+    const double steepest = overhangs ? std::numeric_limits<double>::infinity() : 100.0;  // 89.4 degrees
+    const auto& real = result.real_space;
+    const auto place = topography::label(metadata);
+    if (!std::isfinite(real.rms_height) || !std::isfinite(real.rms_slope))
+        throw UndefinedDataError(fmt::format(
+            "{}: its heights are too large for a computation (rms height {:g} m); they are no heights in m, or mark "
+            "missing ones",
+            place, real.rms_height));
+    if (real.rms_height < least_height)
+        result.alerts.push_back(
+            {"CONSTANT", place,
+             fmt::format(
+                 "its {} heights differ by {:g} m (rms) after levelling, less than any instrument distinguishes: "
+                 "they are one number, or in a wrong unit",
+                 real.defined, real.rms_height),
+             "leave the file out, or state the unit of its heights"});
+    else if (real.rms_slope > steepest || real.rms_height > extent)
+        result.alerts.push_back(
+            {"HEIGHTS_IMPLAUSIBLE", place,
+             fmt::format("rms height {} over {}, rms slope {:.3g}: some heights are no heights, or in a wrong unit",
+                         format_value(real.rms_height, "m", 3), format_value(extent, "m", 3), real.rms_slope),
+             "look at the heights (setae info --preview); mark missing ones, or state the unit"});
+}
+
+/// Where points of a polyline are missing, a straight line stands for the surface and lowers slopes.
+void look_for_gaps(MeasurementResult& result, const topography::Profile& profile) {
+    constexpr double many_steps = 20.0, least_share = 0.02;
+    const auto n = profile.positions.size();
+    if (n < 3) return;
+    const Array1D steps = (profile.positions.tail(n - 1) - profile.positions.head(n - 1)).abs();
+    std::vector<double> sorted(steps.begin(), steps.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double usual = *middle, extent = profile.positions.maxCoeff() - profile.positions.minCoeff();
+    Index gaps = 0;
+    double bridged = 0.0;
+    for (const double step : steps)
+        if (step > many_steps * usual) {
+            ++gaps;
+            bridged += step;
+        }
+    if (!(bridged > least_share * extent)) return;
+    result.alerts.push_back(
+        {"GAP_BRIDGED", topography::label(profile.metadata),
+         fmt::format(
+             "{:.0f} % of its length lie in {} step{} of more than {:g} times the usual {}: straight lines cross "
+             "them, which lowers slopes and curvatures",
+             100.0 * bridged / extent, gaps, gaps == 1 ? "" : "s", many_steps, format_value(usual, "m", 3)),
+         "export all points, or list the parts as measurements of their own"});
+}
+
 }  // namespace
 
 MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const SurfaceAnalysisOptions& options,
@@ -144,6 +208,10 @@ MeasurementResult analyse_measurement(const PreparedMeasurement& prepared, const
                                       map->size[0] * map->size[1]};
         }
     }
+    if (wanted.parameters)
+        look_at_heights(result, topography::metadata(measurement), length_along_x(measurement),
+                        std::holds_alternative<topography::Profile>(measurement));
+    if (const auto* profile = std::get_if<topography::Profile>(&measurement)) look_for_gaps(result, *profile);
     const auto [nx, ny] = topography::shape(measurement);
     if (nx * ny > 64) {
         result.slopes = roughness::slope_distribution(measurement, threads);
@@ -191,6 +259,7 @@ MeasurementResult analyse_tiled_map(const TiledMeasurement& large, const Surface
     const auto levelled = topography::detrended(large.map, large.trend, lines_together, threads);
     if (wanted.previews) result.preview = preview_of(levelled, lines_together);
     if (wanted.parameters) result.real_space = roughness::real_space_parameters(levelled, lines_together, threads);
+    if (wanted.parameters) look_at_heights(result, metadata, large.map.size[0], false);
     result.arithmetic_height = undefined;
     const auto spectrum = spectrum_options(options, threads);
     result.spectrum = spectra::power_spectrum(levelled, lines_together, spectrum);

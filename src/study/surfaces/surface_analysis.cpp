@@ -14,6 +14,7 @@
 #include "given_spectrum.hpp"
 #include "likelihood_spectrum.hpp"
 #include "measured_slopes.hpp"
+#include "results/same_measurements.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/roughness/true_area.hpp"
@@ -27,7 +28,7 @@ using spectra::Spectrum;
 
 struct Task {
     std::string file;
-    std::string key;  ///< of its result; empty: none
+    ResultKey key;  ///< of its result
     MeasurementSource source;
 };
 
@@ -50,6 +51,12 @@ std::vector<Task> tasks_of(const SurfaceInput& input, const SurfaceAnalysisOptio
         }
     }
     return tasks;
+}
+
+/// @throws UndefinedDataError for heights that are one number: they would lower the roughness of the others.
+void require_roughness(const MeasurementResult& result) {
+    for (const auto& alert : result.alerts)
+        if (alert.code == "CONSTANT") throw UndefinedDataError(alert.subject + ": " + alert.message);
 }
 
 /// Fills the measurements of a surface. Returns their prepared data where a joint estimate is to follow or heights are
@@ -77,6 +84,7 @@ std::vector<PreparedMeasurement> analyse_measurements(SurfaceResult& surface, co
             else
                 result = large ? analyse_tiled_map(*task.source.tiled, options, inside, wanted)
                                : analyse_measurement(prepared, options, inside, wanted);
+            if (!wanted.every_measurement) require_roughness(result);
             if (!found) run.keep(task.key, result);
             if (keep) kept[i] = std::move(prepared);
         } catch (const std::exception& error) {
@@ -222,10 +230,16 @@ void look_for_one_place(SurfaceResult& surface) {
          "measure three places or more"});
 }
 
-/// What tells a measurement from others: the content of its file, or its place where that is unknown, and the channel.
-std::pair<std::string, std::optional<std::string>> identity_of(const MeasurementInput& input, const Run& run) {
-    const auto digest = run.digest(input.file);
-    return {digest.empty() ? std::filesystem::path(input.file).lexically_normal().string() : digest, input.channel};
+/// What tells measurements apart: the content of their files, or their places where that is unknown, and the channels.
+std::vector<std::string> contents_of(const SurfaceInput& input, const Run& run) {
+    std::vector<std::string> contents;
+    for (const auto& measurement : input.measurements) {
+        const auto digest = run.digest(measurement.file);
+        contents.push_back(
+            (digest.empty() ? std::filesystem::path(measurement.file).lexically_normal().string() : digest) + "\n" +
+            measurement.channel.value_or(""));
+    }
+    return contents;
 }
 
 /// @throws UndefinedDataError for a surface whose spectrum gives no numbers within the limits asked for.
@@ -242,31 +256,12 @@ void require_numbers(const SurfaceResult& surface) {
     }
 }
 
-/// The same data listed more than once say no more than once.
-void look_for_copies(SurfaceResult& surface, const SurfaceInput& input, const Run& run) {
-    std::map<std::pair<std::string, std::optional<std::string>>, std::vector<std::string>> files;
-    for (const auto& measurement : input.measurements) files[identity_of(measurement, run)].push_back(measurement.file);
-    const auto copies =
-        std::find_if(files.begin(), files.end(), [](const auto& same) { return same.second.size() > 1; });
-    if (copies == files.end()) return;
-    const auto listed = static_cast<double>(input.measurements.size()), different = static_cast<double>(files.size());
-    const auto& [first, second] = std::pair(copies->second[0], copies->second[1]);
-    surface.alerts.push_back(
-        {"SAME_MEASUREMENT", surface.name,
-         fmt::format(
-             "its {} measurements hold {} different ones, {} is listed {}; each is counted, so that intervals are too "
-             "narrow by a factor of up to {:.2g}",
-             listed, different, first, first == second ? "more than once" : "again as " + second,
-             std::sqrt(listed / different)),
-         "list each measurement once"});
-}
-
 }  // namespace
 
 SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisOptions& options, Run& run,
                                parallel::Threads threads, const Wanted& wanted) {
     const double work = surface_work(options, input.measurements.size());
-    const auto key = input.measurements.empty() ? std::string() : surface_key(run, input, options);
+    const auto key = input.measurements.empty() ? ResultKey() : surface_key(run, input, options);
     if (auto found = run.find<SurfaceResult>(key)) {
         run.expect(found->measurements.size() - std::min(found->measurements.size(), input.measurements.size()),
                    measurement_work);
@@ -290,7 +285,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
             run.step_begins("surface", input.name);
             estimate_by_average(surface, options, threads);
             add_failure_alert(surface, options);
-            look_for_copies(surface, input, run);
+            look_for_copies(surface, contents_of(input, run));
             if (wanted.map && prepared.size() == 1) heights = only_map(std::move(prepared));
             else add_likelihood(surface, std::move(prepared), options, threads);
             use_measured_slopes(surface);
@@ -327,8 +322,7 @@ SurfaceWithMap analyse_surface(const SurfaceInput& input, const SurfaceAnalysisO
 
 std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceAnalysisOptions& options,
                                        const Run& run) {
-    const auto held = [&run](const std::string& key) { return !key.empty() && run.store() && run.store()->holds(key); };
-    const bool whole = !input.measurements.empty() && held(surface_key(run, input, options));
+    const bool whole = !input.measurements.empty() && run.holds(surface_key(run, input, options));
     std::vector<PlannedStep> steps;
     for (const auto& measurement : input.measurements) {
         try {
@@ -336,7 +330,7 @@ std::vector<PlannedStep> planned_steps(const SurfaceInput& input, const SurfaceA
                 steps.push_back({"measurement",
                                  measurement.file,
                                  {},
-                                 whole || held(measurement_key(run, measurement, ordinal, options))});
+                                 whole || run.holds(measurement_key(run, measurement, ordinal, options))});
         } catch (const std::exception& error) {
             steps.push_back({"measurement", measurement.file, reason_of(error, measurement.file), false});
         }

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "running/serialization.hpp"
+#include "setae/bytes/whole_file.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/formats/netcdf.hpp"
 #include "setae/numerics/random_numbers.hpp"
@@ -132,6 +133,27 @@ TEST_F(KeptResults, HoldNoFailure) {
     const auto mended = run(broken);
     EXPECT_FALSE(mended.result.surfaces[0].measurements[2].failed());
     EXPECT_EQ(text_of(mended.result), text_of(run_study(broken)));
+}
+
+TEST_F(KeptResults, AreNotThoseOfAFileThatChangesDuringTheRun) {
+    const auto fresh = text_of(run_study(study()));
+    const cache::Store store((folder_ / "cache").string(), "test");
+    const auto original = bytes::read_back(walk(3));
+    const auto time = std::filesystem::last_write_time(walk(3));
+    const auto changing = run_study(study(), {.threads = {1}, .store = &store, .progress = [&](const Progress& p) {
+                                                  if (p.stage == "measurement" && p.begins && p.item == walk(3))
+                                                      write_walk(3, 50.0);
+                                              }});
+    const auto& changed = changing.inputs.back();
+    EXPECT_EQ(changed.path, walk(3));
+    EXPECT_TRUE(changed.changed);
+    EXPECT_EQ(changed.sha256, "");
+    EXPECT_TRUE(std::ranges::any_of(changing.alerts, [&](const Alert& alert) {
+        return alert.code == "INPUT_CHANGED" && alert.subject == walk(3);
+    }));
+    std::ofstream(walk(3)) << original;
+    std::filesystem::last_write_time(walk(3), time);
+    EXPECT_EQ(text_of(run(study()).result), fresh);
 }
 
 TEST_F(KeptResults, ShowInThePlanOfARun) {

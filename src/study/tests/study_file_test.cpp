@@ -57,6 +57,32 @@ TEST_F(StudyFile, ConvertsEveryQuantityToSi) {
     EXPECT_EQ(study.surfaces.at(0).measurements.at(0).file, (folder_ / "a.txt").string());
 }
 
+TEST_F(StudyFile, RefusesQuantitiesThatNothingHas) {
+    const auto elastomer = [&](const std::string& keys) { return message_of("[elastomers.soft]\n" + keys + "\n"); };
+    EXPECT_EQ(elastomer("surface_energy = \"25 mJ/m2\"\nsphere_radius = \"1e-300 m\"").substr(0, 12), "study.toml:3");
+    EXPECT_EQ(elastomer("surface_energy = \"1e160 J/m2\"").substr(0, 12), "study.toml:2");
+    EXPECT_EQ(elastomer("surface_energy = \"25 mJ/m2\"\nsphere_radius = \"1e-30 m\""),
+              "study.toml:3: elastomers.soft.sphere_radius: 1.00×10⁻¹⁸ pm, expected 0, or 1.00 nm to 1.00 m");
+}
+
+TEST_F(StudyFile, RefusesAMeasurementAsItsOwnReference) {
+    std::ofstream(folder_ / "a.txt") << "0 1\n";
+    std::filesystem::create_symlink("a.txt", folder_ / "link.txt");
+    for (const char* reference : {"a.txt", "./a.txt", "link.txt"})
+        EXPECT_NE(message_of(std::string("[surfaces.A]\nmeasurements = [{ file = \"a.txt\", references = [\"") +
+                             reference + "\"] }]\n")
+                      .find("is the measurement itself"),
+                  std::string::npos)
+            << reference;
+}
+
+TEST_F(StudyFile, RefusesZeroBytesInNames) {
+    EXPECT_NE(message_of("[surfaces.\"A\\u0000B\"]\nmeasurements = [{ file = \"a.txt\" }]\n").find("study.toml:1"),
+              std::string::npos);
+    EXPECT_NE(message_of("[surfaces.A]\nmeasurements = [{ file = \"a\\u0000.txt\" }]\n").find("zero byte"),
+              std::string::npos);
+}
+
 TEST_F(StudyFile, ReadsWhatAnElastomerDoesInTime) {
     const std::string head = std::string("[rough_solid]\nyoungs_modulus = \"1100 GPa\"\npoisson_ratio = 0.06\n") +
                              surface + "[elastomers.soft]\nsurface_energy = \"25 mJ/m2\"\n";
