@@ -21,10 +21,11 @@ from pathlib import Path
 
 import attacks_on_data
 import attacks_on_input
+import attacks_on_sharing
 import laws
 from samples import Samples
 
-ATTACKS = {a.__name__: a for a in attacks_on_data.ATTACKS + attacks_on_input.ATTACKS}
+ATTACKS = {a.__name__: a for a in attacks_on_data.ATTACKS + attacks_on_input.ATTACKS + attacks_on_sharing.ATTACKS}
 
 
 @dataclass

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What comes in: damaged and special files, hostile texts, impossible numbers, odd names and environments."""
+import csv
 import gzip
 import json
 import os
 import re
 import shutil
 import struct
+import xml.dom.minidom
+import xml.parsers.expat
 import zipfile
 from pathlib import Path
 
@@ -303,5 +306,70 @@ def spreadsheet_cells(samples, work, draw):
                 require(not formula, outcome, f"{table.name} holds the cell {cell!r}")
 
 
-ATTACKS = [mutation, special_files, deep_text, impossible_numbers, the_same_twice, odd_names, environments, cache_entries,
+def formulas_in_figures(samples, work, draw):
+    """Names that are formulas, or end sections of XML, in every file of a study with all its outputs."""
+    names = ["=1+1", " =1+1", "\u3000=1", "＝1+1", "@SUM(A1)", "a]]>b", "]]>", "<![CDATA[", "&amp;<script>"]
+    study = samples.surface_study(work, names=names)
+    done(run(samples.program, "study", study, cwd=work, seconds=120))
+    results = work / "study_results"
+    outcome = run(samples.program, "--version")
+    for table in list(results.rglob("*.csv")):
+        rows = csv.reader(line for line in table.read_text().splitlines() if not line.startswith("#"))
+        cells = {cell for row in rows for cell in row if cell.lstrip(" \t\u00a0\u3000\u200b\ufeff")[:1] in tuple("=@＝＋－＠")}
+        require(not cells, outcome, f"{table.name} holds the cells {sorted(cells)}")
+    for picture in results.rglob("*.svg"):
+        try:
+            xml.dom.minidom.parse(str(picture))
+        except xml.parsers.expat.ExpatError as failure:
+            require(False, outcome, f"{picture.name} is no XML: {failure}")
+
+
+def quantities_out_of_range(samples, work, draw):
+    """Radii, energies and moduli that nothing has: refused with the line, or the study ends."""
+    loops = [p for p in samples.loops if p.parent.name == "loops"][:4]
+    for key, unit in (("sphere_radius", "m"), ("surface_energy", "J/m2"), ("youngs_modulus", "Pa")):
+        for value in ("1e-300", "1e-30", "1e160", "1e30", "1e-12", "1e12"):
+            study = samples.loop_study(work, loops, f'{key} = "{value} {unit}"\n')
+            outcome = lawful(run(samples.program, "study", study, "--no-figures", "--json", cwd=work), data="json")
+            require(outcome.code != 2 or outcome.says("study.toml:"), outcome, f"{key} of {value} {unit} is refused without the line")
+            shutil.rmtree(work / "study_results", ignore_errors=True)
+
+
+def silent_numbers(samples, work, draw):
+    """What gives other numbers without a word: a size or seed below 0, a scan as its own reference, zero bytes in names, odd scales."""
+    samples.profile(work, "a.csv")
+    refused(run(samples.program, "psd", "a.csv", "--size", "-1 m", cwd=work), "above 0")
+    for seed in ("-1", "18446744073709551616", "1.5"):
+        refused(run(samples.program, "synthesize", "--seed", seed, "--hurst", "0.8", "-o", "x.nc", cwd=work), "whole number")
+    study = samples.surface_study(work, files=["a.csv"])
+    plain = study.read_text()
+    study.write_text(plain.replace('instrument = "stylus" }', 'instrument = "stylus", references = ["a.csv"] }'))
+    refused(run(samples.program, "study", study, "--no-figures", cwd=work), "study.toml:", "itself")
+    study.write_text(plain.replace('[surfaces."A"]', '[surfaces."A\\u0000B"]'))
+    refused(run(samples.program, "study", study, "--no-figures", cwd=work), "study.toml:", "zero byte")
+    done(run(samples.program, "container", "write", "a.csv", "-o", "c.zip", cwd=work))
+    for scale in (0, -5, 1e400):
+        with zipfile.ZipFile(work / "c.zip") as old, zipfile.ZipFile(work / "scaled.zip", "w") as new:
+            for name in old.namelist():
+                content = old.read(name)
+                if name in ("index.json", "meta.yml"):
+                    content = re.sub(rb'"data_source": 0,?', b'"data_source": 0,"height_scale": %a,' % scale if name == "index.json"
+                                     else b'"data_source": 0\n        "height_scale": %a' % scale, content)
+                new.writestr(name, content)
+        outcome = lawful(run(samples.program, "psd", "scaled.zip", "-o", "o.csv", cwd=work))
+        require(outcome.code == 2, outcome, f"a height_scale of {scale} is applied")
+
+
+def loops_twice(samples, work, draw):
+    """One record on several elastomers, as it is and as another program writes it."""
+    record = next(p for p in samples.loops if p.parent.name == "loops").read_text()
+    names = ["a.csv", "b.csv", "c.csv"]
+    for name, content in zip(names, (record, record.replace("\n", "\r\n"), record + "\n")):
+        (work / name).write_bytes(content.encode())
+    study = samples.loop_study(work, names)
+    outcome = lawful(run(samples.program, "study", study, "--no-figures", "--json", cwd=work), data="json")
+    require(any(a["code"] == "SAME_MEASUREMENT" for a in outcome.json()["alerts"]), outcome, "one record under three names without a word")
+
+
+ATTACKS = [formulas_in_figures, quantities_out_of_range, silent_numbers, loops_twice, mutation, special_files, deep_text, impossible_numbers, the_same_twice, odd_names, environments, cache_entries,
            spreadsheet_cells]

@@ -57,5 +57,18 @@ class Samples:
         return path
 
 
+    def loop_study(self, folder, files, keys=""):
+        """A study of one surface and one loop on each of as many elastomers, whose tables hold `keys` as well."""
+        path = self.surface_study(folder)
+        text = path.read_text() + '[rough_solid]\nyoungs_modulus = "1100 GPa"\npoisson_ratio = 0.06\n'
+        for i, file in enumerate(files):
+            text += f'[elastomers.E{i}]\n{keys if i == 0 else ""}'
+            text += "".join(f'{key} = "{value}"\n' for key, value in {"surface_energy": "25 mJ/m2", "sphere_radius": "1.25 mm"}.items()
+                            if i > 0 or key not in keys)
+            text += f'[[experiments]]\nfile = {toml_text(str(file))}\nsurface = "A"\nelastomer = "E{i}"\n'
+        path.write_text(text)
+        return path
+
+
 def toml_text(text):
     return '"' + "".join(f"\\u{ord(c):04x}" if ord(c) < 32 or c in '"\\\x7f' else c for c in text) + '"'
