@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearings.hpp"
 
-#include <algorithm>
+#include <set>
+#include <utility>
 
 namespace setae::output {
 namespace {
 
-void add_once(std::vector<std::string>& names, const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
+/// Names, each once, in the order they came.
+class Names {
+public:
+    void add(const std::string& name) {
+        if (known_.insert(name).second) names_.push_back(name);
+    }
+    [[nodiscard]] std::vector<std::string> take() { return std::move(names_); }
+    [[nodiscard]] std::size_t size() const { return names_.size(); }
 
-bool holds(const std::vector<Alert>& alerts, const Alert& alert) {
-    return std::find(alerts.begin(), alerts.end(), alert) != alerts.end();
-}
+private:
+    std::vector<std::string> names_;
+    std::set<std::string> known_;
+};
 
 }  // namespace
 
@@ -144,27 +151,36 @@ const std::vector<Bearing>& bearings() {
     return list;
 }
 
-Subject subject_of(const study::StudyResult& result, const Alert& alert) {
-    const auto last_part = [](const std::string& path) { return path.substr(path.find_last_of('/') + 1); };
+namespace {
+
+std::string last_part(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+}  // namespace
+
+Subjects::Subjects(const study::StudyResult& result) {
     for (const auto& surface : result.surfaces) {
-        if (holds(surface.alerts, alert)) return {surface.name, ""};
-        for (const auto& m : surface.measurements)
-            if (holds(m.alerts, alert)) {
-                const auto name = m.file.empty() ? m.name : last_part(m.file);
-                return {name.empty() ? surface.name : name, surface.name};
-            }
+        for (const auto& alert : surface.alerts) subjects_.emplace(key_of(alert), Subject{surface.name, ""});
+        for (const auto& m : surface.measurements) {
+            const auto name = m.file.empty() ? m.name : last_part(m.file);
+            for (const auto& alert : m.alerts)
+                subjects_.emplace(key_of(alert), Subject{name.empty() ? surface.name : name, surface.name});
+        }
     }
-    return {last_part(alert.subject), ""};
+}
+
+Subject Subjects::of(const Alert& alert) const {
+    const auto found = subjects_.find(key_of(alert));
+    return found == subjects_.end() ? Subject{last_part(alert.subject), ""} : found->second;
 }
 
 std::vector<std::string> names_of(const std::vector<Subject>& subjects) {
     constexpr std::size_t few = 3;
-    std::vector<std::string> own, of_surfaces;
+    Names own, of_surfaces;
     for (const auto& subject : subjects) {
-        add_once(own, subject.name);
-        add_once(of_surfaces, subject.surface.empty() ? subject.name : subject.surface);
+        own.add(subject.name);
+        of_surfaces.add(subject.surface.empty() ? subject.name : subject.surface);
     }
-    return own.size() > few ? of_surfaces : own;
+    return own.size() > few ? of_surfaces.take() : own.take();
 }
 
 }  // namespace setae::output

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "setae/study/study_result.hpp"
@@ -24,7 +26,20 @@ struct Subject {
     std::string name;     ///< the measurement or loop where it is one's, else the surface, pair or elastomer
     std::string surface;  ///< of a measurement; else empty
 };
-[[nodiscard]] Subject subject_of(const study::StudyResult& result, const Alert& alert);
+
+/// Tells whom alerts of a result concern. The result outlives it. Cost: of each alert the logarithm of their number.
+class Subjects {
+public:
+    explicit Subjects(const study::StudyResult& result);
+    [[nodiscard]] Subject of(const Alert& alert) const;
+
+private:
+    using Key = std::tuple<std::string_view, std::string_view, std::string_view, std::string_view>;
+
+    static Key key_of(const Alert& alert) { return {alert.code, alert.subject, alert.message, alert.action}; }
+
+    std::map<Key, Subject> subjects_;
+};
 
 /// Names once each, in order; of more than three measurements those of their surfaces.
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Subject>& subjects);

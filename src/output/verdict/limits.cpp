@@ -202,11 +202,12 @@ private:
     /// Alerts that bear on what can be concluded, each matter in a sentence with whom it concerns.
     void say_of_alerts() {
         const auto groups = grouped_alerts(result_);
+        const Subjects concerned(result_);
         for (const auto& bearing : bearings()) {
             std::vector<Subject> subjects;
             for (const auto& group : groups)
                 if (std::find(bearing.codes.begin(), bearing.codes.end(), group.code) != bearing.codes.end())
-                    for (const auto& alert : group.alerts) subjects.push_back(subject_of(result_, alert));
+                    for (const auto& alert : group.alerts) subjects.push_back(concerned.of(alert));
             if (!subjects.empty()) say(fmt::format(fmt::runtime(bearing.sentence), listed(names_of(subjects))));
         }
     }
