@@ -416,8 +416,9 @@ TEST(Mapping, MistakesAreNamed) {
     EXPECT_NE(mapping_error("\"k * mems\"", "\"k = k * 1.01\"").find("gives a value to a column"), std::string::npos);
     EXPECT_NE(mapping_error("\"k * mems\"", "\"mems, k * mems\"").find("expected one"), std::string::npos);
     EXPECT_NE(mapping_error("\"k * mems\"", "\"k * mems\\u0000 junk\"").find("zero byte"), std::string::npos);
-    EXPECT_NE(mapping_error("\"k * mems\"", "\"mems > 0.007 * piezo ? k * mems : piezo\"").find("the expression is no N"),
-              std::string::npos);
+    EXPECT_NE(
+        mapping_error("\"k * mems\"", "\"mems > 0.007 * piezo ? k * mems : piezo\"").find("the expression is no N"),
+        std::string::npos);
     EXPECT_EQ(mapping_error("\"k * mems\"", "\"mems >= 0.007 * piezo ? k * mems : 2 * k * mems\""), "no error");
     EXPECT_NE(mapping_error("piezo - mems", "piezo - mms").find("mms"), std::string::npos);
     EXPECT_NE(mapping_error("piezo - mems", "piezo -").find("displacement"), std::string::npos);
