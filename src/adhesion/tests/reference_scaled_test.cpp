@@ -37,8 +37,8 @@ TEST(ReferenceScaled, IsOneWhereReferencesAreAlikeAndRefusesACommonWork) {
     const auto& c = factor.generalised.work_of_adhesion;
     EXPECT_NEAR(c.value, 1.0, 2.0 * c.standard_error());
     EXPECT_LT(c.standard_error(), 0.01);
-    EXPECT_LT(factor.weighted.chi_squared, 30.0);  // of 15: 1.2 % above by chance
-    EXPECT_GT(common.weighted.chi_squared, 1000.0);
+    EXPECT_LT(factor.weighted->chi_squared, 30.0);  // of 15: 1.2 % above by chance
+    EXPECT_GT(common.weighted->chi_squared, 1000.0);
     EXPECT_GT(factor.r_squared, common.r_squared);
 }
 
