@@ -133,6 +133,8 @@ Recipe with_law(Recipe recipe, const RetractionModel& law) {
     if (law.law == Law::opening_work && !(loops.opening_work > 0.0))
         loops.opening_work = over_intrinsic * recipe.work_of_adhesion;
     if (law.law == Law::conformal_loss) loops.loss_factor = 1.0;
+    // an edge that is held on its way in leaves some pairs without any contact
+    if (law.law == Law::pinning) loops.nonconforming = simulation::NonconformingPairs::skip;
     if (law.tip != Tip::none && !loops.reference_work)
         throw InvalidArgument(
             fmt::format("{} needs a smooth reference; expected reference_work in the recipe's [loops]", law.name()));
