@@ -34,7 +34,7 @@ constexpr const char* explanation =
     "                  a likelier model without this limit is shown beside; W_app, a lower bound, where fewer than 6 pairs have W_ret\n"
     "  pairs that do not come into full contact of themselves, U_el/AW > 0.3, go by the ranking of all pairs\n"
     "  W_x             work per unit true area, at pull-off as W_ret is; it need not be that of the whole retraction\n"
-    "laws, φ = W_ret/W_app of a smooth reference on the same elastomer, alone or times every other\n"
+    "models, φ = W_ret/W_app of a smooth reference on the same elastomer, taken to have the chemistry of the surfaces; alone or times every other\n"
     "  reversible W_app; pinning W_app + 2k U_el/A, k simulated, by bands, or fitted; simulated k grows with N, the Larkin\n"
     "  lengths of the contact's edge, at the largest load and at pull-off\n"
     "  conformal_loss W_app + W_int A_true/A (10), or with a work of its own; opening_work W_x A_true/A\n"

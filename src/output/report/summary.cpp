@@ -103,7 +103,8 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
          "By approach, balance (S13), area for small slopes, nothing for stretching the soft surface");
     item("without_area_change", "By approach, balance (2), nothing for stretching the soft surface");
     item("loop", "By the energy lost in loops, (10)");
-    if (!items.empty()) text += "<ul>" + items + "</ul>";
+    if (!items.empty())
+        text += "<details><summary>By each balance and by the energy loss</summary><ul>" + items + "</ul></details>";
     return text;
 }
 

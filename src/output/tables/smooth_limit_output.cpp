@@ -66,8 +66,7 @@ std::vector<std::string> smooth_limit_sentences(const study::Hysteresis& hystere
         const auto missed = off.least > off.greatest
                                 ? std::string("has no smooth limit")
                                 : fmt::format("misses the smooth reference by {} mJ/m²", off.text());
-        sentences.push_back(
-            fmt::format("{} is likeliest but {}: the answer is by {}", model.name(), missed, pair.model.name()));
+        sentences.push_back(fmt::format("Predictions go by {}: the likeliest {}", pair.model.name(), missed));
     }
     return sentences;
 }

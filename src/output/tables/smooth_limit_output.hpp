@@ -14,8 +14,8 @@ namespace setae::output {
 /// that.
 [[nodiscard]] tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis);
 
-/// For each likeliest model that is not the answer: how far it is off on the smooth reference, and what the answer is
-/// by.
+/// For each likeliest model that is not the answer: what predictions go by, and how far it is off on the smooth
+/// reference.
 [[nodiscard]] std::vector<std::string> smooth_limit_sentences(const study::Hysteresis& hysteresis);
 
 /// Per model and elastomer: both works, their distance, and whether the model has the limit.

@@ -75,11 +75,11 @@ std::string sentence_of_references(const StudyResult& result) {
     const auto surely = compared->elastomers_left_out.distinction();
     const bool both = compared->both_branches.distinction() != Distinction::cannot_be_distinguished;
     return fmt::format(
-        "With W_int of each elastomer in proportion to its smooth reference, R² on approach is {:.2f} instead of {:.2f}: "
-        "{} on elastomers left out; with both branches {} (post hoc: tried on the same pairs).",
+        "W_int in proportion to each elastomer's smooth reference (tried on the same pairs): R² {:.2f}, not {:.2f}; {} on "
+        "elastomers left out; {} on both branches.",
         scaled->r_squared, result.modified->r_squared,
-        surely == Distinction::cannot_be_distinguished ? "likelier, but not surely" : hysteresis::name_of(surely),
-        both ? hysteresis::name_of(compared->both_branches.distinction()) : "the two cannot be distinguished");
+        surely == Distinction::cannot_be_distinguished ? "likelier, not surely," : hysteresis::name_of(surely),
+        both ? hysteresis::name_of(compared->both_branches.distinction()) : "cannot be distinguished");
 }
 
 /// What loops with the measured works would lose, beside what is reported of energies; empty without a report.
