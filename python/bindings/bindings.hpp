@@ -13,6 +13,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "running_calls.hpp"
 #include "setae/core/arrays.hpp"
 #include "setae/core/table.hpp"
 #include "setae/parallel/cancellation.hpp"
@@ -20,9 +21,6 @@
 namespace setae::python {
 
 namespace nb = nanobind;
-
-/// Where Python asked to stop.
-struct Interrupted {};
 
 /// What `work` gives, computed without the interpreter's lock on a thread of its own, so that other threads of Python
 /// run and Ctrl-C is heard: work is then asked to stop, and KeyboardInterrupt is raised when it has.
@@ -33,6 +31,7 @@ auto unlocked(Work&& work) {
     constexpr auto between_looks = std::chrono::milliseconds(50);
     std::atomic<bool> cancelled{false};
     bool interrupted = false;
+    const RunningCall call(cancelled);
     auto result = [&] {
         const nb::gil_scoped_release released;
         auto future = std::async(std::launch::async, [&] {
@@ -45,7 +44,7 @@ auto unlocked(Work&& work) {
             PyErr_Clear();
             interrupted = cancelled = true;
         }
-        if (interrupted) {
+        if (cancelled) {
             try {
                 (void)future.get();
             } catch (...) {
@@ -61,9 +60,10 @@ auto unlocked(Work&& work) {
 /// The same of work that takes a millisecond or less, on this thread: starting another would take as long.
 template <class Work>
 auto unlocked_here(Work&& work) {
+    std::atomic<bool> cancelled{false};
+    const RunningCall call(cancelled);
     const nb::gil_scoped_release released;
-    const std::atomic<bool> never{false};
-    return work(never);
+    return work(static_cast<const std::atomic<bool>&>(cancelled));
 }
 
 using ReadOnly1D = nb::ndarray<nb::numpy, const double, nb::ndim<1>, nb::c_contig>;

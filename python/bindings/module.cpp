@@ -5,8 +5,30 @@
 #include "setae/parallel/for_each.hpp"
 #include "setae/study/provenance.hpp"
 
+namespace {
+
+/// What the module was filled with when it was first imported. Types of C++ are registered once a process: a program
+/// that takes setae out of sys.modules and imports it again gets the same ones.
+nanobind::dict* first_content = nullptr;
+
+/// At the interpreter's end.
+void let_go() {
+    setae::python::end_running_calls();
+    delete first_content;
+    first_content = nullptr;
+}
+
+}  // namespace
+
 NB_MODULE(_setae, module) {
     using namespace setae;
+    if (first_content) {
+        auto content = nanobind::cast<nanobind::dict>(module.attr("__dict__"));
+        for (const auto [name, value] : *first_content)
+            if (!content.contains(name)) content[name] = value;
+        return;
+    }
+    nanobind::module_::import_("atexit").attr("register")(nanobind::cpp_function(let_go));
     module.doc() = "setae's libraries; use the package setae";
     nanobind::set_leak_warnings(true);
     python::bind_errors(module);
@@ -32,4 +54,7 @@ NB_MODULE(_setae, module) {
         },
         nanobind::arg("value"), nanobind::arg("standard_error"), nanobind::arg("unit"),
         "'37.0 ± 3.7 mJ/m²' of a number in SI");
+    first_content = new nanobind::dict();
+    for (const auto [name, value] : nanobind::cast<nanobind::dict>(module.attr("__dict__")))
+        (*first_content)[name] = value;
 }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "running_calls.hpp"
+
+#include <condition_variable>
+#include <mutex>
+#include <set>
+
+#include <nanobind/nanobind.h>
+#include <pthread.h>
+
+namespace setae::python {
+namespace {
+
+struct Calls {
+    std::mutex mutex;
+    std::condition_variable over;
+    std::set<std::atomic<bool>*> running;
+    bool ended = false;
+};
+
+Calls* calls = nullptr;  // never destroyed: threads may outlive main()
+
+/// A child of fork() has none of the threads that were in calls, and a mutex may be held for good.
+void forget_calls() { calls = new Calls; }
+
+Calls& all_calls() {
+    static const bool once = [] {
+        calls = new Calls;
+        pthread_atfork(nullptr, nullptr, forget_calls);
+        return true;
+    }();
+    (void)once;
+    return *calls;
+}
+
+}  // namespace
+
+RunningCall::RunningCall(std::atomic<bool>& cancelled) : cancelled_(cancelled) {
+    auto& all = all_calls();
+    const std::lock_guard lock(all.mutex);
+    if (all.ended) throw Interrupted();
+    all.running.insert(&cancelled_);
+}
+
+RunningCall::~RunningCall() {
+    auto& all = all_calls();
+    {
+        const std::lock_guard lock(all.mutex);
+        all.running.erase(&cancelled_);
+    }
+    all.over.notify_all();
+}
+
+void end_running_calls() {
+    const nanobind::gil_scoped_release released;
+    auto& all = all_calls();
+    std::unique_lock lock(all.mutex);
+    all.ended = true;
+    for (auto* cancelled : all.running) *cancelled = true;
+    all.over.wait(lock, [&] { return all.running.empty(); });
+}
+
+}  // namespace setae::python
