@@ -7,11 +7,11 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <boost/math/tools/minima.hpp>
 
 #include "balance_score.hpp"
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/minimum.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -84,9 +84,9 @@ ChangeAndWork best_change(const std::vector<PairPoint>& pairs) {
             best = -reach + i * step;
         }
     constexpr int bits = 40;
-    const auto minimum = boost::math::tools::brent_find_minima(cost, best - step, best + step, bits);
-    const auto fitted = fitted_at(minimum.first);
-    return {minimum.first, fitted.x, fitted.cost};
+    const auto minimum = numerics::minimum_between(cost, best - step, best + step, bits);
+    const auto fitted = fitted_at(minimum.place);
+    return {minimum.place, fitted.x, fitted.cost};
 }
 
 double surface_squares(const std::vector<PairPoint>& own, double work) {

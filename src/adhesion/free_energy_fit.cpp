@@ -7,11 +7,11 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <boost/math/tools/minima.hpp>
 
 #include "floored_least_squares.hpp"
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/minimum.hpp"
 
 namespace setae::adhesion {
 
@@ -51,10 +51,10 @@ FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs) 
     double best = 0.0;
     for (int i = 0; i <= grid; ++i)
         if (cost(i * step) < cost(best)) best = i * step;
-    const auto minimum = boost::math::tools::brent_find_minima(cost, std::max(0.0, best - step), best + step, 40);
-    FreeEnergyFit fit{minimum.first, 1.0 - minimum.second / squares_about_mean(measured), {}, {}};
+    const auto minimum = numerics::minimum_between(cost, std::max(0.0, best - step), best + step, 40);
+    FreeEnergyFit fit{minimum.place, 1.0 - minimum.value / squares_about_mean(measured), {}, {}};
     for (const auto& [name, points] : by_surface)
-        fit.energy_per_modulus.emplace_back(name, -best_energy(points, minimum.first).x);
+        fit.energy_per_modulus.emplace_back(name, -best_energy(points, minimum.place).x);
     return fit;
 }
 

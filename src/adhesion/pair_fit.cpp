@@ -11,12 +11,12 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <boost/math/tools/minima.hpp>
 
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
 #include "setae/numerics/bracketing.hpp"
+#include "setae/numerics/minimum.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -124,26 +124,26 @@ double profile_deviance(const Pairs& pairs, double work, double largest) {
         }
         return sum;
     };
-    return boost::math::tools::brent_find_minima(deviance, std::log(1e-6 * largest), std::log(largest), 30).second;
+    return numerics::minimum_between(deviance, std::log(1e-6 * largest), std::log(largest), 30).value;
 }
 
 std::optional<Estimate> profile_likelihood(const Pairs& pairs, double start) {
     constexpr double chi_squared_95 = 3.841458820694124;  // 95 % quantile, one degree of freedom
     const double largest = largest_scatter(pairs);
     const auto deviance = [&](double work) { return profile_deviance(pairs, work, largest); };
-    const auto best = boost::math::tools::brent_find_minima(deviance, 0.5 * start, 2.0 * start, 40);
-    const auto excess = [&](double work) { return deviance(work) - best.second - chi_squared_95; };
+    const auto best = numerics::minimum_between(deviance, 0.5 * start, 2.0 * start, 40);
+    const auto excess = [&](double work) { return deviance(work) - best.value - chi_squared_95; };
     const auto end = [&](double factor) -> std::optional<double> {
-        double outer = best.first;
+        double outer = best.place;
         for (int i = 0; i < 60; ++i) {
             outer *= factor;
-            if (excess(outer) > 0.0) return numerics::bracketed_root(excess, best.first, outer, 30);
+            if (excess(outer) > 0.0) return numerics::bracketed_root(excess, best.place, outer, 30);
         }
         return std::nullopt;
     };
     const auto lower = end(0.95), upper = end(1.05);
     if (!lower || !upper) return std::nullopt;
-    return Estimate{.value = best.first, .method = "profile likelihood", .interval = Interval{*lower, *upper, 0.95}};
+    return Estimate{.value = best.place, .method = "profile likelihood", .interval = Interval{*lower, *upper, 0.95}};
 }
 
 }  // namespace

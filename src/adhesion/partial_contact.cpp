@@ -15,12 +15,12 @@
 #include <fmt/format.h>
 #include <boost/math/interpolators/pchip.hpp>
 #include <boost/math/special_functions/fpclassify.hpp>
-#include <boost/math/tools/minima.hpp>
 
 #include "balance_score.hpp"
 #include "pair_least_squares.hpp"
 #include "setae/adhesion/traced_function.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/numerics/minimum.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -95,8 +95,9 @@ std::pair<double, double> best_work(const std::vector<PartialContactPoint>& pair
     int best = 1;
     for (int i = 2; i <= grid; ++i)
         if (squares(pairs, i * step) < squares(pairs, best * step)) best = i;
-    return boost::math::tools::brent_find_minima([&](double work) { return squares(pairs, work); }, (best - 1) * step,
-                                                 (best + 1) * step, bits);
+    const auto minimum = numerics::minimum_between([&](double work) { return squares(pairs, work); }, (best - 1) * step,
+                                                   (best + 1) * step, bits);
+    return {minimum.place, minimum.value};
 }
 
 double left_out_deviation(const std::vector<PartialContactPoint>& pairs) {

@@ -19,10 +19,10 @@ std::vector<double> lengths_of(const std::string& text) {
     std::vector<double> lengths;
     std::string rest = text;
     for (std::size_t at = rest.find(" x "); at != std::string::npos; at = rest.find(" x ")) {
-        lengths.push_back(parse_quantity(rest.substr(0, at), positive(dimension::length)));
+        lengths.push_back(parse_quantity(rest.substr(0, at), dimension::length));
         rest = rest.substr(at + 3);
     }
-    lengths.push_back(parse_quantity(rest, positive(dimension::length)));
+    lengths.push_back(parse_quantity(rest, dimension::length));
     if (lengths.size() > 2)
         throw InvalidArgument(
             fmt::format("'{}' has {} lengths; expected \"1 mm x 1 mm\" or \"2 mm\"", text, lengths.size()));

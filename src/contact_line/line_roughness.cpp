@@ -6,13 +6,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <boost/math/tools/minima.hpp>
 
 #include "setae/core/errors.hpp"
 #include "setae/core/resampling.hpp"
 #include "setae/core/units.hpp"
 #include "setae/fourier/buffer.hpp"
 #include "setae/fourier/transform.hpp"
+#include "setae/numerics/minimum.hpp"
 
 namespace setae::contact_line {
 namespace {
@@ -48,9 +48,9 @@ public:
         : log_mode_(mode.log()), power_(power), noise_(noise) {}
 
     [[nodiscard]] Law law() const {
-        const auto best = boost::math::tools::brent_find_minima([this](double exponent) { return deviance(exponent); },
-                                                                lowest_exponent, highest_exponent, 30);
-        return {best.first, amplitude(shape(best.first))};
+        const auto best = numerics::minimum_between([this](double exponent) { return deviance(exponent); },
+                                                    lowest_exponent, highest_exponent, 30);
+        return {best.place, amplitude(shape(best.place))};
     }
 
 private:
