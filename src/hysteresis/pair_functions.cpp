@@ -13,7 +13,11 @@ namespace {
 /// Of the area, so that laws have a contact to speak of where simulated patches have next to none.
 constexpr double least_contact = 1e-6;
 
-double relative_error(const PinningCoefficient& k) { return k.value > 0.0 ? k.standard_error / k.value : 0.0; }
+/// 0 of an edge so short that nothing pins it: the error of k over such a k is no number.
+double relative_error(const PinningCoefficient& k) {
+    constexpr double least = 1e-12;
+    return k.value > least ? k.standard_error / k.value : 0.0;
+}
 
 }  // namespace
 

@@ -152,7 +152,7 @@ study::StudyResult published_with(double roughness) {
 TEST(OneAnswer, TendsToJkrWhereMeasuredPairsChooseTheModel) {
     for (const double roughness : {1e-2, 1e-3}) {
         const auto result = published_with(roughness);
-        ASSERT_TRUE(result.hysteresis);
+        ASSERT_TRUE(result.hysteresis) << result.hysteresis.reason;
         const auto& h = *result.hysteresis;
         int found = 0;
         for (const auto& pair : h.pairs) {

@@ -3,6 +3,7 @@
 // of the program's own solver of fronts (tests/support/round_contacts.hpp), not of the formula that the fits have.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -20,8 +21,9 @@ constexpr double scatter_of_loops = 0.3e-3;  ///< of the six loops about their m
 const roughness::ParameterSpread no_spread;
 
 /// A flat surface of the moments of a simulated one: u = U_el/(A E*), λ̄ = 4 L_c s, h² = 2uλ̄/π.
-roughness::SpectralParameters parameters_of(const round_contacts::FittedWorks& loop) {
-    roughness::SpectralParameters p;
+const roughness::SpectralParameters& parameters_of(const round_contacts::FittedWorks& loop) {
+    static std::deque<roughness::SpectralParameters> kept;  // pairs refer to them
+    auto& p = kept.emplace_back();
     p.elastic_energy_per_modulus = loop.energy_share * W / modulus;
     p.rms_height = std::sqrt(8.0 * p.elastic_energy_per_modulus * loop.energy_share * loop.larkin_length / pi);
     return p;
@@ -72,20 +74,21 @@ TEST(SimulatedFronts, HaveTheLarkinLengthsOfTheirSolver) {
     }
 }
 
-// two shares of energy and three casts leave W_int known to a tenth
+// the mechanism of the loops is found, with the work that went in; a constant work per true area is not
 TEST(SimulatedFronts, WorkThatWentInIsFoundWithinItsError) {
-    const auto ranking = rank_models(
-        {{Law::reversible, Tip::none}, {Law::pinning, Tip::none}, {Law::fitted_pinning, Tip::none}}, all_pairs());
-    ASSERT_EQ(ranking.models.size(), 3U);
-    const auto& without = score_of(ranking, Law::reversible);
+    const auto ranking = rank_models(retraction_models({Tip::none}), all_pairs());
+    ASSERT_TRUE(ranking.best());
+    EXPECT_EQ(ranking.best()->fitted.model.name(), "pinning");
     for (const Law law : {Law::pinning, Law::fitted_pinning}) {
-        const auto& score = score_of(ranking, law);
-        const auto& found = score.work_of_adhesion;
-        EXPECT_NEAR(found.value, W, found.standard_error) << found.value << " ± " << found.standard_error;
-        EXPECT_LT(found.standard_error, 0.12 * W);
-        EXPECT_GT(found.value, without.work_of_adhesion.value) << "without what pins it W comes out too low";
-        EXPECT_GT(score.left_out_log_likelihood, without.left_out_log_likelihood);
+        const auto& found = score_of(ranking, law).work_of_adhesion;
+        EXPECT_NEAR(found.value, W, 2.0 * found.standard_error) << found.value << " ± " << found.standard_error;
+        EXPECT_LT(found.standard_error, 0.01 * W);
     }
+    const auto& without = score_of(ranking, Law::reversible);
+    EXPECT_TRUE(without.bias.refuses_model);
+    EXPECT_LT(without.work_of_adhesion.value, 0.92 * W) << "without what pins it W comes out too low";
+    for (const Law law : {Law::reversible, Law::conformal_loss, Law::opening_work})
+        EXPECT_EQ(score_of(ranking, law).odds_against.distinction(), Distinction::clearly_better);
 }
 
 }  // namespace

@@ -302,7 +302,7 @@ TEST(X3pWriter, RefusesWhatItCannotHoldAndFoldersThereAreNot) {
               std::string::npos);
     EXPECT_NE(message_of([&] {
                   format_to_write("a.x3p").write("/no/such/folder/a.x3p", small_map());
-              }).find("/no/such/folder/a.x3p: cannot be written"),
+              }).find("/no/such/folder/a.x3p: cannot be created"),
               std::string::npos);
 }
 
