@@ -13,7 +13,7 @@ nanobind::dict* first_content = nullptr;
 
 /// At the interpreter's end.
 void let_go() {
-    setae::python::end_running_calls();
+    if (setae::python::end_running_calls()) nanobind::set_leak_warnings(false);
     delete first_content;
     first_content = nullptr;
 }

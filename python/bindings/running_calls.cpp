@@ -16,12 +16,16 @@ struct Calls {
     std::condition_variable over;
     std::set<std::atomic<bool>*> running;
     bool ended = false;
+    bool forked = false;  ///< from a process whose threads may have been in calls
 };
 
 Calls* calls = nullptr;  // never destroyed: threads may outlive main()
 
 /// A child of fork() has none of the threads that were in calls, and a mutex may be held for good.
-void forget_calls() { calls = new Calls; }
+void forget_calls() {
+    calls = new Calls;
+    calls->forked = true;
+}
 
 Calls& all_calls() {
     static const bool once = [] {
@@ -51,13 +55,15 @@ RunningCall::~RunningCall() {
     all.over.notify_all();
 }
 
-void end_running_calls() {
+bool end_running_calls() {
     const nanobind::gil_scoped_release released;
     auto& all = all_calls();
     std::unique_lock lock(all.mutex);
+    const bool threads = all.forked || !all.running.empty();
     all.ended = true;
     for (auto* cancelled : all.running) *cancelled = true;
     all.over.wait(lock, [&] { return all.running.empty(); });
+    return threads;
 }
 
 }  // namespace setae::python

@@ -24,6 +24,7 @@ private:
 };
 
 /// For atexit: asks every running call to stop, waits until all have, without the lock, and lets no other begin.
-void end_running_calls();
+/// Returns whether threads may be left, which keep what they hold until the process has gone.
+bool end_running_calls();
 
 }  // namespace setae::python
