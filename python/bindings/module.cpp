@@ -29,6 +29,10 @@ NB_MODULE(_setae, module) {
         return;
     }
     nanobind::module_::import_("atexit").attr("register")(nanobind::cpp_function(let_go));
+    const auto os = nanobind::module_::import_("os");
+    if (nanobind::hasattr(os, "register_at_fork"))
+        os.attr("register_at_fork")(nanobind::arg("after_in_child") =
+                                        nanobind::cpp_function(setae::python::forget_running_calls));
     module.doc() = "setae's libraries; use the package setae";
     nanobind::set_leak_warnings(true);
     python::bind_errors(module);

@@ -6,7 +6,6 @@
 #include <set>
 
 #include <nanobind/nanobind.h>
-#include <pthread.h>
 
 namespace setae::python {
 namespace {
@@ -19,35 +18,19 @@ struct Calls {
     bool forked = false;  ///< from a process whose threads may have been in calls
 };
 
-Calls* calls = nullptr;  // never destroyed: threads may outlive main()
-
-/// A child of fork() has none of the threads that were in calls, and a mutex may be held for good.
-void forget_calls() {
-    calls = new Calls;
-    calls->forked = true;
-}
-
-Calls& all_calls() {
-    static const bool once = [] {
-        calls = new Calls;
-        pthread_atfork(nullptr, nullptr, forget_calls);
-        return true;
-    }();
-    (void)once;
-    return *calls;
-}
+Calls* calls = new Calls;  // never destroyed: threads may outlive main()
 
 }  // namespace
 
 RunningCall::RunningCall(std::atomic<bool>& cancelled) : cancelled_(cancelled) {
-    auto& all = all_calls();
+    auto& all = *calls;
     const std::lock_guard lock(all.mutex);
     if (all.ended) throw Interrupted();
     all.running.insert(&cancelled_);
 }
 
 RunningCall::~RunningCall() {
-    auto& all = all_calls();
+    auto& all = *calls;
     {
         const std::lock_guard lock(all.mutex);
         all.running.erase(&cancelled_);
@@ -55,9 +38,14 @@ RunningCall::~RunningCall() {
     all.over.notify_all();
 }
 
+void forget_running_calls() {
+    calls = new Calls;
+    calls->forked = true;
+}
+
 bool end_running_calls() {
     const nanobind::gil_scoped_release released;
-    auto& all = all_calls();
+    auto& all = *calls;
     std::unique_lock lock(all.mutex);
     const bool threads = all.forked || !all.running.empty();
     all.ended = true;

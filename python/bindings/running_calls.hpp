@@ -27,4 +27,7 @@ private:
 /// Returns whether threads may be left, which keep what they hold until the process has gone.
 bool end_running_calls();
 
+/// For a child of fork(): it has none of the threads that were in calls, and a mutex may be held for good.
+void forget_running_calls();
+
 }  // namespace setae::python

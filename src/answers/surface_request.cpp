@@ -16,13 +16,19 @@
 
 namespace setae::answers {
 std::vector<double> lengths_of(const std::string& text) {
+    const auto length = [](const std::string& of) {
+        const double value = parse_quantity(of, dimension::length);
+        if (!(value > 0.0))
+            throw InvalidArgument(fmt::format("a size of '{}', expected a length above 0, as in \"1 mm x 1 mm\"", of));
+        return value;
+    };
     std::vector<double> lengths;
     std::string rest = text;
     for (std::size_t at = rest.find(" x "); at != std::string::npos; at = rest.find(" x ")) {
-        lengths.push_back(parse_quantity(rest.substr(0, at), dimension::length));
+        lengths.push_back(length(rest.substr(0, at)));
         rest = rest.substr(at + 3);
     }
-    lengths.push_back(parse_quantity(rest, dimension::length));
+    lengths.push_back(length(rest));
     if (lengths.size() > 2)
         throw InvalidArgument(
             fmt::format("'{}' has {} lengths; expected \"1 mm x 1 mm\" or \"2 mm\"", text, lengths.size()));
