@@ -17,13 +17,16 @@ namespace {
 
 /// ln U_el/(A W) with what it rests on; infinite where conforming gains nothing.
 TracedValue log_share(const RetractionPair& pair) {
-    return adhesion::traced_function(
-        pair.rough, {pair.soft.contact_modulus, pair.soft.surface_energy, pair.work_of_adhesion},
-        [](const roughness::SpectralParameters& p, const std::vector<double>& in) {
-            const double ratio = p.area_ratio(), gained = in[2] * ratio - in[1] * (ratio - 1.0);
-            const double stored = in[0] * p.elastic_energy_per_modulus;
-            return gained > 0.0 ? std::log(stored / gained) : std::numeric_limits<double>::infinity();
-        });
+    return adhesion::traced_function(pair.rough,
+                                     {pair.soft.contact_modulus, pair.soft.surface_energy, pair.work_of_adhesion},
+                                     [](const roughness::SpectralParameters& p, const std::vector<double>& in) {
+                                         const PairState full{.area_ratio = p.area_ratio(),
+                                                              .stored_energy = in[0] * p.elastic_energy_per_modulus,
+                                                              .work_of_adhesion = in[2],
+                                                              .surface_energy = in[1]};
+                                         return full.conforming_gain() > 0.0 ? std::log(full.energy_share())
+                                                                             : std::numeric_limits<double>::infinity();
+                                     });
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_support.hpp"
-#include "setae/contact/bulk_crack_factor.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "tables/smooth_limit_output.hpp"
 
@@ -122,11 +121,7 @@ Json times_json(const study::ElastomerTimes& times) {
         add(entry, quantity("time", "τ", term.time.estimate(), "s"));
         json["relaxation"].push_back(std::move(entry));
     }
-    if (!times.relaxation.empty()) {
-        std::vector<contact::RelaxationTerm> terms;
-        for (const auto& term : times.relaxation) terms.push_back({term.share.value, term.time.value});
-        json["largest_bulk_factor"] = number(contact::crack_speed::largest_bulk_factor(terms));
-    }
+    if (!times.relaxation.empty()) json["largest_bulk_factor"] = number(times.largest_bulk_factor());
     return json;
 }
 

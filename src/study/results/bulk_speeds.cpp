@@ -8,14 +8,18 @@
 
 namespace setae::study {
 
+double ElastomerTimes::largest_bulk_factor() const {
+    std::vector<contact::RelaxationTerm> terms;
+    for (const auto& term : relaxation) terms.push_back({term.share.value, term.time.value});
+    return contact::crack_speed::largest_bulk_factor(terms);
+}
+
 std::vector<Alert> speeds_beyond_bulk(const Hysteresis& hysteresis) {
     constexpr double standard_errors = 2.0;
     std::vector<Alert> alerts;
     for (const auto& elastomer : hysteresis.elastomers) {
         if (!elastomer.edge || elastomer.relaxation.empty()) continue;
-        std::vector<contact::RelaxationTerm> terms;
-        for (const auto& term : elastomer.relaxation) terms.push_back({term.share.value, term.time.value});
-        const double bound = contact::crack_speed::largest_bulk_factor(terms);
+        const double bound = elastomer.largest_bulk_factor();
         const auto& rest = elastomer.edge->law.rest_factor;
         const PairHysteresis* farthest = nullptr;
         Estimate at_speed;

@@ -98,6 +98,9 @@ struct ElastomerTimes {
     std::string elastomer;
     loops::Outcome<ElastomerEdgeSpeed> edge;
     std::vector<hysteresis::TracedRelaxation> relaxation;
+
+    /// contact::crack_speed::largest_bulk_factor() of the relaxation.
+    [[nodiscard]] double largest_bulk_factor() const;
 };
 
 /// A pair of which nothing can be said, and why.
