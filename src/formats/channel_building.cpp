@@ -39,7 +39,11 @@ void make_infinite_undefined(double* heights, Index count) {
         if (!std::isfinite(heights[i])) heights[i] = undefined;
 }
 
-bool is_extent(double length) { return length > 0.0 && std::isfinite(length); }
+/// Between the size of a nucleus and a million kilometres: a step of 1e-300 in a header is a mistake of the header.
+bool is_extent(double length) {
+    constexpr double smallest = 1e-15, largest = 1e9;  // m
+    return length >= smallest && length <= largest;
+}
 
 bool any_defined(const double* heights, Index count) {
     return std::any_of(heights, heights + count, [](double height) { return height == height; });

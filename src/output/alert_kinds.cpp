@@ -40,7 +40,7 @@ std::vector<AlertKind> of_files() {
         {"SIZE_MISMATCH", about, "a size was given, and the file states another, which was used: by more than 1e-4",
          "rounding of sizes that programs write"},
         {"SIZE_BETWEEN_POINTS", about, "the file states the distance from the first point to the last as size"},
-        {"SIZE_NOT_STATED", about, "the file states a size that is no extent: zero, negative or no number"},
+        {"SIZE_NOT_STATED", about, "the file states a size that is no extent: zero, negative, no number, below 1 fm or above 10⁹ m"},
         {"CHANNEL_CHOSEN", about, "the file has several channels of heights, and the preferred one was taken"},
         {"SIZE_FROM_NAME", about, "the size follows from the file's name"},
         {"SCALE_NOT_APPLIED", about, "the header has a scale factor of heights that was not applied"},

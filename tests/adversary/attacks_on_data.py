@@ -160,6 +160,31 @@ def killed(samples, work, draw):
         require(digests(work / "study_results") == whole, outcome, "after a kill the next run gives other results")
 
 
+def stopped(samples, work, draw):
+    """SIGTERM at any moment, the conclusions included: the first one ends the run, and the next run goes on to the same bytes."""
+    loops = [p for p in samples.loops if p.parent.name == "loops"][:4]
+    words, date = ("study", samples.loop_study(work, loops), "--output", work / "out"), {"SOURCE_DATE_EPOCH": "1700000000"}
+    alone = done(run(samples.program, *words, "--no-cache", cwd=work, env=date, seconds=120))
+    whole = digests(work / "out")
+    for part in (0.2, 0.5, 0.8, 0.95):
+        shutil.rmtree(work / "out", ignore_errors=True)
+        child = subprocess.Popen([str(samples.program), *map(str, words), "--no-cache"], cwd=work, stdout=subprocess.DEVNULL,
+                                 stderr=subprocess.PIPE, env={"PATH": os.environ["PATH"], **date})
+        time.sleep(alone.seconds * part * draw.uniform(0.9, 1.05))
+        child.send_signal(signal.SIGTERM)
+        try:
+            errors = child.communicate(timeout=20)[1]
+        except subprocess.TimeoutExpired:
+            child.kill()
+            errors = child.communicate()[1]
+            found.add(f"SIGTERM after {part:.2f} of a run does not end it within 20 s")
+        if child.returncode not in (0, -signal.SIGTERM):
+            found.add(f"SIGTERM after {part:.2f} of a run: exit code {child.returncode}, {errors[-300:]!r}")
+        no_leftovers(work / "out", alone)
+        outcome = done(run(samples.program, *words, "--no-cache", cwd=work, env=date, seconds=120))
+        require(digests(work / "out") == whole, outcome, "after a stop the next run gives other results")
+
+
 def at_once(samples, work, draw):
     """Four runs of one study on one cache and one folder."""
     study = samples.surface_study(work, names=["A", "B"])
@@ -175,4 +200,4 @@ def at_once(samples, work, draw):
 
 
 ATTACKS = [overwriting, overwriting_later_inputs, results_over_inputs, names_that_share_files, figures_of_any_name,
-           results_of_earlier_runs, output_that_fails, killed, at_once]
+           results_of_earlier_runs, output_that_fails, killed, stopped, at_once]

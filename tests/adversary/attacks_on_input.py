@@ -347,6 +347,16 @@ def silent_numbers(samples, work, draw):
     refused(run(samples.program, "study", study, "--no-figures", cwd=work), "study.toml:", "itself")
     study.write_text(plain.replace('[surfaces."A"]', '[surfaces."A\\u0000B"]'))
     refused(run(samples.program, "study", study, "--no-figures", cwd=work), "study.toml:", "zero byte")
+    lines = (work / "a.csv").read_text().splitlines()
+    for height in ("3.4028234663852886e38", "-9999", "1e200"):
+        lines[100] = lines[100].split(",")[0] + "," + height
+        (work / "spike.csv").write_text("\n".join(lines) + "\n")
+        for keep in ("", ", keep_values = true") if height != "-9999" else ("",):  # which a user may call a height
+            study.write_text(plain.replace("a.csv", "spike.csv").replace('"stylus" }', f'"stylus"{keep} }}'))
+            outcome = lawful(run(samples.program, "study", study, "--no-figures", "--json", cwd=work), data="json")
+            require(b'"NO_DATA"' in outcome.out or b'"HEIGHTS_IMPLAUSIBLE"' in outcome.out or outcome.says("spike.csv"), outcome,
+                    f"a height of {height} nm{keep} without a word")
+            shutil.rmtree(work / "study_results", ignore_errors=True)
     done(run(samples.program, "container", "write", "a.csv", "-o", "c.zip", cwd=work))
     for scale in (0, -5, 1e400):
         with zipfile.ZipFile(work / "c.zip") as old, zipfile.ZipFile(work / "scaled.zip", "w") as new:

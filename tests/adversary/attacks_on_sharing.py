@@ -205,4 +205,62 @@ def constant_scan(samples, work, draw):
         require(outcome.says("flat.csv"), outcome, "the constant scan is not named")
 
 
-ATTACKS = [results_of_two_studies, studies_at_once, files_that_change, temporary_names, what_is_anothers, constant_scan]
+def figures_at_once(samples, work, draw):
+    """Two processes that write one figure, one table, one scan: it is that of one of them, whole."""
+    two_studies(samples, work)
+    orders = {"spectra.svg": [("plot", f"{n}.toml", "--figure", f"spectra:{n}", "--width", width, "-o", "spectra.svg")
+                              for n, width in (("a", "single"), ("b", "double"))],
+              "spectra.csv": [("plot", f"{n}.toml", "--figure", f"spectra:{n}", "-o", "spectra.csv") for n in "ab"],
+              "psd.csv": [("psd", f"scan_0_{k}.csv", "-o", "psd.csv") for k in range(2)],
+              "c.zip": [("container", "write", f"scan_0_{k}.csv", "-o", "c.zip") for k in range(2)]}
+    for name, runs in orders.items():
+        alone = set()
+        for words in runs:
+            done(run(samples.program, *words, cwd=work, env=DATE, seconds=120))
+            alone.add(digests(work)[name.encode()])
+        require(len(alone) == 2, run(samples.program, "--version"), f"{name}: the two runs write the same, which tests nothing")
+        for _ in range(5):
+            (work / name).unlink()
+            children = [started(samples, work, *words) for words in runs]
+            errors = [child.communicate()[1] for child in children]
+            if any(child.returncode != 0 for child in children):
+                found.add(f"two runs that write {name} at once: {[c.returncode for c in children]}, {errors!r}")
+            elif digests(work)[name.encode()] not in alone:
+                found.add(f"two runs that write {name} at once leave a file that neither writes alone")
+    no_leftovers(work, run(samples.program, "--version"))
+
+
+def power_failures(samples, work, draw):
+    """Every file is on the disk before it takes its name, and its folder is behind: what a power failure leaves is whole."""
+    study = samples.surface_study(work)
+    log = work / "calls"
+    shim = samples.program.parent / "recorded_calls.so"
+    for words in (("study", study, "--output", "results"), ("psd", "scan_0_0.csv", "-o", "psd.csv"),
+                  ("synthesize", "--hurst", "0.8", "--pixels", "64", "--size", "5 um", "--rms-height", "5 nm", "--rolloff", "1 um", "--short-cutoff", "200 nm", "-o", "map.nc"), ("container", "write", "scan_0_0.csv", "-o", "c.zip")):
+        log.unlink(missing_ok=True)
+        before = digests(work)
+        outcome = done(run(samples.program, *words, cwd=work, seconds=120,
+                           env={"LD_PRELOAD": str(shim), "RECORDED_CALLS": str(log), "OMP_NUM_THREADS": "1"}))
+        calls = [line.split(" ", 2) for line in log.read_text().splitlines()] if log.exists() else []
+        flushed, placed, waiting = set(), set(), {}
+        for call, inode, path in calls:
+            if call == "fsync":
+                flushed.add(inode)
+                waiting = {folder: paths for folder, paths in waiting.items() if folder != inode}
+                continue
+            target = work / path
+            if target.suffix == ".part":  # libraries place their content under the temporary name
+                continue
+            if target.is_relative_to(work) and ".cache" not in target.parts:
+                placed.add(str(target.relative_to(work)))
+                require(inode in flushed, outcome, f"{path} takes its name before it is on the disk")
+                parent = os.stat(target.parent)
+                waiting.setdefault(f"{parent.st_dev}:{parent.st_ino}", []).append(path)
+        require(not waiting, outcome, f"folders that are not flushed behind their files: {waiting}")
+        new = {os.fsdecode(n) for n, value in digests(work).items() if before.get(n) != value} - {"calls"}
+        direct = sorted(n for n in new - placed if not n.startswith(".cache/"))
+        require(not direct, outcome, f"written under their own names: {direct}")
+
+
+ATTACKS = [results_of_two_studies, studies_at_once, figures_at_once, power_failures, files_that_change, temporary_names, what_is_anothers,
+           constant_scan]

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "setae/contact/hertz.hpp"
 #include "setae/core/constants.hpp"
@@ -152,6 +153,17 @@ TEST(Jkr, RefusesValuesOutsideItsDomain) {
     EXPECT_THROW((void)energy_release_rate_at_force(0.0, 1.0, bodies), InvalidArgument);
     EXPECT_THROW((void)tabor_parameter(lens, 0.0), InvalidArgument);
     EXPECT_THROW((void)work_of_adhesion_from_pull_off(1.0, 0.0), InvalidArgument);
+}
+
+TEST(Jkr, SaysWhatToCheckWhereAQuantityCannotBeComputed) {
+    try {
+        (void)force(std::nan(""), lens);
+        ADD_FAILURE() << "a contact radius that is no number was taken";
+    } catch (const InvalidArgument& error) {
+        const std::string text = error.what();
+        EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+        EXPECT_NE(text.find("contact radius cannot be computed; check radius, forces"), std::string::npos) << text;
+    }
 }
 
 TEST(TaborParameter, ScalesAsItsDefinition) {

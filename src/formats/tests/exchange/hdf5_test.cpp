@@ -2,6 +2,7 @@
 // HDF5 and the formats made of it: what the tests of all formats do not check.
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,26 @@ TEST(Hdf5, StepsOfAnAttributeGiveTheSize) {  // SurfaceTopography reads no size
     const auto channel = channels_of(file.bytes(), {.size = {}, .unit = "nm"}).at(0);
     EXPECT_DOUBLE_EQ(channel.info.size.at(0), 1e-6);
     EXPECT_DOUBLE_EQ(channel.info.size.at(1), 0.75e-6);
+}
+
+TEST(Hdf5, StepsThatAreNoLengthAreNamedAndCostTheirMapAlone) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const double step : {-0.5, 0.0, 1e-300, 1e300, infinite, std::nan("")}) {
+        Hdf5Builder file;
+        file.dataset("/a", H5T_IEEE_F64LE, {2, 3}, numbers(6))
+            .attribute("/a", "element_size_um", std::vector<double>{step, step})
+            .attribute("/a", "unit", std::string("nm"));
+        file.dataset("/b", H5T_IEEE_F64LE, {2, 3}, numbers(6))
+            .attribute("/b", "element_size_um", std::vector<double>{0.5, 0.5})
+            .attribute("/b", "unit", std::string("nm"));
+        const auto channels = channels_of(file.bytes(), {});
+        ASSERT_EQ(channels.size(), 2u) << step;
+        ASSERT_FALSE(channels[0].info.alerts.empty()) << step;
+        EXPECT_EQ(channels[0].info.alerts[0].code, "SIZE_NOT_STATED");
+        EXPECT_EQ(missing(channels[0].info)[0], "size");
+        EXPECT_NE(message_of([&] { (void)channels[0].read(); }).find("size"), std::string::npos);
+        EXPECT_DOUBLE_EQ(std::get<HeightMap>(channels[1].read()).size[0], 1e-6);
+    }
 }
 
 TEST(Hdf5, WithoutSizeAndUnitItIsListed) {
