@@ -2,6 +2,7 @@
 #include "setae/answers/json_schemas.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 
 #include "schemas/schema_texts.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/output/field_json.hpp"
+#include "setae/study/hysteresis.hpp"
 
 namespace setae::answers {
 namespace {
@@ -56,7 +59,13 @@ Json chosen(const Json& parts, const std::set<std::string>& names) {
 
 }  // namespace
 
-Json shared_json_parts() { return parsed(shared); }
+Json shared_json_parts() {
+    auto parts = parsed(shared);
+    std::map<std::string, Json> described;
+    output::add_named_schemas(fields::Described<study::Hysteresis>::description, described);
+    for (auto& [name, schema] : described) parts[name] = std::move(schema);
+    return parts;
+}
 
 std::string schema_file(const std::string& verb) { return file_of(verb) + ".schema.json"; }
 

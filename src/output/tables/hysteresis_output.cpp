@@ -13,6 +13,7 @@
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
 #include "setae/core/words.hpp"
+#include "setae/output/field_table.hpp"
 #include "smooth_limit_output.hpp"
 
 namespace setae::output {
@@ -184,25 +185,22 @@ struct Answered {
 
 /// Pairs by one model.
 TidyTable shown_pairs(const Answered& answered, const std::vector<const study::PairHysteresis*>& pairs) {
-    TidyTable table{fmt::format("from roughness alone, by {} [mJ/m², mN, nJ]", answered.by),
-                    {"pair", "contact", "W_app", "W_ret at pull-off", "measured", "pull-off", "E_loss"},
-                    {}};
-    if (!answered.likelier.empty()) {
-        table.title += fmt::format("; beside it W_ret by {}", answered.likelier);
-        table.columns.emplace_back("beside");
-    }
-    const std::string none = "–";
+    static constexpr auto view = fields::view_of<study::PairHysteresis>({
+        {"W_app", "work_of_adhesion_approach", milli},
+        {"W_ret at pull-off", "work_of_adhesion_retraction", milli},
+        {"measured", "measured", milli},
+        {"pull-off", "pull_off_force", milli},
+        {"E_loss", "energy_loss", nano},
+        {"beside", "likelier.work_of_adhesion_retraction", milli},
+    });
+    const auto shown = std::span(view).first(view.size() - (answered.likelier.empty() ? 1 : 0));
+    TidyTable table{fmt::format("from roughness alone, by {} [mJ/m², mN, nJ]", answered.by), {"pair", "contact"}, {}};
+    if (!answered.likelier.empty()) table.title += fmt::format("; beside it W_ret by {}", answered.likelier);
+    for (const auto& column : shown) table.columns.emplace_back(column.heading);
     for (const auto* p : pairs) {
-        std::vector<TidyTable::Cell> row{
-            fmt::format("{} × {}", p->surface, p->elastomer),
-            fmt::format("{:.2f}", p->contact_fraction),
-            in_unit(p->work_approach, milli),
-            in_unit(p->work_retraction, milli),
-            p->measured_retraction ? uncertain_number(*p->measured_retraction, milli) : none,
-            p->pull_off_force ? in_unit(*p->pull_off_force, milli) : none,
-            p->loop ? in_unit(p->loop->energy_loss, nano) : none};
-        if (p->likelier) row.emplace_back(in_unit(p->likelier->work_retraction, milli));
-        table.rows.push_back(std::move(row));
+        auto& row = table.rows.emplace_back();
+        row = {fmt::format("{} × {}", p->surface, p->elastomer), fmt::format("{:.2f}", p->contact_fraction)};
+        put_shown_cells(row, *p, shown);
     }
     return table;
 }
@@ -237,8 +235,8 @@ std::string shown_residuals(const study::Hysteresis& h, std::size_t width) {
 std::vector<std::string> decomposing_models(const study::Hysteresis& h) {
     std::vector<std::string> names;
     for (const auto& p : h.pairs)
-        if (p.decomposition && std::ranges::find(names, p.decomposed_by) == names.end())
-            names.push_back(p.decomposed_by);
+        if (p.decomposition && std::ranges::find(names, p.decomposition->model) == names.end())
+            names.push_back(p.decomposition->model);
     return names;
 }
 
@@ -349,24 +347,7 @@ std::string shown_joint(const study::Hysteresis& h, std::size_t width) {
     return text + tables::as_text_within(table, width) + shown_not_told_apart(h, width);
 }
 
-/// Value and standard error, two cells.
-void add_value(std::vector<TidyTable::Cell>& row, const Estimate& estimate) {
-    row.emplace_back(estimate.value);
-    row.emplace_back(estimate.standard_error);
-}
-
-const Estimate unknown{.value = undefined, .standard_error = undefined};
-
 }  // namespace
-
-const char* name_of(study::ModelChoice choice) {
-    switch (choice) {
-        case study::ModelChoice::conforming_pairs: return "conforming_pairs";
-        case study::ModelChoice::all_pairs: return "all_pairs";
-        case study::ModelChoice::assumed: return "assumed";
-    }
-    return "";
-}
 
 std::string fitted_number(const ModelScore& score) {
     const auto unit = score.fitted.model.parameter().unit;
@@ -410,123 +391,76 @@ std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
 }
 
 TidyTable model_table(const study::Hysteresis& h) {
-    TidyTable table{"",
-                    {"ranking",
-                     "model",
-                     "formula",
-                     "parameter",
-                     "unit",
-                     "value",
-                     "standard_error",
-                     "rms residual [J/m2]",
-                     "rms residual surface left out [J/m2]",
-                     "rms residual elastomer left out [J/m2]",
-                     "log_likelihood",
-                     "log_likelihood surface left out",
-                     "weight",
-                     "odds against",
-                     "odds against 5 %",
-                     "odds against 95 %",
-                     "distinction",
-                     "constant [J/m2]",
-                     "standard_error constant [J/m2]",
-                     "p constant",
-                     "refused",
-                     "W_int [J/m2]",
-                     "standard_error W_int [J/m2]"},
-                    {}};
+    static constexpr auto view = fields::view_of<ModelScore>({
+        {"rms residual", "rms_residual"},
+        {"rms residual surface left out", "rms_residual_surface_left_out"},
+        {"rms residual elastomer left out", "rms_residual_elastomer_left_out"},
+        {"log_likelihood"},
+        {"log_likelihood surface left out", "log_likelihood_surface_left_out"},
+        {"weight"},
+        {"odds against", "odds_against.value"},
+        {"odds against 5 %", "odds_against.lower"},
+        {"odds against 95 %", "odds_against.upper"},
+        {"distinction", "odds_against.distinction"},
+        {"constant", "constant"},
+        {"p constant", "constant_probability"},
+        {"refused"},
+        {"W_int", "work_of_adhesion"},
+    });
+    TidyTable table{"", {"ranking", "model", "formula", "parameter", "unit", "value", "standard_error"}, {}};
+    put_headings(table, view);
     for (const auto& of : rankings_of(h))
         for (const auto& s : of.ranking.models) {
             const auto& model = s.fitted.model;
-            const bool fitted = model.fitted();
-            const auto parameter = fitted ? model.parameter() : hysteresis::ModelParameter{};
-            std::vector<TidyTable::Cell> row{std::string(of.name), model.name(), model.formula(), parameter.quantity,
-                                             parameter.unit};
-            add_value(row, fitted ? s.fitted.parameter.estimate() : unknown);
-            for (const double value :
-                 {s.rms_residual, s.surface_left_out, s.elastomer_left_out, s.log_likelihood, s.left_out_log_likelihood,
-                  s.weight, s.odds_against.value, s.odds_against.lower, s.odds_against.upper})
-                row.emplace_back(value);
-            row.emplace_back(std::string(hysteresis::name_of(s.odds_against.distinction())));
-            add_value(row, s.bias.value);
-            row.emplace_back(s.bias.probability);
-            row.emplace_back(std::string(s.bias.refuses_model ? "yes" : "no"));
-            add_value(row, s.work_of_adhesion);
-            table.rows.push_back(std::move(row));
+            const auto parameter = model.fitted() ? model.parameter() : hysteresis::ModelParameter{};
+            const auto value = model.fitted() ? s.fitted.parameter.estimate() : Estimate{.value = undefined};
+            auto& row = table.rows.emplace_back();
+            row = {of.name,        model.name(), model.formula(),     parameter.quantity,
+                   parameter.unit, value.value,  value.standard_error};
+            put_cells(row, s, view);
         }
     return table;
 }
 
 TidyTable trial_table(const study::Hysteresis& h) {
-    TidyTable table{"", {"planted", "runs", "found", "possible", "excluded", "most often in its place"}, {}};
-    for (const auto& law : h.trials)
-        table.rows.push_back({law.planted.name(), double(law.runs), double(law.found), double(law.possible),
-                              double(law.excluded), law.most_taken});
+    static constexpr auto view =
+        fields::view_of<hysteresis::LawTrials>({{"planted"}, {"runs"}, {"found"}, {"possible"}, {"excluded"}});
+    auto table = table_of(h.trials, view);
+    table.columns.emplace_back("most often in its place");
+    for (std::size_t i = 0; i < h.trials.size(); ++i) table.rows[i].emplace_back(h.trials[i].most_taken);
     return table;
 }
 
 TidyTable hysteresis_table(const study::Hysteresis& h) {
-    TidyTable table{"",
-                    {"surface",
-                     "elastomer",
-                     "model",
-                     "chosen by",
-                     "U_el/AW",
-                     "area in contact/A",
-                     "W_app [J/m2]",
-                     "standard_error W_app [J/m2]",
-                     "W_ret [J/m2]",
-                     "standard_error W_ret [J/m2]",
-                     "W_ret measured [J/m2]",
-                     "standard_error W_ret measured [J/m2]",
-                     "pull-off force [N]",
-                     "standard_error pull-off force [N]",
-                     "contact radius [m]",
-                     "standard_error contact radius [m]",
-                     "E_loss [J]",
-                     "standard_error E_loss [J]",
-                     "jump in [J]",
-                     "jump out [J]",
-                     "crack tip [J]",
-                     "roughness [J]",
-                     "bulk [J]",
-                     "rms force off on approach [N]",
-                     "rms force off on retraction [N]",
-                     "likelier model",
-                     "W_ret by it [J/m2]",
-                     "standard_error W_ret by it [J/m2]",
-                     "N approach",
-                     "k approach",
-                     "standard_error k approach",
-                     "N retraction",
-                     "k retraction",
-                     "standard_error k retraction"},
-                    {}};
-    for (const auto& p : h.pairs) {
-        std::vector<TidyTable::Cell> row{
-            p.surface, p.elastomer, p.model.name(), std::string(name_of(p.choice)), p.energy_share, p.contact_fraction};
-        add_value(row, p.work_approach.estimate());
-        add_value(row, p.work_retraction.estimate());
-        add_value(row, p.measured_retraction.value_or(unknown));
-        add_value(row, p.pull_off_force ? p.pull_off_force->estimate() : unknown);
-        add_value(row, p.loop ? p.loop->contact_radius.estimate() : unknown);
-        add_value(row, p.loop ? p.loop->energy_loss.estimate() : unknown);
-        for (const auto& [name, share] : EnergyShares::all())
-            row.emplace_back(p.loop ? (p.loop->shares.*share).value : undefined);
-        row.emplace_back(p.residuals ? p.residuals->approach : undefined);
-        row.emplace_back(p.residuals ? p.residuals->retraction : undefined);
-        row.emplace_back(p.likelier ? p.likelier->model.name() : std::string());
-        add_value(row, p.likelier ? p.likelier->work_retraction.estimate() : unknown);
-        for (const auto branch : {&hysteresis::PairPinning::approach, &hysteresis::PairPinning::retraction}) {
-            row.emplace_back(p.pinning ? ((*p.pinning).*branch).larkin_lengths : undefined);
-            const auto k =
-                p.pinning ? ((*p.pinning).*branch).coefficient : hysteresis::PinningCoefficient{undefined, undefined};
-            row.emplace_back(k.value);
-            row.emplace_back(k.standard_error);
-        }
-        table.rows.push_back(std::move(row));
-    }
-    return table;
+    using fields::Errors;
+    static constexpr auto view = fields::view_of<study::PairHysteresis>({
+        {"surface"},
+        {"elastomer"},
+        {"model"},
+        {"chosen by", "chosen_by"},
+        {"U_el/AW", "energy_share"},
+        {"area in contact/A", "contact_fraction"},
+        {"W_app", "work_of_adhesion_approach"},
+        {"W_ret", "work_of_adhesion_retraction"},
+        {"W_ret measured", "measured"},
+        {"pull-off force", "pull_off_force"},
+        {"contact radius", "contact_radius"},
+        {"E_loss", "energy_loss"},
+        {"jump in", "energy_loss_shares.jump_in", Errors::left_out},
+        {"jump out", "energy_loss_shares.jump_out", Errors::left_out},
+        {"crack tip", "energy_loss_shares.crack_tip", Errors::left_out},
+        {"roughness", "energy_loss_shares.roughness", Errors::left_out},
+        {"bulk", "energy_loss_shares.bulk", Errors::left_out},
+        {"rms force off on approach", "residuals.approach"},
+        {"rms force off on retraction", "residuals.retraction"},
+        {"likelier model", "likelier.model"},
+        {"W_ret by it", "likelier.work_of_adhesion_retraction"},
+        {"N approach", "pinning.approach.larkin_lengths"},
+        {"k approach", "pinning.approach.pinning_coefficient"},
+        {"N retraction", "pinning.retraction.larkin_lengths"},
+        {"k retraction", "pinning.retraction.pinning_coefficient"},
+    });
+    return table_of(h.pairs, view);
 }
 
 TidyTable joint_table(const study::Hysteresis& h) {
@@ -550,21 +484,24 @@ TidyTable model_work_table(const study::Hysteresis& h) {
 }
 
 TidyTable decomposition_table(const study::Hysteresis& h) {
-    TidyTable table{"",
-                    {"surface", "elastomer", "model", "of", "E_loss measured [J]", "standard_error E_loss measured [J]",
-                     "jump in [J]", "jump out [J]", "crack tip [J]", "roughness [J]", "bulk [J]", "unexplained [J]",
-                     "standard_error unexplained [J]"},
-                    {}};
-    for (const auto& p : h.pairs) {
-        if (!p.decomposition) continue;
-        const auto& d = *p.decomposition;
-        std::vector<TidyTable::Cell> row{p.surface, p.elastomer, p.decomposed_by,
-                                         std::string(d.of_works ? "works" : "loop")};
-        add_value(row, d.measured.estimate());
-        for (const auto& [name, share] : EnergyShares::all()) row.emplace_back((d.shares.*share).value);
-        add_value(row, d.unexplained.estimate());
-        table.rows.push_back(std::move(row));
-    }
+    using fields::Errors;
+    static constexpr auto view = fields::view_of<study::PairHysteresis>({
+        {"surface"},
+        {"elastomer"},
+        {"model", "decomposition.model"},
+        {"of", "decomposition.of"},
+        {"E_loss measured", "decomposition.energy_loss"},
+        {"jump in", "decomposition.energy_loss_shares.jump_in", Errors::left_out},
+        {"jump out", "decomposition.energy_loss_shares.jump_out", Errors::left_out},
+        {"crack tip", "decomposition.energy_loss_shares.crack_tip", Errors::left_out},
+        {"roughness", "decomposition.energy_loss_shares.roughness", Errors::left_out},
+        {"bulk", "decomposition.energy_loss_shares.bulk", Errors::left_out},
+        {"unexplained", "decomposition.unexplained"},
+    });
+    TidyTable table;
+    put_headings(table, view);
+    for (const auto& p : h.pairs)
+        if (p.decomposition) put_cells(table.rows.emplace_back(), p, view);
     return table;
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace setae::output {
 namespace {
@@ -69,23 +68,6 @@ std::vector<std::string> smooth_limit_sentences(const study::Hysteresis& hystere
         sentences.push_back(fmt::format("Predictions go by {}: the likeliest {}", pair.model.name(), missed));
     }
     return sentences;
-}
-
-Json smooth_limits_json(const study::Hysteresis& hysteresis) {
-    Json list = Json::array();
-    for (const auto& of : hysteresis.smooth_limits) {
-        Json json{{"model", of.limit.model.name()},
-                  {"elastomer", of.elastomer},
-                  {"tends_to_reference", of.limit.tends_to_reference}};
-        const auto put = [&](const char* name, const char* symbol, const Estimate& value) {
-            json[name] = to_json(quantity(name, symbol, value, "J/m2"));
-        };
-        put("work_of_adhesion_retraction", "W_ret", of.limit.work_retraction.estimate());
-        put("reference", "W_ret", of.reference);
-        put("distance", "W_ret - W_ret,reference", of.limit.distance.estimate());
-        list.push_back(std::move(json));
-    }
-    return list;
 }
 
 }  // namespace setae::output

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "setae/output/json.hpp"
 #include "setae/study/hysteresis.hpp"
 #include "setae/tables/tidy_table.hpp"
 
@@ -17,8 +16,5 @@ namespace setae::output {
 /// For each likeliest model that is not the answer: what predictions go by, and how far it is off on the smooth
 /// reference.
 [[nodiscard]] std::vector<std::string> smooth_limit_sentences(const study::Hysteresis& hysteresis);
-
-/// Per model and elastomer: both works, their distance, and whether the model has the limit.
-[[nodiscard]] Json smooth_limits_json(const study::Hysteresis& hysteresis);
 
 }  // namespace setae::output

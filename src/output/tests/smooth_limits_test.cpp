@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "setae/output/hysteresis_output.hpp"
 #include "setae/study/study.hpp"
 #include "setae/study/study_result.hpp"
 
@@ -30,7 +31,7 @@ TEST(SmoothLimits, OfThePublishedModelsStandBesideTheReference) {
     }
     const auto table = smooth_limit_table(h);
     EXPECT_EQ(table.rows.size(), h.all.models.size());
-    EXPECT_EQ(smooth_limits_json(h).size(), h.smooth_limits.size());
+    EXPECT_EQ(to_json(h).at("smooth_limits").size(), h.smooth_limits.size());
 }
 
 }  // namespace

@@ -203,7 +203,6 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
         }
         if (law.ranked && !hysteresis::has_smooth_limit(law.fitted.model)) found.likelier = likelier_of(law);
     }
-    found.decomposed_by = law.fitted.model.name();
     laws_.push_back(law);
     found.model = fitted.model;
     found.contact_fraction = pair.measured.contact.area_fraction;

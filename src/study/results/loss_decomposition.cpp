@@ -95,6 +95,7 @@ Outcome<Prepared> prepared(const PairLaw& law) {
     if (!measured.radius || !(measured.contact_area || measured.pressing))
         return Missing::missing("the radius of the sphere and the contact area or a preload are not known");
     Prepared result{.law = &law};
+    result.loss.model = law.fitted.model.name();
     const auto recorded = pair.measured.traced_loss();
     result.loss.of_works = !recorded;
     if (!recorded) measured.relaxation.clear();  // works know of no bulk

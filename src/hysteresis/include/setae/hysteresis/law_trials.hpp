@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/fields/describe.hpp"
 #include "setae/hysteresis/ranking.hpp"
 #include "setae/parallel/for_each.hpp"
 
@@ -41,7 +42,26 @@ struct LawTrials {
 /// is another one, and left out. Same numbers for a seed and any number of threads.
 /// @throws InvalidArgument for runs < 1; Cancelled where the options say so.
 [[nodiscard]] std::vector<LawTrials> law_trials(const std::vector<RankedPair>& pairs, const Ranking& ranking,
-                                                const std::optional<Estimate>& known_work,
-                                                const TrialOptions& options);
+                                                const std::optional<Estimate>& known_work, const TrialOptions& options);
 
 }  // namespace setae::hysteresis
+
+namespace setae::fields {
+
+template <>
+struct Described<hysteresis::LawTrials> {
+    using T = hysteresis::LawTrials;
+    static constexpr std::array rows{
+        made<T>("planted", "the law", [](const T& of) { return of.planted.name(); }),
+        inner<&T::planted>(),
+        field<&T::runs>("runs", "how often"),
+        field<&T::found>("found", "it came out best"),
+        field<&T::possible>("possible", "another came out best, it was not excluded"),
+        field<&T::excluded>("excluded", "another was clearly better, or a constant refused it"),
+        inner<&T::most_taken>(),
+    };
+    static constexpr Description description{"", "what became of a law that was planted", rows};
+};
+static_assert(complete<hysteresis::LawTrials>);
+
+}  // namespace setae::fields

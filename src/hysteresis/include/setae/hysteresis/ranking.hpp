@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setae/adhesion/left_out.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/hysteresis/retraction_pair.hpp"
 #include "setae/parallel/for_each.hpp"
 
@@ -110,3 +111,132 @@ inline constexpr std::size_t fewest_ranked_pairs = 6, fewest_ranked_surfaces = 4
                                   const std::optional<Estimate>& known_work = {}, parallel::Threads threads = {});
 
 }  // namespace setae::hysteresis
+
+namespace setae::fields {
+
+template <>
+struct Described<hysteresis::Odds> {
+    using T = hysteresis::Odds;
+    static constexpr std::array<std::string_view, 3> distinctions{"cannot be distinguished", "better",
+                                                                  "clearly better"};
+    static constexpr std::array rows{
+        field<&T::value>("value", "of the data as they are"),
+        field<&T::lower>("lower", "lower end as data vary within their own ±"),
+        field<&T::upper>("upper", "upper end"),
+        made<T>("level", "probability between the two", [](const T&) { return 0.9; }),
+        made<T>("distinction", "by the lower end", [](const T& of) { return hysteresis::name_of(of.distinction()); })
+            .one_of(distinctions),
+    };
+    static constexpr Description description{"odds", "odds for one model against another", rows};
+};
+static_assert(complete<hysteresis::Odds>);
+
+template <>
+struct Described<hysteresis::ProportionalWork> {
+    using T = hysteresis::ProportionalWork;
+    static constexpr std::array rows{
+        field<&T::surfaces_left_out>("surfaces_left_out", "on approach"),
+        field<&T::elastomers_left_out>("elastomers_left_out", "on approach"),
+        field<&T::both_branches>("both_branches", "surfaces left out, by the likeliest model"),
+    };
+    static constexpr Description description{
+        "", "odds for W_int of each elastomer in proportion to its smooth reference, against one W_int", rows};
+};
+static_assert(complete<hysteresis::ProportionalWork>);
+
+template <>
+struct Described<hysteresis::ModelScore> {
+    using T = hysteresis::ModelScore;
+    /// The model's number, where it has one and it is called so.
+    static std::optional<Estimate> parameter(const T& of, std::string_view name) {
+        const auto& model = of.fitted.model;
+        if (!model.fitted() || model.parameter().quantity != name) return {};
+        return of.fitted.parameter.estimate();
+    }
+    static constexpr std::array rows{
+        made<T>("model", "name of the law", [](const T& of) { return of.fitted.model.name(); }),
+        made<T>("formula", "W_ret at pull-off by it", [](const T& of) { return of.fitted.model.formula(); }),
+        made<T>("parameters", "numbers fitted to all pairs",
+                [](const T& of) { return of.fitted.model.fitted() ? 1 : 0; }),
+        made<T>("pinning_coefficient", "k", "1", "k, where it is fitted",
+                [](const T& of) { return parameter(of, "pinning_coefficient"); }),
+        made<T>("work_per_true_area", "W_x", "J/m2", "W_x at pull-off, where it is fitted",
+                [](const T& of) { return parameter(of, "work_per_true_area"); }),
+        quantity<&T::rms_residual>("rms_residual", "", "J/m2", "measured less law"),
+        quantity<&T::surface_left_out>("rms_residual_surface_left_out", "", "J/m2",
+                                       "of surfaces that the fit has not seen"),
+        quantity<&T::elastomer_left_out>("rms_residual_elastomer_left_out", "", "J/m2",
+                                         "of elastomers that the fit has not seen"),
+        made<T>("scatter", "", "J/m2", "of a pair about the law beyond all ±, one standard deviation",
+                [](const T& of) { return of.fitted.scatter.standard_error; }),
+        field<&T::log_likelihood>("log_likelihood", "ln density of all measured values"),
+        field<&T::left_out_log_likelihood>(
+            "log_likelihood_surface_left_out",
+            "ln density of each surface by the fit to the others, summed over both branches"),
+        field<&T::left_out_approach>("log_likelihood_approach", "of it, that of W_app"),
+        field<&T::left_out_retraction>("log_likelihood_retraction", "of it, that of W_ret"),
+        field<&T::weight>("weight", "share of the model among all that were ranked"),
+        field<&T::odds_against>("odds_against", "odds for the likeliest model that no constant refuses"),
+        made<T>("constant", "b", "J/m2", "what W_ret of all pairs is off by",
+                [](const T& of) { return of.bias.value; }),
+        made<T>("constant_probability", "of a constant at least as far from 0 where there is none",
+                [](const T& of) { return of.bias.probability; }),
+        made<T>("constant_odds", "odds for the model with a free constant, on surfaces left out",
+                [](const T& of) { return of.bias.odds_with_it; }),
+        made<T>("refused", "whether the constant refuses the model", [](const T& of) { return of.bias.refuses_model; }),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W_int", "J/m2", "W_int by both branches"),
+        inner<&T::fitted>(),
+        inner<&T::fit>(),
+        inner<&T::bias>(),
+        inner<&T::approach_scatter>(),
+        inner<&T::left_out>(),
+    };
+    static constexpr Description description{"", "how well a model says what was measured", rows};
+};
+static_assert(complete<hysteresis::ModelScore>);
+
+template <>
+struct Described<hysteresis::UnrankedModel> {
+    using T = hysteresis::UnrankedModel;
+    static constexpr std::array rows{
+        made<T>("model", "name of the law", [](const T& of) { return of.model.name(); }),
+        made<T>("formula", "W_ret at pull-off by it", [](const T& of) { return of.model.formula(); }),
+        field<&T::reason>("reason", "why it is missing, or left out"),
+        inner<&T::model>(),
+    };
+    static constexpr Description description{"", "a model that cannot be judged", rows};
+};
+static_assert(complete<hysteresis::UnrankedModel>);
+
+template <>
+struct Described<hysteresis::Ranking> {
+    using T = hysteresis::Ranking;
+    static constexpr std::array rows{
+        made<T>("best", "the likeliest that no constant refuses",
+                [](const T& of) {
+                    const auto* best = of.best();
+                    return best ? std::optional(best->fitted.model.name()) : std::nullopt;
+                })
+            .or_null(),
+        made<T>("possible", "models that are not excluded, the likeliest first",
+                [](const T& of) {
+                    std::vector<std::string> names;
+                    for (const auto* score : of.possible()) names.push_back(score->fitted.model.name());
+                    return names;
+                }),
+        field<&T::approach_against_pinning>("approach_without_pinning",
+                                            "odds on approach for nothing that pins the edge")
+            .or_null(),
+        field<&T::proportional_work>(
+            "proportional_work",
+            "odds for W_int of each elastomer in proportion to its smooth reference, against one W_int")
+            .or_null(),
+        field<&T::models>("models", "the likeliest first"),
+        field<&T::unranked>("unranked", "laws that could not be judged"),
+    };
+    static constexpr Description description{
+        "law_ranking", "models of the works of adhesion by how well they say what was measured on both branches", rows};
+};
+static_assert(complete<hysteresis::Ranking>);
+
+}  // namespace setae::fields

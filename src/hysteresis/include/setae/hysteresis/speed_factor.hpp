@@ -2,6 +2,7 @@
 #pragma once
 
 #include "setae/core/traced_value.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/hysteresis/moving_edge.hpp"
 
 namespace setae::hysteresis {
@@ -61,3 +62,16 @@ struct EdgePull {
                                                   const EdgePull& pull, double work_read);
 
 }  // namespace setae::hysteresis
+
+namespace setae::fields {
+
+template <>
+struct Described<hysteresis::TracedRelaxation> {
+    using T = hysteresis::TracedRelaxation;
+    static constexpr std::array rows{quantity<&T::share>("share", "g", "1", "g"),
+                                     quantity<&T::time>("time", "τ", "s", "τ")};
+    static constexpr Description description{"", "a term of E(t)/E∞ = 1 + Σ g e^(−t/τ)", rows};
+};
+static_assert(complete<hysteresis::TracedRelaxation>);
+
+}  // namespace setae::fields

@@ -16,9 +16,6 @@ namespace setae::output {
 /// first), "deciding_pair", "trials" where they were made, "pairs".
 [[nodiscard]] Json to_json(const study::Hysteresis& hysteresis);
 
-/// "conforming_pairs", "all_pairs" or "assumed".
-[[nodiscard]] const char* name_of(study::ModelChoice choice);
-
 /// "87.9 ± 4.4 mJ/m²": the number of a law that has one, as it was fitted.
 [[nodiscard]] std::string fitted_number(const hysteresis::ModelScore& score);
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/fields/describe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace setae::fields {
+
+/// As loops::Outcome.
+template <class T>
+struct Outcome {
+    std::optional<T> value;
+    std::string reason;
+
+    explicit operator bool() const { return value.has_value(); }
+    const T& operator*() const { return *value; }
+};
+
+struct Point {
+    double x = 0.0;
+    std::string name;
+};
+
+/// A field of every kind.
+struct Sample {
+    bool flag = true;
+    int whole = 3;
+    double number = 0.5, force = 2e-3;
+    Estimate energy{.value = 1.0, .standard_error = 0.1};
+    TracedValue area{Estimate{.value = 4.0, .standard_error = 0.5}, "area"};
+    std::string text = "words";
+    std::vector<std::string> texts{"a", "b"};
+    std::vector<double> values{1.0, 2.0};
+    std::vector<int> wholes{1, 2};
+    Point point{1.0, "first"};
+    std::vector<Point> points{{2.0, "second"}, {3.0, "third"}};
+    std::vector<Point> left_out_if_empty;
+    std::optional<double> absent, no_value, there = 7.0;
+    Outcome<Point> failed{{}, "no data"}, found{Point{5.0, "found"}, ""};
+    std::vector<std::pair<std::string, Estimate>> by_name{{"model", {.value = 6.0}}};
+    std::vector<std::pair<std::string, double>> none_by_name;
+    double hidden = 9.0;
+};
+
+template <>
+struct Described<Point> {
+    using T = Point;
+    static constexpr std::array rows{field<&T::x>("x", "place"), field<&T::name>("name", "of the point")};
+    static constexpr Description description{"point", "a point", rows};
+};
+static_assert(complete<Point>);
+
+template <>
+struct Described<Sample> {
+    using T = Sample;
+    static constexpr std::array<std::string_view, 2> words{"words", "deeds"};
+    static constexpr std::array names_row{field<&T::texts>("texts", "a list")};
+    static constexpr Description together{"", "fields that stand together", names_row};
+    static constexpr std::array rows{
+        field<&T::flag>("flag", "yes or no"),
+        field<&T::whole>("whole", "a count"),
+        field<&T::number>("number", "a ratio"),
+        quantity<&T::force>("force", "F", "N", "a force"),
+        quantity<&T::energy>("energy", "E", "J", "an energy").as("energy_loss"),
+        quantity<&T::area>("area", "A", "m2", "an area"),
+        field<&T::text>("text", "words").one_of(words),
+        part<T>("part", "texts in an object of their own", together),
+        quantity<&T::values>("values", "v", "J/m2", "two works"),
+        field<&T::wholes>("wholes", "two counts"),
+        field<&T::point>("point", "a point"),
+        field<&T::points>("points", "points"),
+        field<&T::left_out_if_empty>("left_out_if_empty", "none").with(Missing::left_out),
+        field<&T::absent>("absent", "no field"),
+        field<&T::no_value>("no_value", "null").or_null(),
+        quantity<&T::there>("there", "t", "s", "a time"),
+        field<&T::failed>("failed", "null and a reason"),
+        field<&T::found>("found", "a point"),
+        quantity<&T::by_name>("by_name", "W", "J/m2", "of each model"),
+        field<&T::none_by_name>("none_by_name", "null").or_null(),
+        made<T>("twice", "computed", [](const T& of) { return 2.0 * of.number; }),
+        made<T>("of_its_own_unit", "computed",
+                [](const T& of) { return Quantity{.quantity = "q", .estimate = {.value = of.number}, .unit = "m/s"}; }),
+        written_apart("answer", "by other code"),
+        inner<&T::hidden>(),
+    };
+    static constexpr Description description{"", "a sample", rows};
+};
+static_assert(complete<Sample>);
+
+namespace {
+
+/// Everything in the order in which it comes.
+class Recorded final : public Sink {
+public:
+    std::string text_;
+
+    void flag(const Row& row, bool value) override { add(row, value ? "true" : "false"); }
+    void whole(const Row& row, long long value) override { add(row, std::to_string(value)); }
+    void number(const Row& row, double value) override { add(row, shown(value)); }
+    void value(const Row& row, double value) override { add(row, shown(value) + " " + std::string(row.unit)); }
+    void quantity(const Row& row, const Estimate& e) override {
+        add(row, shown(e.value) + "±" + shown(e.standard_error) + " " + std::string(row.unit));
+    }
+    void quantity(const Row& row, const Quantity& q) override { add(row, shown(q.estimate.value) + " " + q.unit); }
+    void text(const Row& row, std::string_view value) override { add(row, std::string(value)); }
+    void begin_list(const Row& row) override { add(row, "["); }
+    void end_list(const Row&) override { text_ += "]"; }
+    void begin(const Row& row) override { add(row, "{"); }
+    void end(const Row&) override { text_ += "}"; }
+    void key(std::string_view name) override { text_ += std::string(name) + ":"; }
+    void missing(const Row& row, std::string_view reason) override { add(row, "null(" + std::string(reason) + ")"); }
+
+private:
+    static std::string shown(double value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%g", value);
+        return text;
+    }
+    void add(const Row& row, const std::string& value) { text_ += std::string(row.name) + "=" + value + ";"; }
+};
+
+std::string recorded(const Sample& sample) {
+    Recorded sink;
+    put(&sample, Described<Sample>::description, sink);
+    return sink.text_;
+}
+
+TEST(Fields, ComeInTheOrderOfTheirRowsWithUnitsAndReasons) {
+    EXPECT_EQ(
+        recorded({}),
+        "flag=true;whole=3;number=0.5;force=0.002 N;energy=1±0.1 J;area=4±0.5 m2;text=words;part={;texts=[;texts=a;texts=b;]}"
+        "values=[;values=1;values=2;]wholes=[;wholes=1;wholes=2;]point={;x=1;name=first;}"
+        "points=[;points={;x=2;name=second;}points={;x=3;name=third;}]no_value=null();there=7 s;failed=null(no data);"
+        "found={;x=5;name=found;}by_name={;model:by_name=6±nan J/m2;}none_by_name=null();twice=1;of_its_own_unit=0.5 m/s;");
+}
+
+TEST(Fields, OfNumbersThatAreNoneAreHandedOn) {
+    Sample sample;
+    sample.number = std::nan("");
+    sample.force = INFINITY;
+    EXPECT_NE(recorded(sample).find("number=nan;force=inf N;"), std::string::npos);
+}
+
+TEST(Fields, KnowTheirKind) {
+    const auto kind = [](std::string_view name) {
+        for (const auto& row : Described<Sample>::rows)
+            if (row.name == name) return row.kind;
+        ADD_FAILURE() << name;
+        return Kind::flag;
+    };
+    EXPECT_EQ(kind("force"), Kind::value);
+    EXPECT_EQ(kind("there"), Kind::value);
+    EXPECT_EQ(kind("number"), Kind::number);
+    EXPECT_EQ(kind("energy"), Kind::quantity);
+    EXPECT_EQ(kind("area"), Kind::quantity);
+    EXPECT_EQ(kind("text"), Kind::choice);
+    EXPECT_EQ(kind("points"), Kind::objects);
+    EXPECT_EQ(kind("found"), Kind::object);
+    EXPECT_EQ(kind("by_name"), Kind::quantity_of);
+    EXPECT_EQ(kind("none_by_name"), Kind::number_of);
+}
+
+struct Grown {
+    double first = 0.0, second = 0.0;
+};
+
+}  // namespace
+
+template <>
+struct Described<Grown> {
+    static constexpr std::array rows{field<&Grown::first>("first", "named"), field<&Grown::first>("again", "twice")};
+    static constexpr Description description{"", "a type of which a member has no row", rows};
+};
+static_assert(!complete<Grown>, "one member named twice is not two members");
+
+}  // namespace setae::fields

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "setae/fields/describe.hpp"
+#include "setae/output/json.hpp"
+
+namespace setae::output {
+
+/// Adds every described field of a result to an object, in order. A number is itself, one with a unit {"value",
+/// "unit"}, one with an error as to_json(Quantity) has it; what is missing as its row says.
+void add_fields(Json& json, const void* result, const fields::Description& description);
+template <fields::HasRows T>
+void add_fields(Json& json, const T& result) {
+    add_fields(json, &result, fields::Described<T>::description);
+}
+
+/// JSON Schema of an object with these fields; described types that have a name are referred to in "#/$defs/NAME".
+[[nodiscard]] Json schema_of(const fields::Description& description);
+
+/// Adds the schema of a described type under its name, and those of all named types in it.
+void add_named_schemas(const fields::Description& description, std::map<std::string, Json>& schemas);
+
+}  // namespace setae::output

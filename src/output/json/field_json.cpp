@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "setae/output/field_json.hpp"
+
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace setae::output {
+namespace {
+
+using fields::Kind;
+using fields::Missing;
+using fields::Row;
+
+class JsonSink final : public fields::Sink {
+public:
+    explicit JsonSink(Json& json) : open_{&json} {}
+
+    void flag(const Row& row, bool value) override { add(row, value); }
+    void whole(const Row& row, long long value) override { add(row, value); }
+    void number(const Row& row, double value) override { add(row, output::number(value)); }
+    void value(const Row& row, double value) override {
+        add(row, {{"value", output::number(value)}, {"unit", row.unit}});
+    }
+    void quantity(const Row& row, const Estimate& value) override {
+        add(row, to_json(output::quantity(std::string(row.term.empty() ? row.name : row.term), std::string(row.symbol),
+                                          value, std::string(row.unit))));
+    }
+    void quantity(const Row& row, const Quantity& value) override { add(row, to_json(value)); }
+    void text(const Row& row, std::string_view value) override { add(row, value); }
+    void begin_list(const Row& row) override {
+        if (row.kind != Kind::values) return open(row, Json::array());
+        open(row, {{"values", Json::array()}, {"unit", row.unit}});
+        open_.push_back(&open_.back()->at("values"));
+    }
+    void end_list(const Row& row) override {
+        if (row.kind == Kind::values) open_.pop_back();
+        open_.pop_back();
+    }
+    void begin(const Row& row) override { open(row, Json::object()); }
+    void end(const Row&) override { open_.pop_back(); }
+    void key(std::string_view name) override { key_ = name; }
+    void missing(const Row& row, std::string_view reason) override {
+        add(row, nullptr);
+        if (row.if_missing == Missing::with_reason) (*open_.back())[std::string(row.name) + "_reason"] = reason;
+    }
+
+private:
+    Json& add(const Row& row, Json value) {
+        auto& in = *open_.back();
+        if (in.is_array()) return in.emplace_back(std::move(value));
+        const bool by_name = !key_.empty();
+        auto& place = in[by_name ? key_ : std::string(row.name)];
+        key_.clear();
+        return place = std::move(value);
+    }
+    void open(const Row& row, Json value) { open_.push_back(&add(row, std::move(value))); }
+
+    std::vector<Json*> open_;
+    std::string key_;  ///< of what comes next, in an object by name
+};
+
+Json reference(std::string_view name) { return {{"$ref", "#/$defs/" + std::string(name)}}; }
+Json type(const char* name) { return {{"type", name}}; }
+Json list_of(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
+
+/// Names and which of them every result has.
+Json object_of(const fields::Description& description);
+
+Json inner_type(const Row& row) { return row.inner->name.empty() ? object_of(*row.inner) : reference(row.inner->name); }
+
+/// What stands under a name where it is there.
+Json type_of(const Row& row) {
+    switch (row.kind) {
+        case Kind::flag: return type("boolean");
+        case Kind::whole: return type("integer");
+        case Kind::number: return reference("number");
+        case Kind::value: return reference("value");
+        case Kind::values: return reference("values");
+        case Kind::quantity: return reference("quantity");
+        case Kind::text: return type("string");
+        case Kind::choice: return {{"enum", row.choices}};
+        case Kind::texts: return list_of(type("string"));
+        case Kind::wholes: return list_of(type("integer"));
+        case Kind::object: return inner_type(row);
+        case Kind::objects: return list_of(inner_type(row));
+        case Kind::quantity_of: return {{"type", "object"}, {"additionalProperties", reference("quantity")}};
+        case Kind::number_of: return {{"type", "object"}, {"additionalProperties", reference("number")}};
+    }
+    return {};
+}
+
+Json property_of(const Row& row) {
+    Json property{{"description", row.meaning}};
+    if (!row.unit.empty()) property["unit"] = row.unit;
+    const bool may_be_null = row.if_missing == Missing::null || row.if_missing == Missing::with_reason;
+    if (may_be_null) property["anyOf"] = {type_of(row), type("null")};
+    else property.update(type_of(row));
+    return property;
+}
+
+Json object_of(const fields::Description& description) {
+    Json required = Json::array(), properties = Json::object();
+    for (const auto& row : description.rows) {
+        if (row.name.empty()) continue;
+        const std::string name(row.name);
+        if (row.if_missing != Missing::left_out) required.push_back(name);
+        properties[name] = property_of(row);
+        if (row.if_missing == Missing::with_reason)
+            properties[name + "_reason"] = {{"description", "why it is missing"}, {"type", "string"}};
+    }
+    return {{"type", "object"}, {"required", std::move(required)}, {"properties", std::move(properties)}};
+}
+
+}  // namespace
+
+void add_fields(Json& json, const void* result, const fields::Description& description) {
+    JsonSink sink(json);
+    fields::put(result, description, sink);
+}
+
+Json schema_of(const fields::Description& description) {
+    Json schema{{"description", description.meaning}};
+    schema.update(object_of(description));
+    return schema;
+}
+
+void add_named_schemas(const fields::Description& description, std::map<std::string, Json>& schemas) {
+    if (!description.name.empty()) schemas[std::string(description.name)] = schema_of(description);
+    for (const auto& row : description.rows)
+        if (row.inner) add_named_schemas(*row.inner, schemas);
+}
+
+}  // namespace setae::output
