@@ -36,11 +36,10 @@ EXAMPLES = {
 
 
 def cases():
-    """Name and shell line of every case of tests/cli, with the folder its $CASE names."""
-    for path in sorted((SOURCE / "tests/cli").rglob("*.toml")):
-        content = tomllib.loads(path.read_text()) if path.name == "case.toml" else {}
-        if "command" in content:
-            yield path.parent.name, content["command"], path.parent
+    """Name and shell command of every case of tests/cli."""
+    for path in sorted((SOURCE / "tests/cli").glob("*.toml")):
+        for name, case in tomllib.loads(path.read_text()).items():
+            yield name, case["command"]
 
 
 def neutral(content):
@@ -59,12 +58,12 @@ def kept(folder, line, code, out, err, work):
         target.write_bytes(neutral(path.read_bytes()))
 
 
-def frozen(name, line, case, given):
+def frozen(name, line, given):
     work = WORK / name
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    environment = {**os.environ, "SETAE": str(given.program.resolve()), "CASE": str(case or ""), "WORK": str(work),
-                   "DATA": os.environ.get("SETAE_REFERENCE_DATA", "../shared/data"), "SETAE_CACHE": str(work / ".cache"),
+    environment = {**os.environ, "SETAE": str(given.program.resolve()), "WORK": str(work), "DATA": str(SOURCE / "tests/cli/data"),
+                   "REAL_DATA": os.environ.get("SETAE_REFERENCE_DATA", "../shared/data"), "SETAE_CACHE": str(work / ".cache"),
                    "SOURCE_DATE_EPOCH": "1700000000", "PYTHON": str(given.python), "PYTHONPATH": str(given.package.resolve())}
     done = subprocess.run(["sh", "-c", line], cwd=SOURCE, env=environment, capture_output=True, stdin=subprocess.DEVNULL)
     kept(given.folder / name, line, done.returncode, done.stdout, done.stderr, work)
@@ -82,9 +81,9 @@ def main():
     given = options.parse_args()
     if given.folder.exists() and any(given.folder.iterdir()):
         sys.exit(f"{given.folder} is not empty; give a new folder")
-    runs = [(f"cli_{name}", line, case) for name, line, case in cases()] + [(f"example_{n}", line, None) for n, line in EXAMPLES.items()]
+    runs = [(f"cli_{name}", line) for name, line in cases()] + [(f"example_{name}", line) for name, line in EXAMPLES.items()]
     if (given.package / "setae").is_dir():
-        runs.append(("python", "$PYTHON tools/freeze_python.py $WORK", None))
+        runs.append(("python", "$PYTHON tools/freeze_python.py $WORK"))
     else:
         print(f"no package in {given.package}: the Python part is left out")
     runs = [run for run in runs if given.only in run[0]]

@@ -16,8 +16,8 @@ from conftest import ROOT
 SOLIDS = {"E": "0.7 ± 0.02 MPa", "W_int": "37 ± 2 mJ/m2", "gamma": "25 mJ/m2"}
 SOLIDS_TYPED = ("--E", "0.7 ± 0.02 MPa", "--w", "37 ± 2 mJ/m2", "--gamma", "25 mJ/m2")
 
-#: Where the runs of the program keep their files.
-CASES = ROOT / "tests/cli"
+#: Files of the runs of the program.
+DATA = ROOT / "tests/cli/data"
 
 #: Function of each verb, and why a verb has none.
 FUNCTIONS = {
@@ -184,7 +184,7 @@ def test_formats(printed):
 
 
 def test_tip(printed):
-    bump = CASES / "files/tip_of_a_bump/bump.csv"
+    bump = DATA / "map_bump.csv"
     scan = setae.read(bump, size="15 nm x 15 nm", unit="nm", layout="matrix")
     found = setae.tip(scan, points=7, threshold="0.01 nm")
     typed = ("--size", "15 nm x 15 nm", "--unit", "nm", "--as", "matrix", "--points", 7, "--threshold", "0.01 nm")
@@ -195,8 +195,7 @@ def test_tip(printed):
 
 
 def test_containers(printed):
-    case = CASES / "files/container_write"
-    given = [case / "line.csv", case / "plain.txt"]
+    given = [DATA / "line.csv", DATA / "plain.txt"]
     mine = setae.write_container("wafer.zip", given, unit={"plain.txt": "um"}, detrend="tilt", name="wafer")
     bytes_of_mine = pathlib.Path("wafer.zip").read_bytes()
     assert mine.json() == printed("container", "write", *given, "--unit", "plain.txt=um", "--detrend", "tilt", "--name", "wafer", "-o", "wafer.zip")
@@ -208,7 +207,7 @@ def test_containers(printed):
 
 
 def test_contour(printed):
-    picture = CASES / "contour/contour_wave/wave.png"
+    picture = DATA / "wave.png"
     traced = setae.contour(picture, pixel="0.1 nm")
     assert traced.json() == printed("contour", picture, "--pixel", "0.1 nm", "-o", "traced.csv")
     traced.save("mine.csv")
@@ -327,20 +326,20 @@ def test_texture(printed):
 
 
 def test_lens_and_camera(printed):
-    profile = CASES / "jkr/jkr_lens/profile.csv"
+    profile = DATA / "lens_profile.csv"
     found = setae.lens(profile, x="x", z="z", start="-0.4 mm", stop="0.4 mm")
     assert found.json() == printed("jkr", "lens", profile, "--x", "x", "--z", "z", "--from", "-0.4 mm", "--to", "0.4 mm")
     assert abs(float(found.radius) - 1.25e-3) < 2e-6
-    side = CASES / "jkr/jkr_lens_picture/side.png"
+    side = DATA / "lens_side.png"
     assert setae.lens(side, pixel="2 um").json() == printed("jkr", "lens", side, "--pixel", "2 um")
-    pictures = [CASES / "jkr/jkr_camera" / name for name in ("upright.png", "lying.png")]
+    pictures = [DATA / name for name in ("ruling_upright.png", "ruling_lying.png")]
     scale = setae.camera(pictures, "20 ± 0.02 um")
     assert scale.json() == printed("jkr", "camera", *pictures, "--pitch", "20 ± 0.02 um")
     assert scale.pixel_size.unit == "m"
 
 
 def test_recordings(printed):
-    frames = CASES / "jkr/jkr_radius_folder/frames"
+    frames = DATA / "frames"
     radii = setae.contact_radii(frames, pixel="2 um", frame_rate=10)
     assert radii.json() == printed("jkr", "radius", frames, "--pixel", "2 um", "--fps", 10, "-o", "theirs.csv")
     radii.save("mine.csv")
@@ -349,7 +348,7 @@ def test_recordings(printed):
 
 
 def test_contact_line(printed):
-    frames = CASES / "jkr/jkr_radius_folder/frames"
+    frames = DATA / "frames"
     mine = setae.contact_line(frames, pixel="2 um", frame_rate=10, angles=64)
     typed = ("--pixel", "2 um", "--fps", 10, "--angles", 64, "--save-line", "edge.csv")
     assert mine.json() == printed("jkr", "line", frames, *typed)
@@ -364,21 +363,21 @@ def test_contact_line(printed):
 
 
 def test_machine_stiffness(printed):
-    rigid = CASES / "jkr/jkr_stiffness/rigid.csv"
+    rigid = DATA / "loop_on_glass.csv"
     found = setae.loop(rigid).machine_stiffness()
     assert found.json() == printed("jkr", "stiffness", rigid)
     assert abs(float(found.stiffness) - 30.0) < 0.15
 
 
 def test_force_curves(printed):
-    curves = CASES / "jkr/jkr_fit_force_map/map.jpk-force-map"
+    curves = DATA / "map.jpk-force-map"
     assert setae.force_curves(curves, radius="1 mm").json() == printed("jkr", "fit", curves, "--radius", "1 mm")
     one = setae.force_curves(curves, radius="1 mm", model="dmt", curve_number=1)
     assert one.json() == printed("jkr", "fit", curves, "--radius", "1 mm", "--curve-model", "dmt", "--curve-number", 1)
 
 
 def test_replicates(printed):
-    fits = CASES / "jkr/jkr_summary/fits.csv"
+    fits = DATA / "fits.csv"
     mine = setae.replicates(fits, branch="loading", group_by=["surface", "lens"])
     assert mine.json() == printed("jkr", "summary", fits, "--branch", "loading", "--group-by", "surface,lens")
 

@@ -9,6 +9,7 @@ import os
 import pathlib
 import shlex
 import subprocess
+import tomllib
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -53,9 +54,15 @@ def verb_of(words: list[str]) -> str | None:
     return max((verb for verb in VERBS if words[: len(verb.split())] == verb.split()), key=len, default=None)
 
 
-def run_case(case: pathlib.Path, runner: pathlib.Path, kept: pathlib.Path) -> None:
+def cases_with_json() -> list[tuple[pathlib.Path, str]]:
+    """File and name of the runs of tests/cli that ask for JSON."""
+    files = sorted((ROOT / "tests/cli").glob("*.toml"))
+    return [(file, name) for file in files for name, case in tomllib.loads(file.read_text()).items() if "--json" in case["command"]]
+
+
+def run_case(case: tuple[pathlib.Path, str], runner: pathlib.Path, kept: pathlib.Path) -> None:
     environment = {**os.environ, "SETAE_KEPT": str(kept), "SETAE_PROGRAM": PROGRAM}
-    subprocess.run([runner, HERE / "kept_run.sh", case], cwd=ROOT, env=environment, capture_output=True)
+    subprocess.run([runner, HERE / "kept_run.sh", *case], cwd=ROOT, env=environment, capture_output=True)
 
 
 @pytest.fixture(scope="module")
@@ -63,10 +70,9 @@ def printed_json(tmp_path_factory: pytest.TempPathFactory, data: pathlib.Path, p
     """What the runs of tests/cli and the others print as JSON, by verb, and study.json of two studies."""
     kept = tmp_path_factory.mktemp("kept")
     runner = pathlib.Path(PROGRAM).with_name("cli_case")
-    cases = [case.parent for case in sorted((ROOT / "tests/cli").glob("*/*/case.toml")) if "--json" in case.read_text()]
     found: dict[str, list[Json]] = {verb: [] for verb in VERBS}
     with ThreadPoolExecutor(os.cpu_count()) as threads:
-        list(threads.map(lambda case: run_case(case, runner, kept), cases))
+        list(threads.map(lambda case: run_case(case, runner, kept), cases_with_json()))
         others = [shlex.split(words.format(kept / "others", data)) for words in OTHERS]
         for words, text in zip(others, threads.map(lambda words: printed(*words), others)):
             found[verb_of(words) or ""].append(json.loads(text))

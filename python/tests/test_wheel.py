@@ -78,7 +78,7 @@ def test_it_holds_the_program(python, tmp_path):
 
 
 def test_mappings_come_along(python, tmp_path):
-    (tmp_path / "curve.txt").write_bytes((ROOT / "tests/cli/jkr/jkr_import_mapping_by_name/curve.txt").read_bytes())
+    (tmp_path / "curve.txt").write_bytes((ROOT / "tests/cli/data/loop_eoh.txt").read_bytes())
     columns = run(python, "-c", "import setae; print(*setae.loop('curve.txt', mapping='eoh').columns)", cwd=tmp_path)
     assert "force" in columns
     run(python.parent / "setae", "jkr", "import", "curve.txt", "--mapping", "eoh", "-o", "sensor.csv", cwd=tmp_path)

@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs one case of the program and compares exit code, output and JSON with what case.toml says.
+// cli_case SETAE FILE NAME: runs the case [NAME] of a file of cases and compares exit code, output and JSON with it.
 //
-//   command = "$SETAE info $CASE/a.txt --json"   a shell line; $DATA is the folder of real files, $WORK an empty folder
+//   [info_line_scan]                              the name of the test is cli.info_line_scan
+//   # why the expected values are right
+//   command = "$SETAE info $DATA/sine.csv --json" what sh runs in the root of the sources
 //   needs = "jkr/pdms_a.txt"                      skip where this real file is missing
-//   exit_code = 0
-//   stdout = ["text it holds"], stderr = [...], no_stdout = true
-//   [[json]] pointer = "/channels/0/mean", value = 1.0, tolerance = 1e-9 (relative), or null = true
+//   exit_code = 0                                 of the last command; 0 where it is not stated
+//   stdout = ["part of it"], stderr = ["part"]    no_stdout = true: standard output is empty
+//   json = [                                      parts of standard output; tolerances are relative
+//     { pointer = "/channels/0/shape/0", value = 200 },
+//     { pointer = "/channels/0/size/0", value = 2e-5, tolerance = 1e-9 },
+//     { pointer = "/channels/0/instrument", null = true },
+//   ]
+//
+// $DATA is the folder data beside the file of cases, $REAL_DATA the folder of real files, $WORK a new empty folder.
+// A command of several lines is a script between ''' and ''', in which nothing is escaped: a line that ends in && goes
+// on only after success, one that ends in a backslash is continued; after any other line the next one runs in any case.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -38,7 +50,8 @@ struct Run {
 };
 
 Run run(const std::string& command, const fs::path& work) {
-    const auto line = fmt::format("({}) >'{}' 2>'{}'", command, (work / "stdout").string(), (work / "stderr").string());
+    const auto line =
+        fmt::format("({}\n) >'{}' 2>'{}'", command, (work / "stdout").string(), (work / "stderr").string());
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(work / "stdout"), content(work / "stderr")};
 }
@@ -55,6 +68,13 @@ public:
 private:
     bool failed_ = false;
 };
+
+/// A key that nothing reads would be a check that nothing makes.
+void check_keys(const toml::table& expected, Verdict& verdict) {
+    const std::set<std::string_view> known{"command", "needs", "exit_code", "no_stdout", "stdout", "stderr", "json"};
+    for (const auto& [key, value] : expected)
+        verdict.require(known.contains(key.str()), fmt::format("unknown key '{}'", key.str()));
+}
 
 void check_texts(const toml::table& expected, const char* key, const std::string& text, Verdict& verdict) {
     const auto* list = expected[key].as_array();
@@ -104,26 +124,33 @@ void check_json(const toml::table& expected, const std::string& out, Verdict& ve
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3) return 2;
-    const fs::path folder = argv[2];
-    const auto expected = toml::parse_file((folder / "case.toml").string());
+    if (argc != 4) return 2;
+    const fs::path file = fs::absolute(argv[2]);
+    const auto cases = toml::parse_file(file.string());
+    const auto* found = cases[argv[3]].as_table();
+    if (!found) {
+        fmt::print(stderr, "{}: no case [{}]; run cmake again\n", file.string(), argv[3]);
+        return 2;
+    }
+    const auto& expected = *found;
+    Verdict verdict;
+    check_keys(expected, verdict);
     const char* given = std::getenv("SETAE_REFERENCE_DATA");
-    const fs::path data = given ? fs::path(given) : fs::path("..") / "shared" / "data";
-    if (const auto needs = expected["needs"].value<std::string>(); needs && !fs::exists(data / *needs)) {
+    const fs::path real_data = given ? fs::path(given) : fs::path("..") / "shared" / "data";
+    if (const auto needs = expected["needs"].value<std::string>(); needs && !fs::exists(real_data / *needs)) {
         fmt::print("skipped: no {}; set SETAE_REFERENCE_DATA to the folder with the real files\n",
-                   (data / *needs).string());
+                   (real_data / *needs).string());
         return skipped;
     }
     char work_name[] = "/tmp/setae_case_XXXXXX";
     const fs::path work = mkdtemp(work_name);
     setenv("SETAE", argv[1], 1);
-    setenv("CASE", folder.c_str(), 1);
-    setenv("DATA", data.c_str(), 1);
+    setenv("DATA", (file.parent_path() / "data").c_str(), 1);
+    setenv("REAL_DATA", real_data.c_str(), 1);
     setenv("WORK", work.c_str(), 1);
     setenv("SETAE_CACHE", (work / "cache").c_str(), 1);  // no case sees what another kept
 
     const auto result = run(expected["command"].value<std::string>().value_or("false"), work);
-    Verdict verdict;
     const auto exit_code = expected["exit_code"].value<int>().value_or(0);
     verdict.require(result.exit_code == exit_code, fmt::format("exit code {}, expected {}; standard error:\n{}",
                                                                result.exit_code, exit_code, result.err));

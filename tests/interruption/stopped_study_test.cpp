@@ -77,9 +77,9 @@ protected:
         setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
         study = variable("SETAE_STUDY", (folder / "data/study.toml").string());
         if (!std::getenv("SETAE_STUDY")) {
-            ASSERT_EQ(status_of(started({"lab", "make", "tests/cli/lab/lab_make_and_study/recipe.toml", "-o",
-                                         (folder / "data").string()},
-                                        log())),
+            ASSERT_EQ(status_of(started(
+                          {"lab", "make", "tests/cli/data/recipe_two_surfaces.toml", "-o", (folder / "data").string()},
+                          log())),
                       0);
         }
     }

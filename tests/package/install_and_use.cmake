@@ -11,8 +11,8 @@ run(${CMAKE_COMMAND} --build ${WORK}/build)
 
 # the mappings came along and go by their names, wherever the folder stands
 file(RENAME ${WORK}/prefix ${WORK}/moved)
-file(COPY ${EXAMPLES}/../tests/cli/jkr/jkr_import_mapping_by_name/curve.txt DESTINATION ${WORK})
-run(${WORK}/moved/bin/setae jkr import ${WORK}/curve.txt --mapping eoh -o ${WORK}/sensor.csv)
+file(COPY ${EXAMPLES}/../tests/cli/data/loop_eoh.txt DESTINATION ${WORK})
+run(${WORK}/moved/bin/setae jkr import ${WORK}/loop_eoh.txt --mapping eoh -o ${WORK}/sensor.csv)
 file(RENAME ${WORK}/moved ${WORK}/prefix)
 
 # the recipe plants E = 0.7 MPa, so E* = 0.933 MPa
