@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,40 +11,60 @@
 
 namespace setae::processing {
 
-/// Defined values of an array by rank, without sorting it. A sample gives two bounds around the value; those between
-/// them are copied. Where the bounds miss it or the array is small: bits of the numbers are found 16 at a time by
-/// counting, until at most an eighth of the values agree in them; those are copied.
-class OrderStatistics {
-public:
-    /// values: read as long as this lives; absolute: ranks are of |value|.
-    OrderStatistics(const double* values, Index n, bool absolute, parallel::Threads threads = {});
+/// Numbers in rows that are computed when they are looked at, so that no array holds all of them; NaN counts for none.
+/// Both functions are called from several threads.
+struct ComputedRows {
+    Index rows = 0, columns = 0;
+    std::function<void(Index row, double* values)> load;
+    std::function<double(Index row, Index column)> at;  ///< one of the same numbers
+};
 
-    [[nodiscard]] Index defined() const { return defined_; }
-    /// The value with `rank` smaller ones before it, 0 <= rank < defined(). Cost: one pass as a rule, five where
-    /// most values are nearly equal.
-    [[nodiscard]] double at(Index rank) const;
-    /// Quantile, linear between order statistics (type 7 of Hyndman and Fan 1996).
-    [[nodiscard]] double quantile(double probability) const;
+/// Two numbers that a quantile is looked for between, both included.
+struct Bounds {
+    double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+};
+
+/// Some thousands of many numbers, from which bounds of their quantiles follow.
+class Sample {
+public:
+    /// Of few numbers the sample is empty.
+    explicit Sample(const ComputedRows& values);
+
+    /// About a quantile, `width` times five standard errors of its rank on either side; unbounded for an empty sample.
+    [[nodiscard]] Bounds around(double probability, double width = 1.0) const;
 
 private:
-    [[nodiscard]] double value(Index i) const;
-    [[nodiscard]] std::uint64_t key(double value) const;
-    /// The value at a rank and the next one; the second means nothing at the last rank.
-    [[nodiscard]] std::array<double, 2> pair_at(Index rank) const;
-    /// The same, among the values between two of a sample; nothing where that interval misses the rank.
-    [[nodiscard]] std::optional<std::array<double, 2>> between_sampled(Index rank) const;
-    [[nodiscard]] std::array<double, 2> by_digits(Index rank) const;
-    [[nodiscard]] static std::array<double, 2> pair_of(std::vector<std::uint64_t>& keys, Index rank,
-                                                       std::uint64_t above);
-    /// The same, among the `count` values whose keys begin with `prefix` above `shift` bits.
-    [[nodiscard]] std::array<double, 2> among(std::uint64_t prefix, int shift, Index rank, Index count) const;
-    [[nodiscard]] std::uint64_t least_above(std::uint64_t bound) const;
-
-    const double* values_;
-    Index n_;
-    bool absolute_;
-    parallel::Threads threads_;
-    Index defined_ = 0;
+    std::vector<double> sorted_;
 };
+
+/// Counts of numbers below and at two bounds, and copies of those between them.
+class QuantileSearch {
+public:
+    explicit QuantileSearch(const Bounds& bounds) : bounds_(bounds) {}
+
+    void add(const double* values, Index n);
+    /// Numbers that a search between the same bounds was given.
+    void add(const QuantileSearch& other);
+
+    [[nodiscard]] Index defined() const { return defined_; }
+    /// Quantile of the defined numbers, linear between order statistics (type 7 of Hyndman and Fan 1996); nothing where
+    /// it is not between the bounds. @throws InternalError where no number is defined.
+    [[nodiscard]] std::optional<double> quantile(double probability);
+
+private:
+    [[nodiscard]] std::optional<double> at(Index rank);
+
+    Bounds bounds_;
+    Index defined_ = 0, below_ = 0, at_low_ = 0, at_high_ = 0;
+    std::vector<double> between_;
+};
+
+/// Widths of Sample::around() to try one after the other.
+inline constexpr double search_widths[] = {1.0, 8.0, std::numeric_limits<double>::infinity()};
+
+/// Quantile of the defined numbers as QuantileSearch has it; nothing where none is defined. The same for any number of
+/// threads. Cost: one pass as a rule, three at most; memory for about a twentieth of the numbers.
+[[nodiscard]] std::optional<double> quantile(const ComputedRows& values, double probability,
+                                             parallel::Threads threads = {});
 
 }  // namespace setae::processing

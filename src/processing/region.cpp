@@ -37,6 +37,11 @@ struct Places {
 
     [[nodiscard]] double x(Index i) const { return positions ? positions[i] : static_cast<double>(i) * step[0]; }
     [[nodiscard]] double y(Index j) const { return static_cast<double>(j) * step[1]; }
+    [[nodiscard]] ComputedRows height_rows() const {
+        const auto at = [this](Index i, Index j) { return heights[i * columns + j]; };
+        return {rows, columns, [this](Index i, double* values) { std::copy_n(heights + i * columns, columns, values); },
+                at};
+    }
 };
 
 Places places_of(const HeightMap& map) {
@@ -148,12 +153,13 @@ struct Chooser {
             (range.percentiles.to && !(percentiles.upper <= 100.0)))
             throw InvalidArgument(
                 fmt::format("percentiles {} to {}; expected 0 … 100", percentiles.lower, percentiles.upper));
-        const OrderStatistics heights(places.heights, places.rows * places.columns, false);
-        if (heights.defined() == 0)
-            throw UndefinedDataError(
-                fmt::format("{}: no height is defined, so there are no percentiles of heights", places.label));
         const auto at = [&](const std::optional<double>& percentile, double open) {
-            return percentile ? heights.quantile(*percentile / 100.0) : open;
+            if (!percentile) return open;
+            const auto found = quantile(places.height_rows(), *percentile / 100.0, threads);
+            if (!found)
+                throw UndefinedDataError(
+                    fmt::format("{}: no height is defined, so there are no percentiles of heights", places.label));
+            return *found;
         };
         within({at(range.percentiles.from, -unlimited), at(range.percentiles.to, unlimited)});
     }

@@ -11,6 +11,7 @@
 #include "polynomial_fit.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/numerics/legendre.hpp"
+#include "setae/numerics/row_blocks.hpp"
 
 namespace setae::topography {
 namespace {
@@ -48,14 +49,27 @@ HeightMap detrended(HeightMap&& map, Trend trend, parallel::Threads threads) {
     return std::move(map);
 }
 
+MapTrend::MapTrend(const ArrayView2D& heights, Trend trend, parallel::Threads threads) {
+    if (trend == Trend::none) throw InvalidArgument("a map's trend 'none'; expected mean, tilt or parabola");
+    const auto terms = terms_of(degrees_of(trend), false);
+    PolynomialFit fit(terms, heights.cols());
+    fit.add(heights, 0, nullptr, threads);
+    const auto equations = fit.equations();
+    rows_ = std::make_shared<const PolynomialRows>(equations.origin, best(terms, equations), heights.rows(),
+                                                   heights.cols());
+}
+
+void MapTrend::take_from(Index i, const double* heights, double* rest) const {
+    rows_->take_from(i, 0, heights, rest, rows_->lines());
+}
+
 HeightMap detrended(const HeightMap& map, Trend trend, parallel::Threads threads) {
     if (trend == Trend::none) return map;
-    const auto terms = terms_of(degrees_of(trend), false);
-    PolynomialFit fit(terms, map.heights.cols());
-    fit.add(map.heights, 0, nullptr, threads);
-    const auto equations = fit.equations();
+    const MapTrend removed(map.heights, trend, threads);
     HeightMap result{Array2D(map.heights.rows(), map.heights.cols()), map.size, map.periodic, map.metadata};
-    subtract(equations.origin, best(terms, equations), map.heights, result.heights, threads);
+    numerics::for_each_row(map.heights.rows(), map.heights.cols(), threads, [&](Index i) {
+        removed.take_from(i, map.heights.row(i).data(), result.heights.row(i).data());
+    });
     return result;
 }
 

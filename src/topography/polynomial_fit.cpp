@@ -29,32 +29,6 @@ struct Moments {
     Array2D heights, points;
 };
 
-/// rest(j) = heights(j) − origin − Σ_b c_b basis(b, first + j), in place too; a large origin costs no digits.
-void subtract_row(double origin, const Array1D& c, const Array2D& table, Index first, const double* heights,
-                  double* rest, Index n) {
-    constexpr Index stretch = 512;  // stays in the nearest cache
-    double values[stretch];
-    for (Index begin = 0; begin < n; begin += stretch) {
-        const Index count = std::min(stretch, n - begin);
-        for (Index j = 0; j < count; ++j) values[j] = c[0];
-        for (Index b = 1; b < c.size(); ++b) {
-            const double* const basis = table.row(b).data() + first + begin;
-            for (Index j = 0; j < count; ++j) values[j] += c[b] * basis[j];
-        }
-        for (Index j = 0; j < count; ++j) rest[begin + j] = (heights[begin + j] - origin) - values[j];
-    }
-}
-
-void subtract_rows(double origin, const Array2D& coefficients, const ArrayView2D& band, Index first, Index ny,
-                   Eigen::Ref<Array2D> rest, parallel::Threads threads) {
-    const auto table = numerics::legendre_table(coefficients.cols() - 1, ny);
-    numerics::for_each_row(band.rows(), band.cols(), threads, [&](Index i) {
-        const auto along_x = numerics::legendre_values(coefficients.rows() - 1, centred(i, band.rows()));
-        const Array1D c = (along_x.matrix().transpose() * coefficients.matrix()).transpose().array();
-        subtract_row(origin, c, table, first, band.row(i).data(), rest.row(i).data(), band.cols());
-    });
-}
-
 }  // namespace
 
 Terms terms_of(const PolynomialDegrees& degrees, bool line) {
@@ -183,14 +157,34 @@ NormalEquations polyline_equations(const Profile& profile, const PolylinePlaces&
     return equations;
 }
 
-void subtract(double origin, const Array2D& coefficients, Eigen::Ref<Array2D> band, Index first, Index ny,
-              parallel::Threads threads) {
-    subtract_rows(origin, coefficients, band, first, ny, band, threads);
+PolynomialRows::PolynomialRows(double origin, Array2D coefficients, Index rows, Index ny)
+    : origin_(origin),
+      coefficients_(std::move(coefficients)),
+      table_(numerics::legendre_table(coefficients_.cols() - 1, ny)),
+      rows_(rows) {}
+
+void PolynomialRows::take_from(Index i, Index first, const double* heights, double* rest, Index n) const {
+    const auto along_x = numerics::legendre_values(coefficients_.rows() - 1, centred(i, rows_));
+    const Array1D c = (along_x.matrix().transpose() * coefficients_.matrix()).transpose().array();
+    constexpr Index stretch = 512;  // stays in the nearest cache
+    double values[stretch];
+    for (Index begin = 0; begin < n; begin += stretch) {
+        const Index count = std::min(stretch, n - begin);
+        for (Index j = 0; j < count; ++j) values[j] = c[0];
+        for (Index b = 1; b < c.size(); ++b) {
+            const double* const basis = table_.row(b).data() + first + begin;
+            for (Index j = 0; j < count; ++j) values[j] += c[b] * basis[j];
+        }
+        for (Index j = 0; j < count; ++j) rest[begin + j] = (heights[begin + j] - origin_) - values[j];
+    }
 }
 
-void subtract(double origin, const Array2D& coefficients, const ArrayView2D& heights, Eigen::Ref<Array2D> rest,
+void subtract(double origin, const Array2D& coefficients, Eigen::Ref<Array2D> band, Index first, Index ny,
               parallel::Threads threads) {
-    subtract_rows(origin, coefficients, heights, 0, heights.cols(), rest, threads);
+    const PolynomialRows polynomial(origin, coefficients, band.rows(), ny);
+    numerics::for_each_row(band.rows(), band.cols(), threads, [&](Index i) {
+        polynomial.take_from(i, first, band.row(i).data(), band.row(i).data(), band.cols());
+    });
 }
 
 }  // namespace setae::topography

@@ -61,12 +61,24 @@ struct PolylinePlaces {
 [[nodiscard]] NormalEquations polyline_equations(const Profile& profile, const PolylinePlaces& places,
                                                  const Terms& terms, const Mask& chosen);
 
+/// An origin and a polynomial that are taken from rows of a map; a large origin costs no digits.
+class PolynomialRows {
+public:
+    PolynomialRows(double origin, Array2D coefficients, Index rows, Index ny);
+
+    /// Heights of row i at the scan lines first … first + n − 1 without both; `rest` may be `heights`.
+    void take_from(Index i, Index first, const double* heights, double* rest, Index n) const;
+    [[nodiscard]] Index lines() const { return table_.cols(); }
+
+private:
+    double origin_;
+    Array2D coefficients_;
+    Array2D table_;  // of Legendre's polynomials at the scan lines
+    Index rows_;
+};
+
 /// Takes an origin, then a polynomial from the scan lines first, first + 1, … of a map with ny.
 void subtract(double origin, const Array2D& coefficients, Eigen::Ref<Array2D> band, Index first, Index ny,
-              parallel::Threads threads);
-
-/// The heights of a whole map without both.
-void subtract(double origin, const Array2D& coefficients, const ArrayView2D& heights, Eigen::Ref<Array2D> rest,
               parallel::Threads threads);
 
 }  // namespace setae::topography

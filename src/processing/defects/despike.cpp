@@ -11,16 +11,14 @@
 
 #include "local_medians.hpp"
 #include "order_statistic.hpp"
+#include "outliers.hpp"
 #include "pipeline/step_record.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
-#include "setae/numerics/row_blocks.hpp"
 
 namespace setae::processing {
 namespace {
-
-using numerics::for_each_row;
 
 using topography::HeightMap;
 using topography::LineScan;
@@ -55,19 +53,19 @@ double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Inde
     return n > 0 ? median({values.data(), static_cast<std::size_t>(n)}) : undefined;
 }
 
-/// Medians of the differences of neighbours; `scratch` has the field's shape.
-Tilt median_tilt(const Field& field, Array2D& scratch, parallel::Threads threads) {
-    const auto median = [&](Index down, Index along) {
-        for_each_row(field.rows, field.columns, threads, [&](Index i) {
-            for (Index j = 0; j < field.columns; ++j)
-                scratch(i, j) = i + down < field.rows && j + along < field.columns
-                                    ? field.at(i + down, j + along) - field.at(i, j)
-                                    : undefined;
-        });
-        const OrderStatistics differences(scratch.data(), scratch.size(), false, threads);
-        return differences.defined() > 0 ? differences.quantile(0.5) : 0.0;
-    };
-    return {median(1, 0), median(0, 1)};
+/// Median of the differences of each height to the one so many places further; 0 where there is none.
+double median_rise(const Field& field, Index down, Index along, parallel::Threads threads) {
+    const auto rise = [=](Index i, Index j) { return field.at(i + down, j + along) - field.at(i, j); };
+    const ComputedRows rises{field.rows - down, field.columns - along,
+                             [=](Index i, double* values) {
+                                 for (Index j = 0; j + along < field.columns; ++j) values[j] = rise(i, j);
+                             },
+                             rise};
+    return quantile(rises, 0.5, threads).value_or(0.0);
+}
+
+Tilt median_tilt(const Field& field, parallel::Threads threads) {
+    return {median_rise(field, 1, 0, threads), median_rise(field, 0, 1, threads)};
 }
 
 /// Whether all heights of a stretch of rows around row i are defined.
@@ -79,35 +77,45 @@ bool defined_around(const Field& field, Index i, Index reach_i, Index first, Ind
 }
 
 /// r: heights minus the median of their surroundings; NaN where either is undefined.
-void find_differences(const Field& field, const Tilt& tilt, Index reach, parallel::Threads threads, Array2D& r) {
-    constexpr Index together = medians_together, stretch = 16 * together;
-    for_each_row(field.rows, field.columns * (2 * reach + 1), threads, [&](Index i) {
+struct Differences {
+    const Field& field;
+    Tilt tilt;
+    Index reach;
+
+    [[nodiscard]] double at(Index i, Index j) const {
+        return -local_median(field, tilt, i, j, narrowed(reach, i, field.rows), narrowed(reach, j, field.columns),
+                             nullptr, false);
+    }
+
+    /// Those of row i.
+    void load(Index i, double* r) const {
+        constexpr Index together = medians_together, stretch = 16 * together;
         const Index reach_i = narrowed(reach, i, field.rows);
-        const auto one = [&](Index j) {
-            r(i, j) = -local_median(field, tilt, i, j, reach_i, narrowed(reach, j, field.columns), nullptr, false);
-        };
-        const auto several = [&](Index j, Index count) {
-            if (!defined_around(field, i, reach_i, j - reach, count + 2 * reach)) return false;
-            find_local_medians(field.heights + i * field.columns + j, field.columns, tilt, {reach_i, reach},
-                               count / together, &r(i, j));
-            for (Index k = j; k < j + count; ++k) r(i, k) = -r(i, k);
-            return true;
-        };
         Index j = 0;
-        for (; j < std::min(reach, field.columns); ++j) one(j);
+        for (; j < std::min(reach, field.columns); ++j) r[j] = at(i, j);
         while (j + together + reach <= field.columns) {
             const Index groups = std::min(stretch, field.columns - reach - j) / together;
-            if (several(j, groups * together)) {
+            if (load_several(i, reach_i, j, groups * together, r)) {
                 j += groups * together;
                 continue;
             }
-            for (Index end = j + groups * together; j < end; j += together)
-                if (!several(j, together))
-                    for (Index k = j; k < j + together; ++k) one(k);
+            for (const Index end = j + groups * together; j < end; j += together)
+                if (!load_several(i, reach_i, j, together, r))
+                    for (Index k = j; k < j + together; ++k) r[k] = at(i, k);
         }
-        for (; j < field.columns; ++j) one(j);
-    });
-}
+        for (; j < field.columns; ++j) r[j] = at(i, j);
+    }
+
+private:
+    /// Whether all heights around are defined, so that it is done.
+    bool load_several(Index i, Index reach_i, Index j, Index count, double* r) const {
+        if (!defined_around(field, i, reach_i, j - reach, count + 2 * reach)) return false;
+        find_local_medians(field.heights + i * field.columns + j, field.columns, tilt, {reach_i, reach},
+                           count / medians_together, r + j);
+        for (Index k = j; k < j + count; ++k) r[k] = -r[k];
+        return true;
+    }
+};
 
 /// Whether a third of the points around (i, j) lie at its own height, to within `width`: the edge of a step, the corner
 /// of an island.
@@ -125,38 +133,28 @@ bool has_company(const Field& field, const Tilt& tilt, Index i, Index j, Index r
     return 3 * level >= around;
 }
 
-/// Marks the points with |r| > threshold, the largest first: a point counts only if it stands out of those around it
-/// that are no spikes (and of none that lies opposite to one: the median on a slope stays).
-void mark_spikes(const Field& field, const Tilt& tilt, const Array2D& r, Index reach, Spikes& spikes) {
+/// Marks the candidates with |r| > threshold, the largest first: a point counts only if it stands out of those around
+/// it that are no spikes (and of none that lies opposite to one: the median on a slope stays).
+void mark_spikes(const Differences& differences, std::vector<Outlier> candidates, Spikes& spikes) {
+    const auto& [field, tilt, reach] = differences;
     // where surroundings agree to the last bit, what differs by rounding alone is no spike
     constexpr double rounding = 1e-14;
-    const auto stands_out = [&](double difference, Index k) {
-        return std::fabs(difference) > std::max(spikes.threshold, rounding * std::fabs(field.heights[k]));
+    const auto stands_out = [&, heights = field.heights](double difference, Index point) {
+        return std::fabs(difference) > std::max(spikes.threshold, rounding * std::fabs(heights[point]));
     };
-    std::vector<Index> candidates;
-    for (Index k = 0; k < r.size(); ++k)
-        if (stands_out(r.data()[k], k)) candidates.push_back(k);
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [&](Index a, Index b) { return std::fabs(r.data()[a]) > std::fabs(r.data()[b]); });
-    for (const Index k : candidates) {
-        const Index i = k / field.columns, j = k % field.columns;
-        if (has_company(field, tilt, i, j, reach, 0.5 * std::fabs(r.data()[k]))) continue;
+    std::erase_if(candidates, [&](const Outlier& c) { return !stands_out(c.difference, c.point); });
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Outlier& a, const Outlier& b) {
+        return std::fabs(a.difference) > std::fabs(b.difference);
+    });
+    for (const auto& [point, difference] : candidates) {
+        const Index i = point / field.columns, j = point % field.columns;
+        if (has_company(field, tilt, i, j, reach, 0.5 * std::fabs(difference))) continue;
         const double median = local_median(field, tilt, i, j, narrowed(reach, i, field.rows),
                                            narrowed(reach, j, field.columns), &spikes.mask, true);
-        if (median == median && !stands_out(median, k)) continue;
-        spikes.mask.data()[k] = 1;
+        if (median == median && !stands_out(median, point)) continue;
+        spikes.mask.data()[point] = 1;
         ++spikes.count;
     }
-}
-
-/// Robust standard deviation of numbers about 0, from the first quantile of their absolute values that is not 0.
-double robust_deviation(const Array2D& r, parallel::Threads threads) {
-    const OrderStatistics statistics(r.data(), r.size(), true, threads);
-    if (statistics.defined() == 0) return 0.0;
-    for (const double probability : {0.5, 0.9, 0.99})
-        if (const double quantile = statistics.quantile(probability); quantile > 0.0)
-            return quantile / normal_quantile(0.5 + 0.5 * probability);
-    return 0.0;
 }
 
 void require_domain(double threshold, Index reach) {
@@ -174,14 +172,15 @@ Spikes spikes_of(const Field& field, const SpikeOptions& options, const topograp
     if (!std::any_of(field.heights, field.heights + points, [](double h) { return h == h; }))
         throw UndefinedDataError(
             fmt::format("{}: no height is defined, so there are no spikes to find", topography::label(metadata)));
-    Array2D r(field.rows, field.columns);
-    const auto tilt = median_tilt(field, r, threads);
-    find_differences(field, tilt, options.reach, threads, r);
+    const Differences differences{field, median_tilt(field, threads), options.reach};
+    auto outliers = find_outliers({field.rows, field.columns, [&](Index i, double* r) { differences.load(i, r); },
+                                   [&](Index i, Index j) { return differences.at(i, j); }},
+                                  options.threshold, threads);
     Spikes spikes;
-    spikes.deviation = robust_deviation(r, threads);
+    spikes.deviation = outliers.deviation;
     spikes.threshold = options.threshold * spikes.deviation;
     spikes.mask = Mask::Zero(field.rows, field.columns);
-    mark_spikes(field, tilt, r, options.reach, spikes);
+    mark_spikes(differences, std::move(outliers.points), spikes);
     return spikes;
 }
 
@@ -198,18 +197,15 @@ double replacement(const Field& field, Index i, Index j, Index reach, const Mask
     return undefined;
 }
 
-/// A despiked map or line: the spikes' new heights are found before any is set.
-template <class Uniform>
-void take_out(const Despike& step, const Spikes& spikes, Uniform& uniform) {
-    const auto field = field_of(uniform);
-    std::vector<std::pair<Index, double>> changes;
+std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step, const Field& field) {
+    std::vector<NewHeight> changes;
     for (Index k = 0; k < spikes.mask.size(); ++k)
         if (spikes.mask.data()[k])
-            changes.emplace_back(
-                k, step.replace_by == SpikeReplacement::undefined
-                       ? undefined
-                       : replacement(field, k / field.columns, k % field.columns, step.reach, spikes.mask));
-    for (const auto& [k, height] : changes) uniform.heights.data()[k] = height;
+            changes.push_back(
+                {k, step.replace_by == SpikeReplacement::undefined
+                        ? undefined
+                        : replacement(field, k / field.columns, k % field.columns, step.reach, spikes.mask)});
+    return changes;
 }
 
 /// The mask of a line as Mask has it: (n, 1).
@@ -228,6 +224,14 @@ Spikes find_spikes(const LineScan& scan, const SpikeOptions& options, parallel::
     return as_line(spikes_of(field_of(scan), options, scan.metadata, threads));
 }
 
+std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step, const HeightMap& map) {
+    return heights_without(spikes, step, field_of(map));
+}
+
+std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step, const LineScan& scan) {
+    return heights_without(spikes, step, field_of(scan));
+}
+
 Processed apply(const Despike& step, topography::Measurement measurement, parallel::Threads threads) {
     if (std::holds_alternative<topography::Profile>(measurement))
         throw InvalidArgument(
@@ -237,7 +241,8 @@ Processed apply(const Despike& step, topography::Measurement measurement, parall
     const auto before = rms_height(measurement, threads);
     const auto treat = [&](auto& uniform) {
         const auto spikes = find_spikes(uniform, {step.threshold, step.reach}, threads);
-        take_out(step, spikes, uniform);
+        for (const auto& [point, height] : heights_without(spikes, step, uniform))
+            uniform.heights.data()[point] = height;
         record.numbers = {recorded_count("spikes", spikes.count),
                           recorded("spike_threshold", "t", spikes.threshold, "m"),
                           recorded("robust_deviation", "s", spikes.deviation, "m")};

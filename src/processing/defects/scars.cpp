@@ -11,14 +11,13 @@
 #include "pipeline/step_record.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/extent.hpp"
 #include "setae/numerics/row_blocks.hpp"
 
 namespace setae::processing {
 namespace {
 
-using numerics::by_row_blocks;
 using numerics::for_each_row;
-using numerics::RowBlocks;
 
 using topography::HeightMap;
 using topography::Mask;
@@ -35,22 +34,33 @@ void require_domain(const RemoveScars& step) {
             fmt::format("scars of length {} and width {} points; expected numbers >= 1", step.length, step.width));
 }
 
+/// body(first, last, values, result) for the rows of every block; the results in block order.
+template <class Result, class Body>
+std::vector<Result> by_blocks(const RowsOfHeights& map, parallel::Threads threads, const Result& start,
+                              const Body& body) {
+    return numerics::by_row_blocks(numerics::RowBlocks(map.rows, map.columns), threads, start,
+                                   [&](Index first, Index last, Result& result) {
+                                       Array1D room((last - first) * map.columns);
+                                       body(first, last, map.rows_of(first, last, room.data()), result);
+                                   });
+}
+
 /// Rms of the differences of neighbouring scan lines; 0 where there are none.
-double rms_difference(const HeightMap& map, parallel::Threads threads) {
+double rms_difference(const RowsOfHeights& map, parallel::Threads threads) {
     struct Sum {
         double squares = 0.0, count = 0.0;
     };
     Sum all;
-    const Index ny = map.heights.cols();
+    const Index ny = map.columns;
     for (const auto& part :
-         by_row_blocks(RowBlocks(map.heights.rows(), ny), threads, Sum{}, [&](Index first, Index last, Sum& sum) {
+         by_blocks(map, threads, Sum{}, [&](Index first, Index last, const double* heights, Sum& sum) {
              for (Index i = first; i < last; ++i) {
-                 const double* const row = map.heights.data() + i * ny;
+                 const double* const row = heights + (i - first) * ny;
                  for (Index j = 0; j + 1 < ny; ++j) {
                      const double difference = row[j + 1] - row[j];
-                     if (difference != difference) continue;
-                     sum.squares += difference * difference;
-                     sum.count += 1.0;
+                     const bool defined = difference == difference;
+                     sum.squares += defined ? difference * difference : 0.0;
+                     sum.count += defined ? 1.0 : 0.0;
                  }
              }
          })) {
@@ -126,18 +136,26 @@ void keep_long(Marks& marks, Index length) {
     for (Index j = 0; j < points.cols(); ++j) end(points.rows(), j);
 }
 
-Mask scars_of_sign(const RemoveScars& step, const HeightMap& map, double difference, double sign,
-                   parallel::Threads threads) {
-    const auto [nx, ny] = map.shape();
-    Marks marks{Mask::Zero(nx, ny), std::vector<std::uint8_t>(static_cast<std::size_t>(nx))};
-    for_each_row(nx, ny, threads, [&, columns = ny](Index i) {
-        marks.in_row[static_cast<std::size_t>(i)] =
-            mark_row(map.heights.data() + i * columns, columns, step.width, step.low * difference,
-                     step.high * difference, sign, marks.points.data() + i * columns);
+std::vector<double> signs_of(ScarSign sign) {
+    if (sign == ScarSign::both) return {1.0, -1.0};
+    return {sign == ScarSign::positive ? 1.0 : -1.0};
+}
+
+/// Marks of each sign, of points that stand out in their rows.
+std::vector<Marks> marks_of_rows(const RemoveScars& step, const RowsOfHeights& map, double difference,
+                                 parallel::Threads threads) {
+    const auto signs = signs_of(step.sign);
+    const Index ny = map.columns;
+    std::vector<Marks> marks(signs.size(), {Mask::Zero(map.rows, ny), std::vector<std::uint8_t>(extent(map.rows))});
+    struct Nothing {};
+    by_blocks(map, threads, Nothing{}, [&](Index first, Index last, const double* heights, Nothing&) {
+        for (Index i = first; i < last; ++i)
+            for (std::size_t s = 0; s < signs.size(); ++s)
+                marks[s].in_row[extent(i)] =
+                    mark_row(heights + (i - first) * ny, ny, step.width, step.low * difference, step.high * difference,
+                             signs[s], marks[s].points.data() + i * ny);
     });
-    spread_along_x(marks);
-    keep_long(marks, step.length);
-    return std::move(marks.points);
+    return marks;
 }
 
 /// New heights of one row's scars, from the nearest points before and behind that are none.
@@ -171,13 +189,28 @@ Index strokes(const Mask& marks) {
 
 }  // namespace
 
-Mask find_scars(const RemoveScars& step, const HeightMap& map, parallel::Threads threads) {
+Mask find_scars(const RemoveScars& step, const RowsOfHeights& map, parallel::Threads threads) {
     require_domain(step);
     const double difference = rms_difference(map, threads);
-    if (difference == 0.0) return Mask::Zero(map.heights.rows(), map.heights.cols());
-    if (step.sign != ScarSign::both)
-        return scars_of_sign(step, map, difference, step.sign == ScarSign::positive ? 1.0 : -1.0, threads);
-    return scars_of_sign(step, map, difference, 1.0, threads).max(scars_of_sign(step, map, difference, -1.0, threads));
+    if (difference == 0.0) return Mask::Zero(map.rows, map.columns);
+    auto marks = marks_of_rows(step, map, difference, threads);
+    for (auto& of_sign : marks) {
+        spread_along_x(of_sign);
+        keep_long(of_sign, step.length);
+    }
+    auto& points = marks.front().points;
+    if (marks.size() > 1) points = points.max(marks.back().points);
+    return std::move(points);
+}
+
+Mask find_scars(const RemoveScars& step, const HeightMap& map, parallel::Threads threads) {
+    const auto [nx, ny] = map.shape();
+    return find_scars(step,
+                      RowsOfHeights{nx, ny,
+                                    [&heights = map.heights](Index first, Index, double*) {
+                                        return heights.data() + first * heights.cols();
+                                    }},
+                      threads);
 }
 
 Processed apply(const RemoveScars& step, topography::Measurement measurement, parallel::Threads threads) {

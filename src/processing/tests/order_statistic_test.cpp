@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -14,47 +15,83 @@ namespace setae::processing::order_statistic_test {
 namespace {
 
 /// Enough numbers that a sample of them is taken.
-constexpr Index many = 150'000;
+constexpr Index columns = 300, rows = 500, many = rows * columns;
 
-/// Compares ranks near the ends and in between with those of the sorted numbers.
-void expect_sorted_ranks(const Array1D& values, bool absolute) {
-    std::vector<double> sorted;
-    for (const double value : values)
-        if (value == value) sorted.push_back(absolute ? std::fabs(value) : value);
-    std::sort(sorted.begin(), sorted.end());
-    const auto n = std::ssize(sorted);
-    for (const int threads : {1, 3}) {
-        const OrderStatistics statistics(values.data(), values.size(), absolute, {threads});
-        ASSERT_EQ(statistics.defined(), n);
-        for (const Index rank : {Index{0}, Index{1}, n / 100, n / 2, n / 2 + 1, 9 * n / 10, n - 2, n - 1})
-            EXPECT_EQ(statistics.at(rank), sorted[static_cast<std::size_t>(rank)]) << "rank " << rank;
-        const double order = 0.37 * static_cast<double>(n - 1);
-        const auto below = static_cast<std::size_t>(order);
-        EXPECT_EQ(statistics.quantile(0.37),
-                  sorted[below] + (order - std::floor(order)) * (sorted[below + 1] - sorted[below]));
-    }
+ComputedRows rows_of(const Array1D& values) {
+    const Index n = values.size() / columns;
+    return {n, columns, [&](Index i, double* row) { std::copy_n(values.data() + i * columns, columns, row); },
+            [&](Index i, Index j) { return values[i * columns + j]; }};
 }
 
-TEST(OrderStatistics, OfManyNumbersAreThoseOfTheSortedOnes) {
+/// Type 7 of Hyndman and Fan, by sorting.
+double sorted_quantile(const Array1D& values, double probability) {
+    std::vector<double> sorted;
+    for (const double value : values)
+        if (value == value) sorted.push_back(value);
+    std::sort(sorted.begin(), sorted.end());
+    const double order = probability * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(order);
+    const double share = order - std::floor(order);
+    return share > 0.0 ? sorted[below] + share * (sorted[below + 1] - sorted[below]) : sorted[below];
+}
+
+void expect_sorted_quantiles(const Array1D& values) {
+    for (const int threads : {1, 3})
+        for (const double probability : {0.0, 1e-5, 0.01, 0.37, 0.5, 0.9, 0.99, 1.0})
+            EXPECT_EQ(quantile(rows_of(values), probability, {threads}), sorted_quantile(values, probability))
+                << probability;
+}
+
+TEST(Quantile, OfManyNumbersIsThatOfTheSortedOnes) {
     std::mt19937_64 engine(1);
     std::normal_distribution<double> normal(0.0, 1e-9);
     Array1D values = Array1D::NullaryExpr(many, [&] { return normal(engine); });
     for (Index k = 0; k < many; k += 7) values[k] = undefined;
-    expect_sorted_ranks(values, false);
-    expect_sorted_ranks(values, true);
+    expect_sorted_quantiles(values);
+    expect_sorted_quantiles(values.abs());
+    expect_sorted_quantiles(values.head(4 * columns));
 }
 
-TEST(OrderStatistics, OfFewLevelsAreThoseOfTheSortedOnes) {
+TEST(Quantile, OfFewLevelsIsThatOfTheSortedOnes) {
     std::mt19937_64 engine(2);
     std::normal_distribution<double> normal(0.0, 3.0);
-    expect_sorted_ranks(Array1D::NullaryExpr(many, [&] { return std::round(normal(engine)); }), false);
-    expect_sorted_ranks(Array1D::Constant(many, 4.0), false);
+    expect_sorted_quantiles(Array1D::NullaryExpr(many, [&] { return std::round(normal(engine)); }));
+    expect_sorted_quantiles(Array1D::Constant(many, 4.0));
 }
 
-TEST(OrderStatistics, OfAFieldThatRepeatsAreThoseOfTheSortedOnes) {
-    expect_sorted_ranks(
-        Array1D::NullaryExpr(many, [](Index k) { return std::sin(0.001 * static_cast<double>(k % 512)); }), false);
-    expect_sorted_ranks(Array1D::LinSpaced(many, -1.0, 2.0), true);
+TEST(Quantile, OfAFieldThatRepeatsIsThatOfTheSortedOnes) {
+    expect_sorted_quantiles(
+        Array1D::NullaryExpr(many, [](Index k) { return std::sin(0.001 * static_cast<double>(k % 512)); }));
+    expect_sorted_quantiles(Array1D::LinSpaced(many, -1.0, 2.0));
+}
+
+/// A sample that misses the quantile: all numbers but those it looks at are larger.
+TEST(Quantile, WhereTheSampleMissesItIsThatOfTheSortedOnes) {
+    Array1D values = Array1D::LinSpaced(many, 1.0, 2.0);
+    std::vector<Index> places;
+    auto seen = rows_of(values);
+    seen.at = [&](Index i, Index j) { return places.push_back(i * columns + j), values[i * columns + j]; };
+    const Sample sample(seen);
+    for (const Index place : places) values[place] = -1.0;
+    expect_sorted_quantiles(values);
+}
+
+TEST(Quantile, OfNoDefinedNumberIsNothing) {
+    EXPECT_FALSE(quantile(rows_of(Array1D::Constant(many, undefined)), 0.5));
+    EXPECT_FALSE(quantile(rows_of(Array1D(0)), 0.5));
+}
+
+TEST(Quantile, LoadsEveryRowOnce) {
+    std::mt19937_64 engine(3);
+    std::normal_distribution<double> normal;
+    for (const Index n : {Index{50}, Index{500}, Index{5000}}) {
+        const Array1D values = Array1D::NullaryExpr(n * columns, [&] { return normal(engine); });
+        std::atomic<Index> loads = 0;
+        auto counted = rows_of(values);
+        counted.load = [&, load = counted.load](Index i, double* row) { ++loads, load(i, row); };
+        ASSERT_TRUE(quantile(counted, 0.5, {2}));
+        EXPECT_EQ(loads, n);
+    }
 }
 
 }  // namespace

@@ -33,6 +33,18 @@ Slope fitted_slope(const Array1D& mode, const Array1D& power, const Array1D& fre
     return {best, 1.0 / std::sqrt((freedom * (mode.log() - mean).square()).sum())};
 }
 
+/// The upper end of a measurement's band where nothing but its steps limits it [1/m].
+double upper_without_instrument(const topography::Measurement& measurement) {
+    if (const auto* map = std::get_if<topography::HeightMap>(&measurement)) {
+        auto bands = topography::tiled(*map);  // no copy of the heights
+        bands.metadata.instrument = {};
+        return spectra::reliable_band(bands, bands.ny, {}).band.upper;
+    }
+    auto sharp = measurement;
+    topography::metadata(sharp).instrument = {};
+    return spectra::reliable_band(sharp).band.upper;
+}
+
 }  // namespace
 
 Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads threads) {
@@ -41,14 +53,7 @@ Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads t
     const auto band = spectra::reliable_band(measurement, {}, threads);
     for (const auto& alert : band.alerts) {
         if (alert.code != "TIP_CUTOFF") continue;
-        const double nyquist = spectra::reliable_band(
-                                   [&] {
-                                       auto sharp = measurement;
-                                       topography::metadata(sharp).instrument = {};
-                                       return sharp;
-                                   }(),
-                                   {}, threads)
-                                   .band.upper;
+        const double nyquist = upper_without_instrument(measurement);
         const double decades =
             band.empty() ? std::log10(nyquist / band.band.lower) : std::log10(nyquist / band.band.upper);
         auto cutoff = effect("tip_cutoff_wavelength", "l_c", band.tip->value, "m");
@@ -61,7 +66,7 @@ Found tip_cutoff(const topography::Measurement& measurement, parallel::Threads t
 }
 
 Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& options) {
-    const auto& map = *evidence.clean;
+    const auto& map = evidence.heights;
     constexpr Index first = 2, last = 8, all_modes_needed = 32;  // detrending takes most of the first mode
     if (map.periodic || map.heights.rows() / 2 < all_modes_needed) return {};
     const auto& spectrum = *evidence.scan_spectrum;
@@ -78,7 +83,7 @@ Found low_wavevector_gap(const Evidence& evidence, const DiagnosisOptions& optio
     if (!(slope.exponent - certain * slope.standard_error > 1.0)) return {};
     const double growth = std::pow(10.0, 0.5 * (slope.exponent - 1.0)),
                  growth_error = 0.5 * std::log(10.0) * slope.standard_error * growth;
-    const double rms = evidence.rms_level, longest = map.size[0];
+    const double rms = evidence.form.rms_level, longest = map.size[0];
     return Finding{
         {"LOW_Q_GAP", evidence.subject,
          fmt::format(

@@ -26,41 +26,49 @@ void add(std::vector<Finding>& findings, std::vector<Finding> more) {
     for (auto& finding : more) findings.push_back(std::move(finding));
 }
 
-std::vector<Finding> as_list(Found finding) {
-    std::vector<Finding> findings;
-    add(findings, std::move(finding));
-    return findings;
+/// Each calls something else; those that may run at the same time do.
+void side_by_side(const std::vector<std::function<void()>>& tasks, parallel::Threads threads) {
+    parallel::for_each_index(tasks.size(), threads, [&](std::size_t i) { tasks[i](); });
 }
 
-std::vector<Finding> diagnosed(const Evidence& evidence, const topography::Measurement& measurement,
+/// In the order of the page of diagnostics. The heights are changed in place between the stages.
+std::vector<Finding> diagnosed(Evidence evidence, const topography::Measurement& measurement,
                                const DiagnosisOptions& options) {
+    const auto threads = options.threads;
     std::vector<Finding> findings;
     add(findings, undefined_heights(evidence));
-    add(findings, quantised(evidence, options.threads));
-    if (evidence.flat) return findings;
-    // in the order of the page of diagnostics; each looks at the same evidence by itself
-    const std::vector<std::function<std::vector<Finding>()>> tests{
-        [&] { return clipped(evidence, options.threads); },
-        [&] { return as_list(large_tilt(evidence)); },
-        [&] { return as_list(curvature_left(evidence, options.threads)); },
-        [&] { return as_list(spikes(evidence, options.threads)); },
-        [&] { return as_list(scars(evidence)); },
-        [&] { return as_list(pixel_noise(evidence, options)); },
-        [&] { return as_list(tip_cutoff(measurement, options.threads)); },
-        [&] { return as_list(low_wavevector_gap(evidence, options)); },
-        [&] { return directions(evidence, options); }};
-    std::vector<std::vector<Finding>> found(tests.size());
-    parallel::for_each_index(tests.size(), options.threads, [&](std::size_t i) { found[i] = tests[i](); });
-    for (auto& more : found) add(findings, std::move(more));
+    if (evidence.flat) {
+        add(findings, constant_heights(evidence));
+        return findings;
+    }
+    Levels levels;
+    side_by_side({[&] { levels = levels_of(evidence, threads); }, [&] { evidence.form = form_of(evidence, threads); },
+                  [&] {
+                      if (!evidence.is_line) evidence.scars = scar_points(evidence.heights, threads);
+                  }},
+                 threads);
+    if (levels.digitised) add(findings, quantised(evidence, *levels.digitised));
+    add(findings, std::move(levels.clipped));
+    add(findings, large_tilt(evidence));
+    add(findings, curvature_left(evidence));
+    auto found_scars = scars(evidence);
+    clean(evidence, threads);
+    add(findings, spikes(evidence, threads));
+    add(findings, std::move(found_scars));
+    Found noise, tip, gap;
+    side_by_side({[&] { noise = pixel_noise(evidence, options); }, [&] { tip = tip_cutoff(measurement, threads); },
+                  [&] { gap = low_wavevector_gap(evidence, options); }},
+                 threads);
+    for (auto* finding : {&noise, &tip, &gap}) add(findings, std::move(*finding));
+    add(findings, directions(evidence, options));
     return findings;
 }
 
-std::vector<Finding> diagnose_kind(const topography::HeightMap& map, const DiagnosisOptions& options) {
-    return diagnosed(evidence_of(map, options.threads), map, options);
-}
-
-std::vector<Finding> diagnose_kind(const topography::LineScan& scan, const DiagnosisOptions& options) {
-    return diagnosed(evidence_of(scan, options.threads), scan, options);
+/// A map or line scan, which `measurement` holds: to make another measurement of it would copy its heights.
+template <class Uniform>
+std::vector<Finding> diagnose_kind(const Uniform& uniform, const topography::Measurement& measurement,
+                                   const DiagnosisOptions& options) {
+    return diagnosed(evidence_of(uniform, options.threads), measurement, options);
 }
 
 /// Heights of a polyline at equal steps, as many as it has points.
@@ -81,7 +89,8 @@ topography::LineScan at_equal_steps(const Profile& profile) {
 
 /// Polylines: what turns back is found and left out; where points lie at equal steps all tests of lines follow, else
 /// those of form.
-std::vector<Finding> diagnose_kind(const Profile& profile, const DiagnosisOptions& options) {
+std::vector<Finding> diagnose_kind(const Profile& profile, const topography::Measurement&,
+                                   const DiagnosisOptions& options) {
     std::vector<Finding> findings;
     Profile function = profile;
     if (((profile.positions.tail(profile.positions.size() - 1) -
@@ -104,11 +113,13 @@ std::vector<Finding> diagnose_kind(const Profile& profile, const DiagnosisOption
         add(findings, diagnosed(evidence_of(*scan, options.threads), *scan, options));
         return findings;
     }
-    const auto evidence = evidence_of(at_equal_steps(function), options.threads);
+    auto evidence = evidence_of(at_equal_steps(function), options.threads);
     if (!evidence.flat) {
+        evidence.form = form_of(evidence, options.threads);
         add(findings, large_tilt(evidence));
-        add(findings, curvature_left(evidence, options.threads));
+        add(findings, curvature_left(evidence));
         add(findings, tip_cutoff(function, options.threads));
+        clean(evidence, options.threads);
         add(findings, low_wavevector_gap(evidence, options));
     }
     return findings;
@@ -126,7 +137,7 @@ std::vector<Finding> diagnose(const topography::Measurement& measurement, const 
     check(options);
     // a polyline that turns back is a finding, no error
     if (!std::holds_alternative<Profile>(measurement)) topography::validate(measurement);
-    return std::visit([&](const auto& kind) { return diagnose_kind(kind, options); }, measurement);
+    return std::visit([&](const auto& kind) { return diagnose_kind(kind, measurement, options); }, measurement);
 }
 
 }  // namespace setae::diagnostics

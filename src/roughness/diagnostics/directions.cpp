@@ -7,6 +7,7 @@
 #include "evidence.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/row_blocks.hpp"
 #include "setae/roughness/slope_distribution.hpp"
 
 namespace setae::diagnostics {
@@ -30,17 +31,50 @@ struct MeanSteps {
     Series between_lines, along_lines;
 };
 
-MeanSteps mean_steps(const Array2D& h) {
+/// Means over x of each scan line; a few lines are gathered side by side, since they lie across memory.
+Array1D line_means(const Array2D& h, parallel::Threads threads) {
+    constexpr Index together = 16;
+    const Index ny = h.cols(), blocks = (ny + together - 1) / together;
+    Array1D means(ny);
+    parallel::for_each_index(static_cast<std::size_t>(blocks), threads, [&](std::size_t block) {
+        const Index first = static_cast<Index>(block) * together, count = std::min(together, ny - first);
+        const Array2D gathered = h.middleCols(first, count);
+        means.segment(first, count) = gathered.colwise().mean().transpose();
+    });
+    return means;
+}
+
+/// Means over y of the points of each place along x.
+Array1D column_means(const Array2D& h, parallel::Threads threads) {
+    Array1D means(h.rows());
+    numerics::for_each_row(h.rows(), h.cols(), threads, [&](Index i) { means[i] = h.row(i).mean(); });
+    return means;
+}
+
+MeanSteps mean_steps(const Array2D& h, parallel::Threads threads) {
     const Index nx = h.rows(), ny = h.cols();
-    const Array1D line_means = h.colwise().mean().transpose(), column_means = h.rowwise().mean();
-    return {series(line_means.tail(ny - 1) - line_means.head(ny - 1)),
-            series(column_means.tail(nx - 1) - column_means.head(nx - 1))};
+    const Array1D of_lines = line_means(h, threads), of_columns = column_means(h, threads);
+    return {series(of_lines.tail(ny - 1) - of_lines.head(ny - 1)),
+            series(of_columns.tail(nx - 1) - of_columns.head(nx - 1))};
+}
+
+/// Of the differences of neighbouring scan lines [m²].
+double mean_square_rise(const Array2D& heights, parallel::Threads threads) {
+    const Index nx = heights.rows(), ny = heights.cols();
+    double sum = 0.0;
+    for (const double part : numerics::by_row_blocks(
+             numerics::RowBlocks(nx, ny), threads, 0.0, [&](Index first, Index last, double& squares) {
+                 for (Index i = first; i < last; ++i)
+                     squares += (heights.row(i).tail(ny - 1) - heights.row(i).head(ny - 1)).square().sum();
+             }))
+        sum += part;
+    return sum / static_cast<double>(nx * (ny - 1));
 }
 
 Found line_offsets(const Evidence& evidence, const DiagnosisOptions& options) {
-    const auto& map = *evidence.clean;
+    const auto& map = evidence.heights;
     const auto pixel = map.pixel_size();
-    const auto [lines, along] = mean_steps(map.heights);
+    const auto [lines, along] = mean_steps(map.heights, options.threads);
     if (!(lines.variance > 0.0)) return {};
     // of an isotropic surface: var · averaged length/step² is alike in both directions
     const double expected =
@@ -57,9 +91,8 @@ Found line_offsets(const Evidence& evidence, const DiagnosisOptions& options) {
     if (!(lines.variance > large * expected) || !(correlation < alike) || chance > options.false_alarm) return {};
     const double offset = std::sqrt(offset2),
                  error = offset * 0.5 * std::sqrt(3.0 / static_cast<double>(lines.count)) * lines.variance / excess;
-    const double rms = rms_height(map.heights), slope2 = 2.0 * offset2 / (pixel[1] * pixel[1]);
-    const Array2D rises = map.heights.rightCols(map.heights.cols() - 1) - map.heights.leftCols(map.heights.cols() - 1);
-    const double share = std::min(1.0, slope2 * pixel[1] * pixel[1] / rises.square().mean());
+    const double rms = clean_rms_height(evidence), slope2 = 2.0 * offset2 / (pixel[1] * pixel[1]);
+    const double share = std::min(1.0, slope2 * pixel[1] * pixel[1] / mean_square_rise(map.heights, options.threads));
     return Finding{
         {"SCAN_DIRECTION", evidence.subject,
          fmt::format(
@@ -114,19 +147,16 @@ Found anisotropy(const Evidence& evidence, const topography::HeightMap& map, con
 
 }  // namespace
 
-std::vector<Finding> directions(const Evidence& evidence, const DiagnosisOptions& options) {
+std::vector<Finding> directions(Evidence& evidence, const DiagnosisOptions& options) {
     std::vector<Finding> found;
     constexpr Index fewest = 16;
-    const auto& heights = evidence.clean->heights;
+    auto& heights = evidence.heights.heights;
     if (evidence.is_line || heights.rows() < fewest || heights.cols() < fewest) return found;
-    auto aligned = evidence.clean;
     if (auto offsets = line_offsets(evidence, options)) {
         found.push_back(std::move(*offsets));
-        auto without = *evidence.clean;
-        without.heights.rowwise() -= heights.colwise().mean();
-        aligned = std::make_shared<const topography::HeightMap>(std::move(without));
+        heights.rowwise() -= line_means(heights, options.threads).transpose();
     }
-    if (auto finding = anisotropy(evidence, *aligned, options)) found.push_back(std::move(*finding));
+    if (auto finding = anisotropy(evidence, evidence.heights, options)) found.push_back(std::move(*finding));
     return found;
 }
 

@@ -1,44 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "evidence.hpp"
-#include "setae/core/constants.hpp"
-#include "setae/core/statistics.hpp"
+#include "level_list.hpp"
 #include "setae/numerics/row_blocks.hpp"
 
 namespace setae::diagnostics {
 namespace {
-
-std::vector<double> sorted_heights(const Array2D& heights) {
-    std::vector<double> values;
-    values.reserve(static_cast<std::size_t>(heights.size()));
-    for (Index k = 0; k < heights.size(); ++k)
-        if (!std::isnan(heights.data()[k])) values.push_back(heights.data()[k]);
-    std::sort(values.begin(), values.end());
-    return values;
-}
-
-/// A height and how many points have it.
-struct Level {
-    double height;
-    Index count;
-};
-
-/// range: from the lowest to the highest of all heights.
-std::vector<Level> levels_of(const std::vector<double>& sorted, double range) {
-    const double same = 1e-9 * range;
-    std::vector<Level> levels;
-    for (const double h : sorted) {
-        if (levels.empty() || h - levels.back().height > same) levels.push_back({h, 0});
-        ++levels.back().count;
-    }
-    return levels;
-}
 
 /// Share of neighbours along x that have the same height.
 double plateau_share(const Array2D& heights, parallel::Threads threads) {
@@ -84,55 +57,7 @@ std::optional<double> common_step(const std::vector<Level>& levels) {
 /// Levels that a last one is compared with.
 constexpr std::size_t levels_compared = 5;
 
-std::vector<Level> all_levels(const Array2D& heights) {
-    const auto sorted = sorted_heights(heights);
-    return levels_of(sorted, sorted.back() - sorted.front());
-}
-
-/// The height that about a share of all heights lies below, from a sample of them.
-double sampled_quantile(const Array2D& heights, double share) {
-    constexpr Index every = 61;
-    std::vector<double> sample;
-    for (Index k = 0; k < heights.size(); k += every)
-        if (!std::isnan(heights.data()[k])) sample.push_back(heights.data()[k]);
-    return sample.empty() ? undefined : lower_quantile(std::move(sample), share);
-}
-
-/// The outermost levels at an end of the range, in increasing order, more than twice those compared where there are so
-/// many: of many heights only those near the end are sorted.
-std::vector<Level> levels_at_end(const Array2D& heights, bool top, parallel::Threads threads) {
-    constexpr Index many = Index{1} << 16;
-    constexpr double outer_share = 0.005;
-    if (heights.size() < many) return all_levels(heights);
-    const double bound = sampled_quantile(heights, top ? 1.0 - outer_share : outer_share);
-    struct Part {
-        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-        std::vector<double> outer;
-    };
-    Part all;
-    for (const auto& part : numerics::by_row_blocks(numerics::RowBlocks(heights.size(), 1), threads, Part{},
-                                                    [&](Index first, Index last, Part& found) {
-                                                        double lowest = found.lowest, highest = found.highest;
-                                                        for (Index k = first; k < last; ++k) {
-                                                            const double h = heights.data()[k];
-                                                            lowest = h < lowest ? h : lowest;
-                                                            highest = h > highest ? h : highest;
-                                                            if (top ? h >= bound : h <= bound) found.outer.push_back(h);
-                                                        }
-                                                        found.lowest = lowest, found.highest = highest;
-                                                    })) {
-        all.lowest = std::min(all.lowest, part.lowest);
-        all.highest = std::max(all.highest, part.highest);
-        all.outer.insert(all.outer.end(), part.outer.begin(), part.outer.end());
-    }
-    if (all.outer.empty()) return all_levels(heights);
-    std::sort(all.outer.begin(), all.outer.end());
-    auto levels = levels_of(all.outer, all.highest - all.lowest);
-    return levels.size() > 2 * levels_compared + 1 ? levels : all_levels(heights);
-}
-
-Found clipped_at(const Evidence& evidence, bool top, parallel::Threads threads) {
-    const auto levels = levels_at_end(evidence.map->heights, top, threads);
+Found clipped_at(const Evidence& evidence, const std::vector<Level>& levels, bool top) {
     const auto at = [&](std::size_t k) { return top ? levels[levels.size() - 1 - k] : levels[k]; };
     if (levels.size() <= 2 * levels_compared) return {};
     double beside = 0.0;
@@ -153,42 +78,53 @@ Found clipped_at(const Evidence& evidence, bool top, parallel::Threads threads) 
          effect_count("clipped_points", count)}};
 }
 
-}  // namespace
+std::vector<Finding> clipped(const Evidence& evidence, parallel::Threads threads) {
+    const auto ends = end_levels(evidence, 2 * levels_compared + 1, threads);
+    std::vector<Finding> found;
+    if (auto finding = clipped_at(evidence, ends.highest, true)) found.push_back(std::move(*finding));
+    if (auto finding = clipped_at(evidence, ends.lowest, false)) found.push_back(std::move(*finding));
+    return found;
+}
 
-Found quantised(const Evidence& evidence, parallel::Threads threads) {
-    if (evidence.flat)
-        return Finding{
-            {"QUANTISED", evidence.subject,
-             fmt::format("all {} defined heights are equal: nothing of a surface is in them", evidence.defined),
-             "look whether the right channel was read and the instrument was in contact"},
-            {effect("rms_height", "h_rms", 0.0, "m")}};
+std::optional<Digitised> digitised(const Evidence& evidence, parallel::Threads threads) {
     const double share = plateau_share(evidence.map->heights, threads);
     constexpr double many_plateaus = 0.05;
     constexpr Index fewest_heights = 64;
     if (evidence.defined < fewest_heights || !(share > many_plateaus)) return {};
-    const auto levels = all_levels(evidence.map->heights);
+    const auto levels = all_levels(evidence);
     if (levels.size() < 3 || 2 * std::ssize(levels) > evidence.defined) return {};
     const auto step = common_step(levels);
     if (!step) return {};
-    const double rms = evidence.rms_level, error = *step / std::sqrt(12.0);
-    const double slope = rms_slope_along_x(evidence.level->heights, evidence.map->pixel_size()[0]);
+    return Digitised{*step, share};
+}
+
+}  // namespace
+
+Found constant_heights(const Evidence& evidence) {
+    return Finding{{"QUANTISED", evidence.subject,
+                    fmt::format("all {} defined heights are equal: nothing of a surface is in them", evidence.defined),
+                    "look whether the right channel was read and the instrument was in contact"},
+                   {effect("rms_height", "h_rms", 0.0, "m")}};
+}
+
+Levels levels_of(const Evidence& evidence, parallel::Threads threads) {
+    return {clipped(evidence, threads), digitised(evidence, threads)};
+}
+
+Found quantised(const Evidence& evidence, const Digitised& digitised) {
+    const auto& [step, share] = digitised;
+    const double rms = evidence.form.rms_level, error = step / std::sqrt(12.0);
+    const double slope = rms_slope_along_x(evidence.heights.heights, evidence.map->pixel_size()[0]);
     // rounding errors of neighbours are independent where heights differ by more than a step, and equal on plateaus
     return Finding{
         {"QUANTISED", evidence.subject,
          fmt::format(
              "heights come in steps of {} ({:.2g} of the rms height); {:.2g} % of neighbours have the same one, and rounding adds {} to rms height",
-             length_text(*step), *step / rms, 100.0 * share, length_text(error)),
+             length_text(step), step / rms, 100.0 * share, length_text(error)),
          "read the file's finer channel or measure with a smaller range; slope and curvature at the scale of pixels are those of steps"},
-        {effect("height_step", "", *step, "m"), effect("height_step_over_rms_height", "", *step / rms, "1"),
+        {effect("height_step", "", step, "m"), effect("height_step_over_rms_height", "", step / rms, "1"),
          effect("plateau_share", "", share, "1"), effect("rounding_rms_height", "", error, "m"),
          effect("rms_slope_x_as_measured", "h'_rms", slope, "1")}};
-}
-
-std::vector<Finding> clipped(const Evidence& evidence, parallel::Threads threads) {
-    std::vector<Finding> found;
-    for (const bool top : {true, false})
-        if (auto finding = clipped_at(evidence, top, threads)) found.push_back(std::move(*finding));
-    return found;
 }
 
 }  // namespace setae::diagnostics

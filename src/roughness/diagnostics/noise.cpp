@@ -13,7 +13,7 @@
 namespace setae::diagnostics {
 
 Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options) {
-    const auto& map = *evidence.clean;
+    const auto& map = evidence.heights;
     const Index points = map.heights.rows(), modes = (points - 1) / 2, lines = map.heights.cols();
     const Index first = std::max<Index>(4, points / 16), count = modes - first + 1;
     constexpr Index fewest_modes = 12;
@@ -31,10 +31,11 @@ Found pixel_noise(const Evidence& evidence, const DiagnosisOptions& options) {
         chi_squared_exceedance(2.0 * cautious * floor.gain, 1.0) > options.false_alarm)
         return {};
     const double sigma = std::sqrt(floor.level / step), sigma_error = 0.5 * sigma * floor.level_error / floor.level;
-    const double slope = rms_slope_along_x(map.heights, step), noise_slope2 = 2.0 * sigma * sigma / (step * step);
+    const double slope = evidence.rms_slope_x ? *evidence.rms_slope_x : rms_slope_along_x(map.heights, step),
+                 noise_slope2 = 2.0 * sigma * sigma / (step * step);
     const double slope_share = std::min(1.0, noise_slope2 / (slope * slope));
     const double wavelength = 2.0 * step * std::pow(floor.level / floor.amplitude, 1.0 / floor.exponent);
-    const double rms = rms_height(map.heights), cleaner = slope * std::sqrt(std::max(0.0, 1.0 - slope_share));
+    const double rms = clean_rms_height(evidence), cleaner = slope * std::sqrt(std::max(0.0, 1.0 - slope_share));
     return Finding{
         {"PIXEL_NOISE", evidence.subject,
          fmt::format(

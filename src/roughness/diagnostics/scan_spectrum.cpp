@@ -8,11 +8,9 @@ namespace setae::diagnostics {
 spectra::MeasuredSpectrum scan_spectrum(const topography::HeightMap& map, parallel::Threads threads) {
     spectra::SpectrumOptions options;
     options.threads = threads;
-    auto bare = map;
-    bare.metadata.instrument = {};  // the band is not asked for
-    if (map.heights.cols() > 1) return spectra::power_spectrum(bare, options);
-    return spectra::power_spectrum(
-        topography::LineScan{bare.heights.col(0), bare.size[0], bare.periodic, bare.metadata}, options);
+    if (map.heights.cols() > 1) return spectra::power_spectrum(map, options);
+    return spectra::power_spectrum(topography::LineScan{map.heights.col(0), map.size[0], map.periodic, map.metadata},
+                                   options);
 }
 
 double window_gain(double mode, double exponent, bool hann) {

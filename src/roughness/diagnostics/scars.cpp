@@ -14,11 +14,10 @@
 #include "patches.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/numerics/row_blocks.hpp"
 
 namespace setae::diagnostics {
 namespace {
-
-using topography::HeightMap;
 
 /// Far above what a rough surface shows by itself: rms differences of neighbouring lines.
 const processing::RemoveScars striking{.high = 2.0, .low = 2.0};
@@ -58,45 +57,58 @@ double upper_median_of(const double* heights, Index n, std::vector<double>& room
     return *middle;
 }
 
+constexpr Index together = 16;  // lines lie across memory: neighbours are gathered side by side
+
+/// Medians of the scan lines.
+Array1D line_medians(const Array2D& heights, parallel::Threads threads) {
+    const Index points = heights.rows(), lines = heights.cols(), blocks = (lines + together - 1) / together;
+    Array1D medians(lines);
+    parallel::for_each_index(static_cast<std::size_t>(blocks), threads, [&](std::size_t block) {
+        const Index first = static_cast<Index>(block) * together, count = std::min(together, lines - first);
+        Array2D gathered(count, points);
+        std::vector<double> room(static_cast<std::size_t>(points));
+        for (Index i = 0; i < points; ++i)
+            for (Index j = 0; j < count; ++j) gathered(j, i) = heights(i, first + j);
+        for (Index j = 0; j < count; ++j) medians[first + j] = upper_median_of(gathered.row(j).data(), points, room);
+    });
+    return medians;
+}
+
+/// Medians of the rows, points of one place along x.
+Array1D row_medians(const Array2D& heights, parallel::Threads threads) {
+    Array1D medians(heights.rows());
+    numerics::by_row_blocks(numerics::RowBlocks(heights.rows(), heights.cols()), threads, std::vector<double>{},
+                            [&](Index first, Index last, std::vector<double>& room) {
+                                room.resize(static_cast<std::size_t>(heights.cols()));
+                                for (Index i = first; i < last; ++i)
+                                    medians[i] = upper_median_of(heights.row(i).data(), heights.cols(), room);
+                                room = {};
+                            });
+    return medians;
+}
+
 /// Without the median of each scan line, so that lines offset as a whole are no strokes.
-HeightMap aligned(const HeightMap& map, parallel::Threads threads) {
-    const auto [nx, ny] = map.shape();
-    HeightMap result{Array2D(nx, ny), map.size, map.periodic, {}};
-    constexpr Index together = 16;  // lines lie across memory: neighbours are gathered side by side
-    const Index blocks = (ny + together - 1) / together;
-    parallel::for_each_index(
-        static_cast<std::size_t>(blocks), threads, [&, points = nx, lines = ny](std::size_t block) {
-            const Index first = static_cast<Index>(block) * together, count = std::min(together, lines - first);
-            Array2D gathered(count, points);
-            std::vector<double> room(static_cast<std::size_t>(points));
-            for (Index i = 0; i < points; ++i)
-                for (Index j = 0; j < count; ++j) gathered(j, i) = map.heights(i, first + j);
-            Eigen::Array<double, 1, Eigen::Dynamic> medians(count);
-            for (Index j = 0; j < count; ++j) medians[j] = upper_median_of(gathered.row(j).data(), points, room);
-            for (Index i = 0; i < points; ++i)
-                for (Index j = 0; j < count; ++j) result.heights(i, first + j) = gathered(j, i) - medians[j];
-        });
-    return result;
+topography::Mask strokes_along_x(const Array2D& heights, parallel::Threads threads) {
+    const Array1D medians = line_medians(heights, threads);
+    const auto aligned = [&](Index first, Index last, double* room) -> const double* {
+        const Index lines = heights.cols();
+        for (Index i = first; i < last; ++i)
+            Eigen::Map<Array1D>(room + (i - first) * lines, lines) = heights.row(i).transpose() - medians;
+        return room;
+    };
+    return processing::find_scars(striking, {heights.rows(), heights.cols(), aligned}, threads);
 }
 
 /// The same of the map with rows for columns.
-HeightMap turned_and_aligned(const HeightMap& map, parallel::Threads threads) {
-    const auto [nx, ny] = map.shape();
-    HeightMap result{Array2D(ny, nx), {map.size[1], map.size[0]}, map.periodic, {}};
-    constexpr Index together = 16;
-    const Index blocks = (nx + together - 1) / together;
-    parallel::for_each_index(
-        static_cast<std::size_t>(blocks), threads, [&, lines = nx, points = ny](std::size_t block) {
-            const Index first = static_cast<Index>(block) * together, count = std::min(together, lines - first);
-            std::vector<double> room(static_cast<std::size_t>(points));
-            std::array<double, together> medians{};
-            for (Index i = 0; i < count; ++i)
-                medians[static_cast<std::size_t>(i)] = upper_median_of(map.heights.row(first + i).data(), points, room);
-            for (Index j = 0; j < points; ++j)
-                for (Index i = 0; i < count; ++i)
-                    result.heights(j, first + i) = map.heights(first + i, j) - medians[static_cast<std::size_t>(i)];
-        });
-    return result;
+topography::Mask strokes_along_y(const Array2D& heights, parallel::Threads threads) {
+    const Array1D medians = row_medians(heights, threads);
+    const auto turned = [&](Index first, Index last, double* room) -> const double* {
+        const Index points = heights.rows();
+        for (Index i = 0; i < points; ++i)
+            for (Index j = first; j < last; ++j) room[(j - first) * points + i] = heights(i, j) - medians[i];
+        return room;
+    };
+    return processing::find_scars(striking, {heights.cols(), heights.rows(), turned}, threads);
 }
 
 }  // namespace
@@ -104,14 +116,12 @@ HeightMap turned_and_aligned(const HeightMap& map, parallel::Threads threads) {
 std::optional<topography::Mask> scar_points(const topography::HeightMap& map, parallel::Threads threads) {
     constexpr Index fewest = 32;
     if (map.heights.rows() < fewest || map.heights.cols() < fewest) return {};
-    auto mask = processing::find_scars(striking, aligned(map, threads), threads);
+    auto mask = strokes_along_x(map.heights, threads);
     const Index points = mask.cast<Index>().sum();
     if (points == 0) return {};
     // ridges of the surface itself lie along y as often
     constexpr Index one_sided = 4;
-    if (points <=
-        one_sided * processing::find_scars(striking, turned_and_aligned(map, threads), threads).cast<Index>().sum())
-        return {};
+    if (points <= one_sided * strokes_along_y(map.heights, threads).cast<Index>().sum()) return {};
     return mask;
 }
 
@@ -121,8 +131,7 @@ Found scars(const Evidence& evidence) {
     const Index points = mask.cast<Index>().sum();
     const auto strokes = patches(mask).count;
     const double share = static_cast<double>(points) / static_cast<double>(mask.size());
-    const Array2D rest = (mask > 0).select(undefined, evidence.level->heights);
-    const double with = evidence.rms_level, without = rms_height(rest);
+    const double with = evidence.form.rms_level, without = rms_height_without(evidence.heights.heights, mask);
     return Finding{
         {"SCARS", evidence.subject,
          fmt::format(

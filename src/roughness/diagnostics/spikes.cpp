@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,19 +29,33 @@ Lift lift(const spectra::MeasuredSpectrum& with, const spectra::MeasuredSpectrum
     return result;
 }
 
+/// Rms height [m] and rms slope along x of the heights as they are.
+struct Seen {
+    double rms, slope;
+};
+
+Seen seen(const Evidence& evidence) {
+    const auto& heights = evidence.heights.heights;
+    return {rms_height(heights), rms_slope_along_x(heights, evidence.heights.pixel_size()[0])};
+}
+
+/// Puts the spikes back into the heights, or takes them out again.
+void exchange_spikes(Evidence& evidence) {
+    for (auto& [point, height] : evidence.at_spikes) std::swap(evidence.heights.heights.data()[point], height);
+}
+
 }  // namespace
 
-Found spikes(const Evidence& evidence, parallel::Threads threads) {
-    if (!evidence.spikes || evidence.spikes->count == 0) return {};
+Found spikes(Evidence& evidence, parallel::Threads threads) {
+    if (!evidence.spikes) return {};
     const auto& found = *evidence.spikes;
-    topography::HeightMap with = *evidence.clean;
-    for (Index k = 0; k < with.heights.size(); ++k)
-        if (found.mask.data()[k] != 0) with.heights.data()[k] = evidence.level->heights.data()[k];
-    const double step = with.pixel_size()[0];
-    const double rms_with = rms_height(with.heights), rms_without = rms_height(evidence.clean->heights);
-    const double slope_with = rms_slope_along_x(with.heights, step),
-                 slope_without = rms_slope_along_x(evidence.clean->heights, step);
-    const auto [factor, wavelength] = lift(scan_spectrum(with, threads), *evidence.scan_spectrum);
+    const auto without = seen(evidence);
+    exchange_spikes(evidence);
+    const auto with = seen(evidence);
+    const auto spectrum_with = scan_spectrum(evidence.heights, threads);
+    exchange_spikes(evidence);
+    const double rms_with = with.rms, rms_without = without.rms, slope_with = with.slope, slope_without = without.slope;
+    const auto [factor, wavelength] = lift(spectrum_with, *evidence.scan_spectrum);
     const std::string psd =
         wavelength > 0.0
             ? fmt::format(

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <random>
 
@@ -106,6 +107,21 @@ TEST(RemoveScars, GivesTheSameForAnyNumberOfThreads) {
     stroke(map, 10, 60, 20, 1, 2e-8);
     EXPECT_TRUE(
         (map_of(apply(RemoveScars{}, map, {1})).heights == map_of(apply(RemoveScars{}, map, {3})).heights).all());
+}
+
+TEST(FindScars, LoadsEveryRowTwice) {
+    auto map = ground();
+    stroke(map, 10, 60, 20, 1, 2e-8);
+    stroke(map, 30, 100, 50, 3, -2e-8);
+    std::atomic<Index> loaded = 0;
+    const RowsOfHeights rows{map.heights.rows(), map.heights.cols(), [&](Index first, Index last, double* room) {
+                                 loaded += last - first;
+                                 for (Index i = first; i < last; ++i)
+                                     for (Index j = 0; j < 90; ++j) *room++ = map.heights(i, j);
+                                 return room - (last - first) * 90;
+                             }};
+    EXPECT_TRUE((find_scars(RemoveScars{}, rows, {2}) == find_scars(RemoveScars{}, map)).all());
+    EXPECT_EQ(loaded, 2 * map.heights.rows());
 }
 
 }  // namespace

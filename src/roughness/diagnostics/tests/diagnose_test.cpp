@@ -151,6 +151,10 @@ TEST(Diagnose, FindsOffsetsOfScanLines) {
         const auto offset = quantity(found, "SCAN_DIRECTION", "line_offset_rms").estimate;
         EXPECT_NEAR(offset.value, sigma, 3.0 * offset.standard_error);
         EXPECT_LT(offset.standard_error, 0.2 * sigma);
+        // offsets that are independent make steps of twice their mean square
+        const double share = 2.0 * std::pow(offset.value / map.pixel_size()[1], 2) /
+                             mean_square_slope_y(topography::detrended(map, topography::Trend::tilt));
+        EXPECT_NEAR(value(found, "SCAN_DIRECTION", "offset_share_of_mean_square_slope_y"), share, 1e-12 * share);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "setae/parallel/for_each.hpp"
 #include "setae/processing/parameters.hpp"
@@ -38,7 +39,8 @@ struct Spikes {
 /// either.
 /// @throws InvalidArgument for options outside their domain; UndefinedDataError where no point is defined.
 /// Source: Hampel, J. Am. Stat. Assoc. 69 (1974) 383 (median, MAD); Tukey, Exploratory Data Analysis (1977) (running
-/// medians). Cost: linear in points times (2 reach + 1)²; holds one array of the map's size.
+/// medians). Cost: linear in points times (2 reach + 1)², two passes more for the tilt; memory: the mask, and copies of
+/// about a twentieth of the heights.
 [[nodiscard]] Spikes find_spikes(const topography::HeightMap& map, const SpikeOptions& options = {},
                                  parallel::Threads threads = {});
 [[nodiscard]] Spikes find_spikes(const topography::LineScan& scan, const SpikeOptions& options = {},
@@ -68,6 +70,18 @@ void visit_parameters(Despike& step, Visitor& visitor) {
     visitor.count("reach", step.reach, "points on each side that the local median is of");
     visitor.choice("replace_by", step.replace_by, spike_replacement_names, "what takes the place of a spike");
 }
+
+/// A point in storage order and a height for it [m].
+struct NewHeight {
+    Index point;
+    double height;
+};
+
+/// What takes the place of each spike, in storage order; where no point around is defined and no spike, NaN.
+[[nodiscard]] std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step,
+                                                     const topography::HeightMap& map);
+[[nodiscard]] std::vector<NewHeight> heights_without(const Spikes& spikes, const Despike& step,
+                                                     const topography::LineScan& scan);
 
 /// @throws InvalidArgument as find_spikes() does, and for polylines, whose points have no equal steps: resample them
 /// first.

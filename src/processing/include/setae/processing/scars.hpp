@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string_view>
 
 #include "setae/parallel/for_each.hpp"
@@ -56,9 +57,18 @@ void visit_parameters(RemoveScars& step, Visitor& visitor) {
     visitor.choice("replace_by", step.replace_by, scar_replacement_names, "what takes the place of a scar");
 }
 
-/// The points of scars: 1 = scar.
+/// Rows of a map that are handed over when they are looked at: heights of the rows first … last − 1, computed into
+/// `room`, which has as many places, or from where they lie. Called from several threads.
+struct RowsOfHeights {
+    Index rows = 0, columns = 0;
+    std::function<const double*(Index first, Index last, double* room)> rows_of;
+};
+
+/// The points of scars: 1 = scar. Cost: two passes over the rows; memory: a mask a sign.
 /// @throws InvalidArgument for parameters outside their domain.
 [[nodiscard]] topography::Mask find_scars(const RemoveScars& step, const topography::HeightMap& map,
+                                          parallel::Threads threads = {});
+[[nodiscard]] topography::Mask find_scars(const RemoveScars& step, const RowsOfHeights& map,
                                           parallel::Threads threads = {});
 
 /// @throws InvalidArgument for parameters outside their domain and for lines, which have no neighbouring lines.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "setae/parallel/for_each.hpp"
 #include "setae/topography/measurement.hpp"
 #include "setae/topography/tiled_map.hpp"
@@ -25,6 +27,22 @@ enum class Trend {
 [[nodiscard]] LineScan detrended(LineScan scan, Trend trend);
 [[nodiscard]] Profile detrended(Profile profile, Trend trend);
 [[nodiscard]] Measurement detrended(Measurement measurement, Trend trend, parallel::Threads threads = {});
+
+class PolynomialRows;
+
+/// What detrended() subtracts from a map, for rows one by one, so that no second map is held.
+class MapTrend {
+public:
+    /// Cost: one pass over the heights.
+    /// @throws InvalidArgument for Trend::none; UndefinedDataError as detrended().
+    MapTrend(const ArrayView2D& heights, Trend trend, parallel::Threads threads = {});
+
+    /// Heights of row i without the trend, ny numbers each [m]; `rest` may be `heights`.
+    void take_from(Index i, const double* heights, double* rest) const;
+
+private:
+    std::shared_ptr<const PolynomialRows> rows_;
+};
 
 /// The same of a map larger than memory: a pass over it finds the trend, which is then taken from every band read.
 /// Equal to detrended() of the whole map up to rounding. lines_together: scan lines of a band of that pass, > 0.

@@ -29,7 +29,7 @@ struct DiagnosisOptions {
 /// tests for spikes, noise and directions compare heights with what Gaussian random surfaces show
 /// (docs/reference/diagnostics.md says how often they err).
 /// @throws as topography::validate; InvalidArgument for a false_alarm outside (0, 0.5).
-/// Cost: a few passes and one transform of the heights.
+/// Cost: linear in points, some twenty passes and a transform of the lines; memory: one more map and its masks.
 [[nodiscard]] std::vector<Finding> diagnose(const topography::Measurement& measurement,
                                             const DiagnosisOptions& options = {});
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "setae/core/arrays.hpp"
+
+namespace setae::diagnostics {
+
+/// Roots of the mean squared distance of the defined heights from their mean [m], of several maps with the same points
+/// defined side by side, so that none waits for the last sum: this takes as long as one. rows_of(i): their rows i, each
+/// read before the next call; called twice for each row, in order. Sums are in the order of the points.
+template <std::size_t count, class RowsOf>
+std::array<double, count> rms_heights(Index rows, Index columns, const RowsOf& rows_of) {
+    std::array<double, count> sum{}, mean, squares{}, rms;
+    Index n = 0;
+    for (Index i = 0; i < rows; ++i) {
+        const std::array<const double*, count> row = rows_of(i);
+        for (Index j = 0; j < columns; ++j) {
+            n += row[0][j] == row[0][j];
+            for (std::size_t m = 0; m < count; ++m) sum[m] += row[m][j] == row[m][j] ? row[m][j] : 0.0;
+        }
+    }
+    for (std::size_t m = 0; m < count; ++m) mean[m] = sum[m] / static_cast<double>(n);
+    for (Index i = 0; i < rows; ++i) {
+        const std::array<const double*, count> row = rows_of(i);
+        for (Index j = 0; j < columns; ++j)
+            for (std::size_t m = 0; m < count; ++m) {
+                const double height = row[m][j], rest = height - mean[m];
+                squares[m] += height == height ? rest * rest : 0.0;
+            }
+    }
+    for (std::size_t m = 0; m < count; ++m) rms[m] = std::sqrt(squares[m] / static_cast<double>(n));
+    return rms;
+}
+
+}  // namespace setae::diagnostics
