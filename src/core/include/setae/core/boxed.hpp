@@ -24,6 +24,9 @@ public:
     }
     ~Boxed() = default;
 
+    void reset() { value_.reset(); }
+    T& emplace() { return *(value_ = std::make_unique<T>()); }
+
     [[nodiscard]] bool has_value() const { return value_ != nullptr; }
     explicit operator bool() const { return has_value(); }
     [[nodiscard]] T& operator*() { return *value_; }
