@@ -71,7 +71,7 @@ struct Column {
 };
 
 /// Rows of a table, entries of a list and alerts of a kind that a page holds; files of results hold all.
-inline constexpr std::size_t most_rows = 300;
+inline constexpr std::size_t most_rows = 200;
 /// Experiments whose numbers a page holds: each has about a hundred.
 inline constexpr std::size_t most_experiments = 40;
 
