@@ -67,23 +67,13 @@ Jet log_likelihood_of_nested(const NestedDesign& design, const Array1D& value, c
     return total;
 }
 
-/// Rows that no group joins with others.
+/// Rows that are inverted together.
 struct Block {
     Index first = 0, size = 0;  ///< rows
     Index first_surface = 0, surfaces = 0;
 };
 
-/// The surfaces one by one; all rows at once where levels cross them.
-std::vector<Block> blocks_of(const NestedDesign& design) {
-    if (design.crossed()) return {{0, design.size(), 0, static_cast<Index>(design.surfaces.size())}};
-    std::vector<Block> blocks;
-    for (Index i = 0; i < design.size(); ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        if (i == 0 || design.surface[row] != design.surface[row - 1]) blocks.push_back({i, 0, design.surface[row], 1});
-        ++blocks.back().size;
-    }
-    return blocks;
-}
+Block all_rows(const NestedDesign& design) { return {0, design.size(), 0, static_cast<Index>(design.surfaces.size())}; }
 
 /// Indicators of groups in a block's rows.
 Eigen::MatrixXd indicators(const std::vector<int>& group, const Block& block) {
@@ -139,7 +129,7 @@ Jet log_likelihood_of_crossed(const NestedDesign& design, const Array1D& value, 
     const std::size_t levels = theta.size();
     Array1D variances(static_cast<Index>(levels));
     for (std::size_t k = 0; k < levels; ++k) variances[static_cast<Index>(k)] = theta[k].value;
-    const auto found = block_inverse(design, blocks_of(design).front(), variances, 1.0);
+    const auto found = block_inverse(design, all_rows(design), variances, 1.0);
     if (!found) return {.value = -HUGE_VAL};
     const auto& block = *found;
     const Eigen::VectorXd residual = block.residual * value.matrix();
@@ -335,44 +325,153 @@ GeneralizedMean DesignInformation::difference(std::size_t later, std::size_t ear
     return contrast(*this, weights);
 }
 
-DesignInformation information_of(const NestedDesign& design, const Array1D& variances) {
+namespace {
+
+/// Rows that share no random effect with others: the groups of the outermost level, in the order of rows.
+std::vector<Block> independent_groups(const NestedDesign& design) {
+    const auto& group = design.levels.front().group;
+    std::vector<Block> blocks;
+    for (Index i = 0; i < design.size(); ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        if (i == 0 || group[row] != group[row - 1]) blocks.push_back({i, 0, design.surface[row], 1});
+        ++blocks.back().size;
+    }
+    return blocks;
+}
+
+/// V⁻¹ of an independent group as a surface's sums need it.
+struct GroupInverse {
+    Eigen::VectorXd weighted;              ///< w = V⁻¹ 1
+    std::vector<Eigen::VectorXd> sums;     ///< Z_jᵀ w of each level
+    std::vector<Eigen::MatrixXd> between;  ///< Z_jᵀ V⁻¹ Z_k, k <= j
+};
+
+GroupInverse group_inverse(const NestedDesign& design, const Block& block, const Array1D& variances, double unit) {
+    Eigen::MatrixXd V = (design.known_variance.segment(block.first, block.size) / unit).matrix().asDiagonal();
+    std::vector<Eigen::MatrixXd> groups;
+    for (std::size_t k = 0; k < design.levels.size(); ++k) {
+        groups.push_back(indicators(design.levels[k].group, block));
+        V += variances[static_cast<Index>(k)] / unit * (groups[k] * groups[k].transpose());
+    }
+    const auto inverse = numerics::inverse_positive_definite(V);
+    if (!inverse) throw InternalError("the covariance of replicates cannot be inverted");
+    GroupInverse result{.weighted = inverse->rowwise().sum()};
+    for (std::size_t j = 0; j < groups.size(); ++j) {
+        result.sums.emplace_back(groups[j].transpose() * result.weighted);
+        for (std::size_t k = 0; k <= j; ++k) result.between.emplace_back(groups[j].transpose() * *inverse * groups[k]);
+    }
+    return result;
+}
+
+/// What the groups of one surface add up to.
+struct SurfaceSums {
+    double weight = 0.0, plain = 0.0;  ///< 1ᵀ V⁻¹ 1; sum of values
+    Index rows = 0;
+    Array1D squares;              ///< |Z_jᵀ w|² of each level
+    Eigen::MatrixXd whole, bent;  ///< |Z_jᵀ V⁻¹ Z_k|²; (Z_jᵀ w)^T (Z_jᵀ V⁻¹ Z_k) (Z_kᵀ w)
+
+    explicit SurfaceSums(Index levels)
+        : squares(Array1D::Zero(levels)),
+          whole(Eigen::MatrixXd::Zero(levels, levels)),
+          bent(Eigen::MatrixXd::Zero(levels, levels)) {}
+
+    void add(const GroupInverse& group) {
+        weight += group.weighted.sum();
+        std::size_t place = 0;
+        for (Index j = 0; j < squares.size(); ++j) {
+            const auto& of_j = group.sums[static_cast<std::size_t>(j)];
+            squares[j] += of_j.squaredNorm();
+            for (Index k = 0; k <= j; ++k, ++place) {
+                whole(j, k) += group.between[place].squaredNorm();
+                bent(j, k) += of_j.dot(group.between[place] * group.sums[static_cast<std::size_t>(k)]);
+            }
+        }
+    }
+};
+
+/// The same as information_of_crossed() where levels nest: V is inverted group by group of the outermost level. With
+/// P = V⁻¹ - φ w wᵀ of a surface, w = V⁻¹1, φ = 1/(1ᵀV⁻¹1):
+///
+///   tr(P K_j P K_k) = |Z_jᵀ V⁻¹ Z_k|² - 2 φ (Z_jᵀ w)^T (Z_jᵀ V⁻¹ Z_k) (Z_kᵀ w) + φ² |Z_jᵀ w|² |Z_kᵀ w|²
+///
+/// Cost: the sum of the cubes of the rows of these groups.
+DesignInformation information_of_nested(const NestedDesign& design, const Array1D& variances, double unit) {
     const auto levels = static_cast<Index>(design.levels.size()), surfaces = static_cast<Index>(design.surfaces.size());
-    // in units that keep squares of small numbers apart from 0
-    const double unit = variances.sum() + design.known_variance.mean();
-    if (!(unit > 0.0)) throw InternalError("a mixed model without any variance");
     DesignInformation result{
-        .means = Eigen::VectorXd(surfaces),
+        .means = Eigen::VectorXd::Zero(surfaces),
         .row_weights = Eigen::MatrixXd::Zero(surfaces, design.size()),
         .means_covariance = Eigen::MatrixXd::Zero(surfaces, surfaces),
         .gradients = std::vector<Eigen::MatrixXd>(design.levels.size(), Eigen::MatrixXd::Zero(surfaces, surfaces))};
+    std::vector<SurfaceSums> sums(design.surfaces.size(), SurfaceSums(levels));
+    for (const auto& block : independent_groups(design)) {
+        const auto group = group_inverse(design, block, variances, unit);
+        auto& own = sums[static_cast<std::size_t>(block.first_surface)];
+        own.add(group);
+        own.plain += design.value.segment(block.first, block.size).sum();
+        own.rows += block.size;
+        result.row_weights.row(block.first_surface).segment(block.first, block.size) = group.weighted.transpose();
+    }
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(levels, levels);
-    for (const auto& at : blocks_of(design)) {
-        const auto found = block_inverse(design, at, variances, unit);
-        if (!found) throw InternalError("the covariance of replicates cannot be inverted");
-        const auto& block = *found;
-        const auto own = [&](Eigen::MatrixXd& of_all) {
-            return of_all.block(at.first_surface, at.first_surface, at.surfaces, at.surfaces);
-        };
-        const Eigen::VectorXd value = design.value.segment(at.first, at.size).matrix();
-        const Eigen::VectorXd centre =
-            (block.surfaces.transpose() * value).cwiseQuotient(block.surfaces.colwise().sum().transpose());
-        result.means.segment(at.first_surface, at.surfaces) =
-            centre + block.means_covariance * (block.weighted.transpose() * (value - block.surfaces * centre));
-        result.row_weights.block(at.first_surface, at.first, at.surfaces, at.size) =
-            block.means_covariance * block.weighted.transpose();
-        own(result.means_covariance) = unit * block.means_covariance;
+    for (Index s = 0; s < surfaces; ++s) {
+        const auto& own = sums[static_cast<std::size_t>(s)];
+        const double phi = 1.0 / own.weight;
+        result.row_weights.row(s) *= phi;
+        result.means_covariance(s, s) = unit * phi;
+        result.means[s] = own.plain / static_cast<double>(own.rows);
         for (Index j = 0; j < levels; ++j) {
-            const auto& Zj = block.groups[static_cast<std::size_t>(j)];
-            const Eigen::MatrixXd moved = Zj.transpose() * block.weighted * block.means_covariance;
-            own(result.gradients[static_cast<std::size_t>(j)]) = moved.transpose() * moved;
-            const Eigen::MatrixXd rows = Zj.transpose() * block.residual;
+            result.gradients[static_cast<std::size_t>(j)](s, s) = phi * phi * own.squares[j];
             for (Index k = 0; k <= j; ++k)
-                information(j, k) += 0.5 * (rows * block.groups[static_cast<std::size_t>(k)]).squaredNorm();
+                information(j, k) +=
+                    0.5 * (own.whole(j, k) - 2.0 * phi * own.bent(j, k) + phi * phi * own.squares[j] * own.squares[k]);
         }
+    }
+    // about the plain means, so that little cancels
+    Array1D centred(design.size());
+    for (Index i = 0; i < design.size(); ++i)
+        centred[i] = design.value[i] - result.means[design.surface[static_cast<std::size_t>(i)]];
+    for (Index i = 0; i < design.size(); ++i) {
+        const auto s = design.surface[static_cast<std::size_t>(i)];
+        result.means[s] += result.row_weights(s, i) * centred[i];
     }
     information.triangularView<Eigen::StrictlyUpper>() = information.transpose();
     result.covariance = (unit * unit * numerics::inverse(information)).array();
     return result;
+}
+
+DesignInformation information_of_crossed(const NestedDesign& design, const Array1D& variances, double unit) {
+    const auto levels = static_cast<Index>(design.levels.size());
+    const auto found = block_inverse(design, all_rows(design), variances, unit);
+    if (!found) throw InternalError("the covariance of replicates cannot be inverted");
+    const auto& block = *found;
+    const Eigen::VectorXd value = design.value.matrix();
+    const Eigen::VectorXd centre =
+        (block.surfaces.transpose() * value).cwiseQuotient(block.surfaces.colwise().sum().transpose());
+    DesignInformation result;
+    result.means = centre + block.means_covariance * (block.weighted.transpose() * (value - block.surfaces * centre));
+    result.row_weights = block.means_covariance * block.weighted.transpose();
+    result.means_covariance = unit * block.means_covariance;
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(levels, levels);
+    for (Index j = 0; j < levels; ++j) {
+        const auto& Zj = block.groups[static_cast<std::size_t>(j)];
+        const Eigen::MatrixXd moved = Zj.transpose() * block.weighted * block.means_covariance;
+        result.gradients.emplace_back(moved.transpose() * moved);
+        const Eigen::MatrixXd rows = Zj.transpose() * block.residual;
+        for (Index k = 0; k <= j; ++k)
+            information(j, k) += 0.5 * (rows * block.groups[static_cast<std::size_t>(k)]).squaredNorm();
+    }
+    information.triangularView<Eigen::StrictlyUpper>() = information.transpose();
+    result.covariance = (unit * unit * numerics::inverse(information)).array();
+    return result;
+}
+
+}  // namespace
+
+DesignInformation information_of(const NestedDesign& design, const Array1D& variances) {
+    // in units that keep squares of small numbers apart from 0
+    const double unit = variances.sum() + design.known_variance.mean();
+    if (!(unit > 0.0)) throw InternalError("a mixed model without any variance");
+    return design.crossed() ? information_of_crossed(design, variances, unit)
+                            : information_of_nested(design, variances, unit);
 }
 
 }  // namespace setae::statistics

@@ -49,14 +49,27 @@ class Growth:
         return "study", study, "--no-figures", "--no-cache"
 
     def experiments(self, n):
+        """Loops of 100 rows, each fitted, on one surface and one elastomer."""
+        return self.experiments_of([self.samples.small_loop(self.work, f"l{i}.csv", seed=i).name for i in range(n)])
+
+    def missing(self, n):
+        """Experiments whose files do not exist."""
+        return self.experiments_of([f"missing{i}.csv" for i in range(n)])
+
+    def experiments_of(self, files):
         study = self.samples.surface_study(self.work, names=["A"])
         text = study.read_text() + '[rough_solid]\nyoungs_modulus = "1e9 GPa"\npoisson_ratio = 0.2\n[elastomers.E]\n'
-        text += 'surface_energy = "25 mJ/m2"\nsphere_radius = "1 mm"\nyoungs_modulus = "1 MPa"\n'
-        study.write_text(text + "".join(f'[[experiments]]\nfile = "missing{i}.csv"\nsurface = "A"\nelastomer = "E"\n' for i in range(n)))
+        text += 'surface_energy = "25 mJ/m2"\nsphere_radius = "1 mm"\n'
+        study.write_text(text + "".join(f'[[experiments]]\nfile = "{file}"\nsurface = "A"\nelastomer = "E"\n' for file in files))
         return "study", study, "--no-figures", "--no-cache"
 
     def rows(self, n):
         return "psd", self.samples.profile(self.work, "rows.csv", points=n), "-o", "psd.csv"
+
+    def loop_rows(self, n):
+        """One loop of n rows, as JSON."""
+        file = self.samples.small_loop(self.work, "l.csv", points=max(4, 2 * n // 5))
+        return "jkr", "fit", file, "--radius", "1 mm", "--json"
 
     def map(self, side):
         path = self.work / "map.nc"
@@ -65,7 +78,7 @@ class Growth:
         return path
 
 
-COUNTED = ("members", "measurements", "surfaces", "experiments", "rows")
+COUNTED = ("members", "measurements", "surfaces", "experiments", "missing", "rows", "loop_rows")
 ON_MAPS = ("psd", "params", "check")
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files the attacks begin with: every format the tests can build, a small laboratory, and texts that users write."""
+import math
 import random
 import shutil
 import subprocess
@@ -42,6 +43,31 @@ class Samples:
 
     def loop_file(self):
         return next(p for p in self.loops if "force" in p.read_text(errors="replace")[:2000])
+
+    def small_loop(self, folder, name, seed=1, points=40):
+        """A press and release by JKR of 1 mm, 1 MPa, 30 mJ/m2 in and 60 mJ/m2 out, with noise by the seed: so many rows on each branch."""
+        draw, radius, modulus = random.Random(seed), 1e-3, 1e6
+        rows = ["time [s],force [uN],displacement [nm],contact_radius [um]"]
+
+        def add(a, work):
+            deep = a * a / radius - math.sqrt(2.0 * math.pi * work * a / modulus) if work else a
+            force = 4.0 * modulus * a**3 / (3.0 * radius) - math.sqrt(8.0 * math.pi * work * modulus * a**3) if work else 0.0
+            rows.append(f"{0.1 * len(rows):.1f},{1e6 * force + draw.gauss(0.0, 0.2):.5f},{1e9 * deep + draw.gauss(0.0, 1.0):.4f},"
+                        f"{1e6 * a + draw.gauss(0.0, 0.05) if work else 0.0:.5f}")
+
+        def contact(work, share):  # a^(3/2) = share R sqrt(2 pi W/E*): 1 at no displacement, 1/4 at pull-off of fixed grips
+            return (share * radius * math.sqrt(2.0 * math.pi * work / modulus)) ** (2.0 / 3.0)
+
+        for i in range(points // 4):  # free flight: the displacement itself, no radius
+            add(-2e-6 * (1.0 - 4.0 * i / points), 0.0)
+        for work, first, last in ((0.03, contact(0.03, 1.0), 1.4e-4), (0.06, 1.4e-4, contact(0.06, 0.26))):
+            for i in range(points):
+                add(first + (last - first) * i / (points - 1), work)
+        for i in range(points // 4):
+            add(-2e-6 * (1.0 + 4.0 * i / points), 0.0)
+        path = Path(folder) / name
+        path.write_text("\n".join(rows) + "\n")
+        return path
 
     def surface_study(self, folder, names=("A",), files=None, output=None, top=""):
         """A study of surfaces alone, each of two scans of its own or of `files`, averaged: it takes half a second."""

@@ -36,7 +36,8 @@ void limit_threads(Threads threads) { most_threads = std::max(0, threads.count);
 int Threads::resolved() const {
     if (count > 0) return count;
     if (const int most = most_threads; most > 0) return most;
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    static const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));  // reads files
+    return processors;
 }
 
 void for_each_index(std::size_t n, Threads threads, const std::function<void(std::size_t)>& body) {

@@ -27,6 +27,8 @@ public:
     void element(const Json& json);
     /// The same made before, on another thread, by text_within().
     void element_as(std::string_view text);
+    /// Objects and arrays that were begun and not ended.
+    [[nodiscard]] std::size_t depth() const { return depth_; }
     /// An element as it stands `depth` objects or arrays deep.
     [[nodiscard]] static std::string text_within(std::size_t depth, const Json& json);
 

@@ -8,6 +8,23 @@ namespace {
 
 using loops::JkrFit;
 
+constexpr Index most_samples = 20'000;
+
+/// Every how many samples of a record a column holds: all of one that is not very long.
+Index stride_of(Index samples) { return (samples + most_samples - 1) / most_samples; }
+
+Json samples_json(const Array1D& values) {
+    const auto stride = stride_of(values.size());
+    if (stride <= 1) return numbers(values);
+    Json list = Json::array();
+    for (Index i = 0; i < values.size(); i += stride) list.push_back(number(values[i]));
+    return list;
+}
+
+void add_stride(Json& json, const char* name, Index samples) {
+    if (const auto stride = stride_of(samples); stride > 1) json[name] = stride;
+}
+
 void add_moduli_and_work(Json& json, const JkrFit& fit) {
     const auto counted = [&](Quantity q) {
         q.n = static_cast<int>(fit.n);
@@ -32,8 +49,9 @@ Json fit_json(const JkrFit& fit) {
     json["chi_squared_reduced"] = number(fit.chi2_reduced);
     add(json, quantity("rms_residual", "rms", fit.rms_residual, fit.residual_unit));
     json["relative_residual"] = number(fit.relative_residual);
-    json["residuals"] = numbers(fit.residuals);
-    if (fit.depth_residuals.size() > 0) json["depth_residuals"] = numbers(fit.depth_residuals);
+    json["residuals"] = samples_json(fit.residuals);
+    if (fit.depth_residuals.size() > 0) json["depth_residuals"] = samples_json(fit.depth_residuals);
+    add_stride(json, "residuals_every", fit.residuals.size());
     json["runs"] = to_json(fit.runs);
     return json;
 }
@@ -70,13 +88,15 @@ Json branch_json(const loops::BranchAnalysis& branch) {
     add_outcome(fits, "joint", branch.joint, fit_json);
     add_outcome(fits, "pointwise", branch.pointwise, pointwise_json);
     json["fits"] = fits;
-    json["energy_release_rate"] = {{"contact_radius", numbers(branch.energy_release_rate.contact_radius)},
-                                   {"contact_radius_unit", "m"},
-                                   {"energy_release_rate", numbers(branch.energy_release_rate.energy_release_rate)},
-                                   {"standard_error", numbers(branch.energy_release_rate.standard_error)},
-                                   {"systematic", numbers(branch.energy_release_rate.systematic)},
-                                   {"energy_release_rate_unit", "J/m2"},
-                                   {"contact_radius_measured", branch.energy_release_rate.radius_measured}};
+    json["energy_release_rate"] = {
+        {"contact_radius", samples_json(branch.energy_release_rate.contact_radius)},
+        {"contact_radius_unit", "m"},
+        {"energy_release_rate", samples_json(branch.energy_release_rate.energy_release_rate)},
+        {"standard_error", samples_json(branch.energy_release_rate.standard_error)},
+        {"systematic", samples_json(branch.energy_release_rate.systematic)},
+        {"energy_release_rate_unit", "J/m2"},
+        {"contact_radius_measured", branch.energy_release_rate.radius_measured}};
+    add_stride(json["energy_release_rate"], "every", branch.energy_release_rate.contact_radius.size());
     Json sensitivity = Json::array();
     for (const auto& entry : branch.sensitivity) {
         Json row{{"samples_dropped", entry.dropped}};

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -597,14 +601,10 @@ const adhesion::WorkFit* fit_of(const study::Conclusions& result, const std::str
     return nullptr;
 }
 
-/// What the numbers were made by and from.
-Json provenance_json(const study::StudyResult& result) {
-    Json inputs = Json::array();
-    for (const auto& input : result.inputs)
-        inputs.push_back({{"file", input.path},
-                          {"size", {{"value", input.size}, {"unit", "byte"}}},
-                          {"sha256", input.sha256.empty() ? Json(nullptr) : Json(input.sha256)}});
-    return {{"program", "setae"}, {"version", study::version()}, {"inputs", inputs}};
+Json input_json(const study::InputFile& input) {
+    return {{"file", input.path},
+            {"size", {{"value", input.size}, {"unit", "byte"}}},
+            {"sha256", input.sha256.empty() ? Json(nullptr) : Json(input.sha256)}};
 }
 
 Json reported_json(const study::ReportedValue& reported, const study::StudyResult& result) {
@@ -620,8 +620,6 @@ Json reported_json(const study::ReportedValue& reported, const study::StudyResul
                          : Json(nullptr)}};
 }
 
-constexpr const char* experiments_key = "experiments";
-
 Json experiment_json(const study::ExperimentResult& e) {
     Json entry{{"file", e.input.file},
                {"surface", e.input.surface},
@@ -636,8 +634,8 @@ Json experiment_json(const study::ExperimentResult& e) {
     return entry;
 }
 
-/// All but the experiments, of which there may be thousands; they stand behind "replicates" and "by_average".
-Json json_without_experiments(const study::StudyResult& result) {
+/// All but the lists of which there may be thousands: those are empty.
+Json frame_json(const study::StudyResult& result) {
     const auto& study = result.study;
     Json json{{"title", study.title}, {"description", study.description}};
     const auto said = verdict(result);
@@ -646,22 +644,16 @@ Json json_without_experiments(const study::StudyResult& result) {
     add_budgets(json, result);
     json["fits"] = fits_json(result);
     json["surfaces"] = Json::object();
-    const auto stems = spectrum_stems(result);
-    for (std::size_t i = 0; i < stems.size(); ++i) {
-        const auto& surface = result.surfaces[i];
-        auto& entry = json["surfaces"][surface.name] = to_json(surface, study.analysis);
-        if (!surface.failed()) entry["spectrum_file"] = "psd_" + stems[i] + ".csv";
-    }
     json["elastomers"] = Json::object();
     for (const auto& elastomer : result.elastomers)
         json["elastomers"][elastomer.input.name] = elastomer_json(elastomer);
-    json["pairs"] = pairs_json(result);
+    json["pairs"] = Json::array();
     add_outcome(json, "prediction_test", result.prediction_test, prediction_json);
     add_outcome(json, "hysteresis", result.hysteresis, [](const study::Hysteresis& h) { return to_json(h); });
     json["replicates"] = Json::array();
     for (const auto& replicates : result.replicates) json["replicates"].push_back(replicates_json(replicates));
     if (result.by_average) json["by_average"] = by_average_json(result);
-    json[experiments_key] = Json::array();
+    json["experiments"] = Json::array();
     json["references"] = Json::array();
     for (const auto& reference : result.references) json["references"].push_back(reference_json(reference));
     json["reference_changes"] = Json::array();
@@ -677,43 +669,13 @@ Json json_without_experiments(const study::StudyResult& result) {
     }
     json["reported"] = Json::array();
     for (const auto& reported : study.reported) json["reported"].push_back(reported_json(reported, result));
-    json["alerts"] = to_json(result.alerts);
-    json["provenance"] = provenance_json(result);
+    json["alerts"] = Json::array();
+    json["provenance"] = {{"program", "setae"}, {"version", study::version()}, {"inputs", Json::array()}};
     return json;
 }
 
-/// Without long columns of numbers.
-Json without_curves(const Json& json) {
-    constexpr std::size_t longest = 16;
-    if (json.is_array()) {
-        if (json.size() > longest &&
-            std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number() || item.is_null(); }))
-            return nullptr;
-        Json copy = Json::array();
-        for (const auto& item : json) copy.push_back(without_curves(item));
-        return copy;
-    }
-    if (!json.is_object()) return json;
-    Json copy = Json::object();
-    for (const auto& [key, item] : json.items()) copy[key] = without_curves(item);
-    return copy;
-}
-
-/// Some at a time, each on a thread of its own: texts of thousands would not fit into memory.
-void write_experiments(const std::vector<study::ExperimentResult>& experiments, JsonWriter& writer) {
-    constexpr std::size_t at_once = 32, depth = 2;
-    for (std::size_t first = 0; first < experiments.size(); first += at_once) {
-        std::vector<std::string> texts(std::min(at_once, experiments.size() - first));
-        parallel::for_each_index(texts.size(), {}, [&](std::size_t i) {
-            texts[i] = JsonWriter::text_within(depth, experiment_json(experiments[first + i]));
-        });
-        for (const auto& text : texts) writer.element_as(text);
-    }
-}
-
-}  // namespace
-
-Json to_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options) {
+/// A surface without its measurements: their list is empty.
+Json surface_frame(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options) {
     Json json;
     if (surface.failed()) {
         json["error"] = surface.error;
@@ -728,42 +690,151 @@ Json to_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOp
         json["reconstructed"] = surface.reconstructed;
         json["n_measurements"] = surface.measurements.size();
     }
-    Json measurements = Json::array();
-    for (const auto& m : surface.measurements) measurements.push_back(measurement_json(m));
-    json["measurements"] = measurements;
+    json["measurements"] = Json::array();
     if (surface.beyond_data) json["beyond_data"] = continuation_json(*surface.beyond_data);
     if (surface.longer_waves) json["longer_waves"] = continuation_json(*surface.longer_waves);
     json["alerts"] = to_json(surface.alerts);
     return json;
 }
 
-Json to_json(const study::StudyResult& result) {
-    auto json = json_without_experiments(result);
-    for (const auto& e : result.experiments) json[experiments_key].push_back(experiment_json(e));
+/// An array of whose items there may be thousands.
+struct List {
+    std::size_t size = 0;
+    std::function<Json(std::size_t)> item;
+
+    void fill(Json& array, std::size_t most) const {
+        for (std::size_t i = 0; i < std::min(size, most); ++i) array.push_back(item(i));
+    }
+};
+
+List measurements_of(const study::SurfaceResult& surface) {
+    return {surface.measurements.size(), [&](std::size_t i) { return measurement_json(surface.measurements[i]); }};
+}
+
+List inputs_of(const study::StudyResult& result) {
+    return {result.inputs.size(), [&](std::size_t i) { return input_json(result.inputs[i]); }};
+}
+
+/// The arrays of a study that frame_json() leaves empty, but that of the inputs.
+std::map<std::string, List> lists_of(const study::StudyResult& result) {
+    return {{"pairs", {result.pairs.size(), [&](std::size_t i) { return pair_json(result.pairs[i], result.draws); }}},
+            {"experiments",
+             {result.experiments.size(), [&](std::size_t i) { return experiment_json(result.experiments[i]); }}},
+            {"alerts",
+             {result.alerts.size(), [&](std::size_t i) { return to_json(std::vector{result.alerts[i]}).front(); }}}};
+}
+
+/// A surface as a study has it, without measurements: `stem` names the file of its spectrum.
+Json named_frame(const study::SurfaceResult& surface, const std::string& stem,
+                 const study::SurfaceAnalysisOptions& options) {
+    auto json = surface_frame(surface, options);
+    if (!surface.failed()) json["spectrum_file"] = "psd_" + stem + ".csv";
     return json;
 }
 
-Json json_without_curves(const study::StudyResult& result, std::size_t most_experiments) {
-    auto json = without_curves(json_without_experiments(result));
-    const auto shown = std::min(most_experiments, result.experiments.size());
-    for (std::size_t i = 0; i < shown; ++i)
-        json[experiments_key].push_back(without_curves(experiment_json(result.experiments[i])));
+/// How many entries of a study's lists are wanted.
+struct Wanted {
+    std::size_t entries = std::numeric_limits<std::size_t>::max();
+    std::size_t experiments = entries;
+};
+
+/// A study with the first entries of its lists, and of each surface's measurements.
+Json study_json(const study::StudyResult& result, const Wanted& most) {
+    auto json = frame_json(result);
+    const auto stems = spectrum_stems(result);
+    for (std::size_t i = 0; i < std::min(most.entries, stems.size()); ++i) {
+        const auto& surface = result.surfaces[i];
+        auto& entry = json["surfaces"][surface.name] = named_frame(surface, stems[i], result.study.analysis);
+        measurements_of(surface).fill(entry["measurements"], most.entries);
+    }
+    for (const auto& [key, list] : lists_of(result))
+        list.fill(json[key], key == "experiments" ? most.experiments : most.entries);
+    inputs_of(result).fill(json["provenance"]["inputs"], most.entries);
     return json;
+}
+
+/// Without long columns of numbers, and so many objects of longer lists.
+Json without_curves(const Json& json, std::size_t most) {
+    constexpr std::size_t longest = 16;
+    if (json.is_array()) {
+        if (json.size() > longest &&
+            std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number() || item.is_null(); }))
+            return nullptr;
+        Json copy = Json::array();
+        for (const auto& item : json) {
+            if (copy.size() == most && item.is_object()) break;
+            copy.push_back(without_curves(item, most));
+        }
+        return copy;
+    }
+    if (!json.is_object()) return json;
+    Json copy = Json::object();
+    for (const auto& [key, item] : json.items()) copy[key] = without_curves(item, most);
+    return copy;
+}
+
+/// Writes a list's items, some at a time, each made on a thread of its own: thousands would not fit into memory.
+void write_list(const List& list, JsonWriter& writer) {
+    constexpr std::size_t at_once = 32;
+    writer.begin_array();
+    for (std::size_t first = 0; first < list.size; first += at_once) {
+        std::vector<std::string> texts(std::min(at_once, list.size - first));
+        parallel::for_each_index(texts.size(), {}, [&](std::size_t i) {
+            texts[i] = JsonWriter::text_within(writer.depth(), list.item(first + i));
+        });
+        for (const auto& text : texts) writer.element_as(text);
+    }
+    writer.end_array();
+}
+
+/// Writes an object whose entry `key` is a list.
+void write_with_list(const Json& json, const char* key, const List& list, JsonWriter& writer) {
+    writer.begin_object();
+    for (const auto& [name, value] : json.items()) {
+        writer.key(name);
+        if (name == key) write_list(list, writer);
+        else writer.value(value);
+    }
+    writer.end_object();
+}
+
+void write_surfaces(const study::StudyResult& result, JsonWriter& writer) {
+    const auto stems = spectrum_stems(result);
+    writer.begin_object();
+    for (std::size_t i = 0; i < stems.size(); ++i) {
+        const auto& surface = result.surfaces[i];
+        writer.key(surface.name);
+        write_with_list(named_frame(surface, stems[i], result.study.analysis), "measurements", measurements_of(surface),
+                        writer);
+    }
+    writer.end_object();
+}
+
+}  // namespace
+
+Json to_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOptions& options) {
+    auto json = surface_frame(surface, options);
+    measurements_of(surface).fill(json["measurements"], surface.measurements.size());
+    return json;
+}
+
+Json to_json(const study::StudyResult& result) { return study_json(result, {}); }
+
+Json json_without_curves(const study::StudyResult& result, std::size_t most_entries, std::size_t most_experiments) {
+    return without_curves(study_json(result, {most_entries, most_experiments}), most_entries);
 }
 
 void write_json(const study::StudyResult& result, const std::function<void(std::string_view)>& write) {
     JsonWriter writer(write);
-    const auto json = json_without_experiments(result);
+    const auto json = frame_json(result);
+    const auto lists = lists_of(result);
     writer.begin_object();
     for (const auto& [key, value] : json.items()) {
         writer.key(key);
-        if (key != experiments_key || result.experiments.empty()) {
-            writer.value(value);
-            continue;
-        }
-        writer.begin_array();
-        write_experiments(result.experiments, writer);
-        writer.end_array();
+        if (key == "surfaces") write_surfaces(result, writer);
+        else if (key == "provenance") write_with_list(value, "inputs", inputs_of(result), writer);
+        else if (const auto list = lists.find(key); list != lists.end()) write_list(list->second, writer);
+        else writer.value(value);
     }
     writer.end_object();
 }

@@ -242,26 +242,33 @@ Figures carrying(const std::vector<study_figures::StudyFigure>& figures) {
     return found;
 }
 
+/// Figures of a family, with those that were not made.
+std::size_t count_of(std::string_view family, const Figures& figures, const FigurePage& page) {
+    const auto known = page.of_a_kind.find(family);
+    return known == page.of_a_kind.end() ? figures.size() : std::max(known->second, figures.size());
+}
+
 /// One after the other, each folded.
 std::string folded_html(const Figures& figures, const FigurePage& page, int level) {
-    constexpr std::size_t most_bytes = 6'000'000;
+    constexpr std::size_t most_bytes = 3'000'000;
     std::string html;
-    std::size_t left_out = 0;
+    std::size_t shown = 0;
+    const auto family = std::string(figures.empty() ? "" : family_of(*figures.front()));
     for (const auto* figure : figures) {
-        // one a loop: of many loops the first
-        if (family_of(*figure) == "loop" && html.size() > most_bytes) ++left_out;
-        else
-            html += as_html(Fold{.identifier = anchor_of(*figure),
-                                 .kind = "figure",
-                                 .title = title_of(*figure),
-                                 .html = drawing_html(*figure, page),
-                                 .level = level});
+        // one for each surface or loop: of many the first
+        if (!family.empty() && (html.size() > most_bytes || shown == study_figures::most_of_a_kind_in_reports)) break;
+        ++shown;
+        html += as_html(Fold{.identifier = anchor_of(*figure),
+                             .kind = "figure",
+                             .title = title_of(*figure),
+                             .html = drawing_html(*figure, page),
+                             .level = level});
     }
-    if (left_out > 0)
+    if (const auto all = count_of(family, figures, page); all > shown)
         html += fmt::format(
-            "<p class=\"reason\">Figures of {} more loops are not in this page, to keep it small: they are in the folder "
-            "figures, and <code>setae plot {} --figure loop:NAME</code> draws one.</p>",
-            left_out, escaped(shell_word(page.study)));
+            "<p class=\"reason\">Figures of {} more {} are not in this page, to keep it small: they are in the folder "
+            "figures, and <code>setae plot {} --figure {}:NAME</code> draws one.</p>",
+            all - shown, family == "loop" ? "loops" : "surfaces", escaped(shell_word(page.study)), escaped(family));
     return html;
 }
 
@@ -278,7 +285,7 @@ std::string by_family_html(const Figures& figures, const FigurePage& page) {
         html += to - from > many ? as_html(Fold{.identifier = "figures-" + escaped(family),
                                                 .kind = "family",
                                                 .title = fmt::format("Figures {}:…", escaped(family)),
-                                                .remark = fmt::format("{} figures", members.size()),
+                                                .remark = fmt::format("{} figures", count_of(family, members, page)),
                                                 .html = folded_html(members, page, 4)})
                                  : folded_html(members, page, 3);
         from = to;

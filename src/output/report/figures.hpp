@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,6 +15,8 @@ namespace setae::report {
 struct FigurePage {
     std::string study;                           ///< path of the study file, for the commands
     std::map<std::string, std::string> remarks;  ///< HTML below the caption, by StudyFigure::identifier
+    /// How many surfaces and loops a figure "spectra:NAME" or "loop:NAME" may be of, by what stands before the colon.
+    std::map<std::string, std::size_t, std::less<>> of_a_kind;
 };
 
 /// Figures as HTML: report.js draws them from the JSON beside each, as they come near or are unfolded.

@@ -21,8 +21,10 @@ namespace {
 
 using output::Json;
 
-/// What a page holds of experiments; of more, tables and figures are in files of their own.
-constexpr std::size_t most_experiments = 40;
+template <class Items, class Condition>
+std::size_t count_if(const Items& items, Condition condition) {
+    return static_cast<std::size_t>(std::ranges::count_if(items, condition));
+}
 
 struct Chapter {
     std::string identifier, title, html;
@@ -39,6 +41,8 @@ std::vector<Chapter> chapters_of(const study::StudyResult& result,
                                  const std::vector<study_figures::StudyFigure>& figures, const RunRecord& run,
                                  const Json& study) {
     FigurePage page{.study = result.study.path, .remarks = {}};
+    page.of_a_kind = {{"spectra", count_if(result.surfaces, [](const auto& s) { return !s.measurements.empty(); })},
+                      {"loop", count_if(result.experiments, [](const auto& e) { return e.analysis.has_value(); })}};
     if (result.prediction_test) page.remarks["prediction"] = prose(output::deviation_note(*result.prediction_test));
     const auto parts = figures_html(figures, page);
     const std::string undrawn =
@@ -47,7 +51,8 @@ std::vector<Chapter> chapters_of(const study::StudyResult& result,
         {"verdict", "Verdict", verdict_html(result)},
         {"figures", "Figures", parts.carrying.empty() ? "<p>No figure was asked for.</p>" : undrawn + parts.carrying},
         {"limits", "What can and cannot be concluded", limits_html(result)},
-        {"tables", "Numbers", numbers_html(result, study) + way_back_html(result, study, parts.way_back) + tables_html(result, study)},
+        {"tables", "Numbers",
+         numbers_html(result, study) + way_back_html(result, study, parts.way_back) + tables_html(result, study)},
         {"more-figures", "More figures", parts.others},
         {"cut", "What was cut and why", cut_html(result)},
         {"alerts", "Alerts", alerts_html(result)},
@@ -63,7 +68,7 @@ std::vector<Chapter> chapters_of(const study::StudyResult& result,
 
 std::string as_html(const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures,
                     const RunRecord& run) {
-    const auto study = output::json_without_curves(result, most_experiments);
+    const auto study = output::json_without_curves(result, most_rows, most_experiments);
     const auto chapters = chapters_of(result, figures, run, study);
     const auto title = escaped(result.study.title.empty() ? "Study" : result.study.title);
     std::string page =

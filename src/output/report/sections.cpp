@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,7 +28,7 @@ using study::StudyResult;
 std::string plain_table(const std::string& identifier, const std::string& title,
                         const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                         bool open = false) {
-    DataTable table{identifier, title, "", {}, {}, open};
+    DataTable table{.identifier = identifier, .title = title, .open = open};
     for (const auto& column : columns) table.columns.push_back({column, ""});
     for (const auto& row : rows) {
         table.rows.emplace_back();
@@ -52,14 +55,13 @@ std::string cuts_of(const MeasurementResult& m) {
     return text.empty() ? "size at long and sampling at short wavelengths" : text;
 }
 
-/// What the study says of a measurement's file; null where it came otherwise.
-const study::MeasurementInput* input_of(const StudyResult& result, const std::string& surface,
-                                        const MeasurementResult& m) {
-    const auto* input = result.study.surface(surface);
-    if (!input) return nullptr;
-    for (const auto& candidate : input->measurements)
-        if (candidate.file == m.file) return &candidate;
-    return nullptr;
+/// What a study says of each file of a surface.
+std::map<std::string_view, const study::MeasurementInput*> inputs_of(const StudyResult& result,
+                                                                     const std::string& surface) {
+    std::map<std::string_view, const study::MeasurementInput*> inputs;
+    if (const auto* input = result.study.surface(surface))
+        for (const auto& measurement : input->measurements) inputs.emplace(measurement.file, &measurement);
+    return inputs;
 }
 
 std::string steps_of(const MeasurementResult& m, const study::MeasurementInput* input) {
@@ -129,9 +131,12 @@ std::string alerts_html(const StudyResult& result) {
             "<details class=\"alerts\"><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary><ul>",
             escaped(code), alerts.size() == 1 ? "once" : fmt::format("{} times", alerts.size()),
             one_action ? "What to do: " + prose(action) : "");
-        for (const auto& alert : alerts)
+        for (const auto& alert : std::span(alerts).first(std::min(alerts.size(), most_rows)))
             html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(alert.subject), prose(alert.message),
                                 one_action ? "" : " — " + prose(alert.action));
+        if (alerts.size() > most_rows)
+            html +=
+                fmt::format("<li>{} more. The file alerts.csv contains all alerts.</li>", alerts.size() - most_rows);
         html += "</ul></details>\n";
     }
     return html.empty() ? "<p>No alert.</p>" : "<p>By kind, what misleads most first.</p>" + html;
@@ -139,10 +144,15 @@ std::string alerts_html(const StudyResult& result) {
 
 std::string steps_html(const StudyResult& result) {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& surface : result.surfaces)
-        for (const auto& m : surface.measurements)
-            rows.push_back({surface.name, name_of(m),
-                            m.failed() ? "failed: " + m.error : steps_of(m, input_of(result, surface.name, m))});
+    for (const auto& surface : result.surfaces) {
+        const auto inputs = inputs_of(result, surface.name);
+        for (const auto& m : surface.measurements) {
+            const auto input = inputs.find(m.file);
+            rows.push_back(
+                {surface.name, name_of(m),
+                 m.failed() ? "failed: " + m.error : steps_of(m, input == inputs.end() ? nullptr : input->second)});
+        }
+    }
     return rows.empty()
                ? "<p>No surface was measured in this study.</p>"
                : plain_table("steps", "Steps from file to spectrum", {"surface", "file", "steps in order"}, rows);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -104,11 +105,15 @@ std::string cell_html(const Cell& cell, const Json& study, const DisplayUnit& un
     return "<td class=\"number\">" + inner + "</td>";
 }
 
+std::span<const std::vector<Cell>> shown_rows(const DataTable& table) {
+    return std::span(table.rows).first(std::min(table.most, table.rows.size()));
+}
+
 DisplayUnit unit_of_column(const DataTable& table, std::size_t column, const Json& study) {
     double largest = 0.0;
     if (!table.rows.empty() && std::holds_alternative<BandCell>(table.rows.front()[column]))
         return {table.columns[column].unit, 1.0};
-    for (const auto& row : table.rows)
+    for (const auto& row : shown_rows(table))
         for (const auto& part : parts_of(row[column], study))
             if (part.name == "value") largest = std::max(largest, std::abs(value_or_zero(entry(study, part.pointer))));
     return display_unit(table.columns[column].unit, largest);
@@ -201,6 +206,11 @@ std::string as_html(const DataTable& table, const Json& study) {
     const auto title = escaped(table.title);
     std::string html;
     if (!table.note.empty()) html += "<p class=\"note\">" + table.note + "</p>";
+    const auto rows = shown_rows(table);
+    if (rows.size() < table.rows.size())
+        html +=
+            fmt::format("<p class=\"note\">The table shows the first {} of {} rows. The file {} contains all rows.</p>",
+                        rows.size(), table.rows.size(), escaped(table.file));
     html += fmt::format(
         "<div class=\"tools\"><button type=\"button\" class=\"copy\" aria-label=\"Copy table: {0}\">Copy</button>"
         "<span class=\"told\" role=\"status\"></span></div>"
@@ -217,7 +227,7 @@ std::string as_html(const DataTable& table, const Json& study) {
             name.empty() ? "" : " [" + name + "]");
     }
     html += "</tr></thead><tbody>\n";
-    for (const auto& row : table.rows) {
+    for (const auto& row : rows) {
         html += "<tr>";
         for (std::size_t column = 0; column < row.size(); ++column)
             html += cell_html(row[column], study, units[column]);

@@ -70,6 +70,11 @@ struct Column {
     std::string unit;     ///< SI, of its numbers; empty for texts
 };
 
+/// Rows of a table, entries of a list and alerts of a kind that a page holds; files of results hold all.
+inline constexpr std::size_t most_rows = 200;
+/// Experiments whose numbers a page holds: each has about a hundred.
+inline constexpr std::size_t most_experiments = 40;
+
 /// A table of numbers of the study.
 struct DataTable {
     std::string identifier;  ///< no other table of a page has it
@@ -77,11 +82,13 @@ struct DataTable {
     std::string note;  ///< HTML: what stands in it
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows;
-    bool open = false;  ///< unfolded to begin with
+    bool open = false;                ///< unfolded to begin with
+    std::string file = "study.json";  ///< of the results, with every row
+    std::size_t most = most_rows;     ///< rows that are shown
 };
 
-/// A fold "table-IDENTIFIER": a note, the table in a region that scrolls, with buttons that sort and copy. Nothing
-/// without rows.
+/// A fold "table-IDENTIFIER": a note, the table in a region that scrolls, with buttons that sort and copy. Of more
+/// rows than are shown it says so, and names the file that has all. Nothing without rows.
 [[nodiscard]] std::string as_html(const DataTable& table, const output::Json& study);
 
 }  // namespace setae::report

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -734,6 +735,24 @@ DataTable loop_check_table(const StudyResult& result) {
     return table;
 }
 
+namespace {
+
+/// Names the files that hold what a table has too many rows for.
+void name_files(std::vector<DataTable>& tables) {
+    static const std::map<std::string_view, const char*> files{
+        {"surfaces", "surfaces.csv"},      {"decades", "decades.csv"},       {"measurements", "measurements.csv"},
+        {"agreement", "agreement.csv"},    {"pairs-measured", "pairs.csv"},  {"pairs-predicted", "pairs.csv"},
+        {"budget-inputs", "budget.csv"},   {"left-out", "left_out.csv"},     {"profiles", "profiles.csv"},
+        {"loops", "loop_fits.csv"},        {"loop-checks", "loop_fits.csv"}, {"balances", "balances.csv"},
+        {"cutoff-scan", "cutoff_scan.csv"}};
+    for (auto& table : tables) {
+        if (const auto file = files.find(table.identifier); file != files.end()) table.file = file->second;
+        if (table.identifier.starts_with("loop")) table.most = most_experiments;
+    }
+}
+
+}  // namespace
+
 std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& study) {
     std::vector<DataTable> tables{
         fits(result, study),
@@ -760,6 +779,7 @@ std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& s
         balances(result, study),
         cutoff_scan(result, study)};
     std::erase_if(tables, [](const DataTable& table) { return table.rows.empty(); });
+    name_files(tables);
     return tables;
 }
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -21,15 +23,28 @@ using study::StudyResult;
 
 constexpr double mN = 1e3, um = 1e6, nJ = 1e9;  ///< per SI unit
 constexpr Index few_symbols_a_branch = 24, few_points_a_loop = 400, few_points_a_fit = 120;
+constexpr std::size_t most_loops = 60;
 
 using Loops = std::vector<const ExperimentResult*>;
 using Wanted = std::function<bool(const ExperimentResult&)>;
 
+/// As many as a panel shows.
 Loops loops_that(const StudyResult& result, const Wanted& wanted) {
     Loops found;
-    for (const auto& e : result.experiments)
+    for (const auto& e : result.experiments) {
+        if (found.size() == most_loops) break;
         if (e.analysis && wanted(e)) found.push_back(&e);
+    }
     return found;
+}
+
+/// A sentence for the caption where loops on some elastomer are too many for a panel.
+std::string left_out_loops(const StudyResult& result) {
+    std::map<std::string_view, std::size_t> loops;
+    for (const auto& e : result.experiments)
+        if (e.analysis) ++loops[e.input.elastomer];
+    const bool cut = std::ranges::any_of(loops, [](const auto& entry) { return entry.second > most_loops; });
+    return cut ? fmt::format(" The figure shows the first {} loops on an elastomer.", most_loops) : "";
 }
 
 bool has_radius(const ExperimentResult& e) { return e.analysis->corrected.contact_radius.size() > 0; }
@@ -310,7 +325,7 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
     arrange(drawn.figure, request.options.width, 75.0);
     drawn.caption = fmt::format(
         "Contact on {} ({}). A: contact radius against force, loading hollow, unloading filled; dashed: JKR (1) fitted to loading.{}{} Each branch is thinned to about {} "
-        "symbols, each loop to at most {} points, jumps kept. Compare Fig. 2 of Dalvi et al. 2019.",
+        "symbols, each loop to at most {} points, jumps kept.{} Compare Fig. 2 of Dalvi et al. 2019.",
         modulus_of(*elastomer), counted(with_radius.size(), "loop"),
         with_displacement.empty() ? "" : " B: force against displacement from first touch.",
         shaded
@@ -318,7 +333,7 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
                   " Shaded: the closed loop on {}, which loses {}; ± is one standard error (noise, drift, sampling).",
                   shaded->input.surface, with_error(shaded->analysis->loop->estimate(), nJ, "nJ"))
             : "",
-        few_symbols_a_branch, few_points_a_loop);
+        few_symbols_a_branch, few_points_a_loop, left_out_loops(result));
 }
 
 void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn) {
@@ -343,9 +358,9 @@ void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn) {
     }
     drawn.caption = fmt::format(
         "Contact radius against force on each elastomer ({}), loading hollow, unloading filled; dashed: JKR (1) fitted to loading; solid: (S2) "
-        "through the last points before pull-off, with the modulus of loading ({}). Symbols and colours in all panels as in the first. "
+        "through the last points before pull-off, with the modulus of loading ({}). Symbols and colours in all panels as in the first.{} "
         "Compare Fig. S5 of Dalvi et al. 2019.",
-        counted(n, "loop"), counted(retractions, "fit"));
+        counted(n, "loop"), counted(retractions, "fit"), left_out_loops(result));
 }
 
 void contact_radius_of_references(const FigureRequest& request, StudyFigure& drawn) {
@@ -384,8 +399,8 @@ void contact_radius_of_references(const FigureRequest& request, StudyFigure& dra
                         with_error(reference.approach, 1e3, "mJ/m2"), with_error(reference.retraction, 1e3, "mJ/m2"));
     drawn.caption = fmt::format(
         "Contact radius against force on the smooth reference ({}), loading hollow, unloading filled; JKR (1) fitted to loading (dashed) and to "
-        "unloading (solid). W of loading and unloading: {}; ± is one standard error. Compare Fig. S6 of Dalvi et al. 2019.",
-        counted(n, "loop"), works);
+        "unloading (solid). W of loading and unloading: {}; ± is one standard error.{} Compare Fig. S6 of Dalvi et al. 2019.",
+        counted(n, "loop"), works, left_out_loops(result));
 }
 
 }  // namespace setae::study_figures

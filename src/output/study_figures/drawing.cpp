@@ -65,6 +65,16 @@ Array1D taken(const Array1D& values, const std::vector<Index>& samples) {
     return result;
 }
 
+std::span<const study::SurfaceResult> drawn_surfaces(const study::StudyResult& result) {
+    constexpr std::size_t most = 100;
+    return std::span(result.surfaces).first(std::min(most, result.surfaces.size()));
+}
+
+std::string left_out_surfaces(const study::StudyResult& result) {
+    const auto shown = drawn_surfaces(result).size(), all = result.surfaces.size();
+    return shown == all ? "" : fmt::format(" The figure shows the first {} of {} surfaces.", shown, all);
+}
+
 int colour_of_place(std::size_t place) {
     constexpr std::array colours{colour::blue, colour::vermilion, colour::green,
                                  colour::pink, colour::orange,    colour::sky};
@@ -117,7 +127,7 @@ std::string with_error(const Estimate& estimate, double factor, const std::strin
 
 std::string reconstruction_note(const study::StudyResult& result) {
     std::string names;
-    for (const auto& surface : result.surfaces)
+    for (const auto& surface : drawn_surfaces(result))
         if (surface.reconstructed) names += (names.empty() ? "" : ", ") + surface.name;
     if (names.empty()) return {};
     return " Reconstruction: the spectrum of " + names +

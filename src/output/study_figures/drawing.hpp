@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,11 @@ struct DrawnCurve {
 /// Samples that show a record in at most about `most` points: every so many, and both ends of each jump.
 [[nodiscard]] std::vector<Index> thinned(const Array1D& x, const Array1D& y, Index first, Index last, Index most = 400);
 [[nodiscard]] Array1D taken(const Array1D& values, const std::vector<Index>& samples);
+
+/// Surfaces that one figure shows: the first of many.
+[[nodiscard]] std::span<const study::SurfaceResult> drawn_surfaces(const study::StudyResult& result);
+/// A sentence for the caption where a figure leaves surfaces out; empty where it shows all.
+[[nodiscard]] std::string left_out_surfaces(const study::StudyResult& result);
 
 /// Colour and symbol of a surface or an elastomer: its place in the study, black left to lines that are no data.
 [[nodiscard]] int colour_of_place(std::size_t place);

@@ -13,6 +13,7 @@ namespace {
 using figures::Mark;
 
 constexpr Index points_a_measurement = 120;
+constexpr std::size_t most_measurements = 200;
 
 /// The part of a curve with from <= x <= to.
 DrawnCurve part(const DrawnCurve& curve, double from, double to) {
@@ -31,7 +32,7 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
     const auto instruments = instrument_bands({&surface});
     figures::Panel panel{.x = {.quantity = "wavevector *q*", .unit = "1/m", .logarithmic = true},
                          .y = {.quantity = "power spectral density *C*_{1D}", .unit = "m3", .logarithmic = true}};
-    std::size_t n = 0, failed = 0;
+    std::size_t failed = 0;
     double least = HUGE_VAL, most = 0.0;  // of what is reliable
     const auto add = [&](const DrawnCurve& curve, const std::string& label, const std::string& name, int own,
                          bool reliable) {
@@ -47,10 +48,14 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
                                 .in_legend = false});
         panel.series.back().names.assign(static_cast<std::size_t>(curve.x.size()), name);
     };
+    std::vector<const study::MeasurementResult*> measured;
     for (const auto& m : surface.measurements) {
         failed += m.failed() ? 1 : 0;
-        if (m.failed() || m.spectrum.wavevector.size() == 0) continue;
-        ++n;
+        if (!m.failed() && m.spectrum.wavevector.size() > 0) measured.push_back(&m);
+    }
+    const auto n = measured.size(), shown = std::min(n, most_measurements);
+    for (std::size_t i = 0; i < shown; ++i) {
+        const auto& m = *measured[i * n / shown];
         const int own = figures::instrument_look(instrument_of(m)).colour;
         const DrawnCurve whole{m.spectrum.wavevector, m.spectrum.density};
         const double lowest = whole.x[0], highest = whole.x[whole.x.size() - 1];
@@ -111,13 +116,14 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
         .panels = {panel}, .width_mm = wide(request) ? 140.0 : column_mm, .height_mm = wide(request) ? 95.0 : 75.0};
     drawn.caption = fmt::format(
         "C1D of each of {} of {}, coloured by instrument: solid where the instrument is reliable, dotted and pale where it was cut "
-        "(below its first mode, beyond its sampling, its resolution or what its tip can show).{}{} Curves of more than {} points are means "
+        "(below its first mode, beyond its sampling, its resolution or what its tip can show).{}{}{} Curves of more than {} points are means "
         "over even steps of ln q.",
         counted(n, "measurement"), surface.name,
         !curve ? ""
         : curve->method == "likelihood"
             ? " Black: C1D fitted to all at once, shaded 95 %; it accounts for window, trend, aliases and tips."
             : " Black: their average, shaded 95 % where two or more overlap.",
+        shown == n ? "" : fmt::format(" The figure shows {} of them, at even steps through the list.", shown),
         failed == 0 ? "" : fmt::format(" {} failed.", counted(failed, "measurement")), points_a_measurement);
 }
 

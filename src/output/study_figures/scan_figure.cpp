@@ -50,7 +50,7 @@ DrawnCurve extremes(const Array1D& x, const Array1D& y, Index stretches) {
 void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
     std::string names;
     double highest = 0.0, longest = 0.0;
-    for (const auto& surface : request.result.surfaces)
+    for (const auto& surface : drawn_surfaces(request.result))
         if (const auto* scan = scan_of(surface)) {
             highest =
                 std::max(highest, scan->preview.heights.isFinite().select(scan->preview.heights.abs(), 0.0).maxCoeff());
@@ -62,7 +62,7 @@ void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
     }
     const bool millimetres = longest >= 1e-3, micrometres = highest >= 1e-6;
     figures::Figure figure;
-    for (const auto& surface : request.result.surfaces) {
+    for (const auto& surface : drawn_surfaces(request.result)) {
         const auto* scan = scan_of(surface);
         if (!scan) continue;
         const auto curve = extremes(scan->preview.positions - scan->preview.positions[0], scan->preview.heights, 200);
@@ -85,9 +85,9 @@ void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
     arrange(figure, request.options.width, 40.0);
     drawn.figure = figure;
     drawn.caption = fmt::format(
-        "The longest stylus scan of each surface, trend removed ({}). Thinned to the lowest and the highest point of each of 200 stretches. "
+        "The longest stylus scan of each surface, trend removed ({}). Thinned to the lowest and the highest point of each of 200 stretches.{} "
         "Compare Fig. S1 of Dalvi et al. 2019.",
-        names);
+        names, left_out_surfaces(request.result));
 }
 
 }  // namespace setae::study_figures

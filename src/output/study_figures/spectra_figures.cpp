@@ -204,7 +204,7 @@ std::string add_pictures(figures::Figure& figure, const StudyResult& result) {
 
 std::string failed_surfaces(const StudyResult& result) {
     std::string names;
-    for (const auto& surface : result.surfaces)
+    for (const auto& surface : drawn_surfaces(result))
         if (surface.failed()) names += (names.empty() ? "" : ", ") + surface.name;
     return names.empty() ? "" : " Not drawn, because they failed: " + names + ".";
 }
@@ -237,8 +237,9 @@ void combined_spectra(const FigureRequest& request, StudyFigure& drawn) {
     Methods methods;
     bool bands = false;
     std::size_t n = 0;
-    for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
-        const auto& surface = result.surfaces[i];
+    const auto shown = drawn_surfaces(result);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const auto& surface = shown[i];
         const auto curve = C1D_of(surface);
         if (!curve) continue;
         ++n;
@@ -266,7 +267,8 @@ void combined_spectra(const FigureRequest& request, StudyFigure& drawn) {
         "{}C1D against wavevector q of {} ({}).{}{}{}{}{} Conventions of C1D: Jacobs et al. 2017; compare Fig. 1 of Dalvi et al. 2019.",
         pictures ? "A: " : "", counted(n, "surface"), methods.text(), bands ? " Shaded: 95 %." : "",
         instruments.empty() ? "" : " Bars: wavevectors that some measurement of the instrument shows reliably.",
-        pictured, failed_surfaces(result), reconstruction_note(result) + floored_note(result));
+        pictured, left_out_surfaces(result) + failed_surfaces(result),
+        reconstruction_note(result) + floored_note(result));
 }
 
 void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn) {
@@ -278,12 +280,13 @@ void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn) {
     Methods methods;
     bool bands = false, converted = false;
     std::size_t n = 0;
-    for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
-        const auto curve = C_iso_of(result.surfaces[i], conversion);
+    const auto shown = drawn_surfaces(result);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const auto curve = C_iso_of(shown[i], conversion);
         if (!curve) continue;
         ++n;
-        add_curve(panel, *curve, label_of(result.surfaces[i]), static_cast<int>(i));
-        methods.add(result.surfaces[i], *curve);
+        add_curve(panel, *curve, label_of(shown[i]), static_cast<int>(i));
+        methods.add(shown[i], *curve);
         bands = bands || curve->lower.size() > 0;
         converted = converted || curve->method == "average" || curve->method == "given";
     }
@@ -294,13 +297,14 @@ void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn) {
     panel.legend_corner = figures::Corner::bottom_left;
     drawn.figure = {
         .panels = {panel}, .width_mm = wide(request) ? 120.0 : column_mm, .height_mm = wide(request) ? 85.0 : 70.0};
-    drawn.caption = fmt::format(
-        "C_iso against wavevector q of {} ({}).{}{}{}{} Compare Fig. S3 of Dalvi et al. 2019.", counted(n, "surface"),
-        methods.text(),
-        !converted                                   ? ""
-        : conversion == roughness::Conversion::exact ? " Averages become C_iso by the inverse Abel integral."
-                                                     : " Averages become C_iso by (11).",
-        bands ? " Shaded: 95 %." : "", failed_surfaces(result), reconstruction_note(result) + floored_note(result));
+    drawn.caption = fmt::format("C_iso against wavevector q of {} ({}).{}{}{}{} Compare Fig. S3 of Dalvi et al. 2019.",
+                                counted(n, "surface"), methods.text(),
+                                !converted ? ""
+                                : conversion == roughness::Conversion::exact
+                                    ? " Averages become C_iso by the inverse Abel integral."
+                                    : " Averages become C_iso by (11).",
+                                bands ? " Shaded: 95 %." : "", left_out_surfaces(result) + failed_surfaces(result),
+                                reconstruction_note(result) + floored_note(result));
 }
 
 void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn) {
@@ -312,7 +316,7 @@ void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn) {
         return;
     }
     double lowest = HUGE_VAL, highest = 0.0, least = HUGE_VAL, most = 0.0;
-    for (const auto& surface : result.surfaces) {
+    for (const auto& surface : drawn_surfaces(result)) {
         Panel panel{.title = surface.name, .x = wavevector_axis, .y = C1D_axis};
         panel.legend_corner = figures::Corner::bottom_left;
         for (const auto& [instrument, band] : instruments) {
@@ -357,7 +361,7 @@ void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn) {
     drawn.caption = fmt::format(
         "C1D of each surface by technique: the mean over the measurements of that technique, each within its own reliable band, "
         "in ten bins a decade. Where lines part, techniques disagree.{} Compare Fig. S2 of Dalvi et al. 2019.",
-        failed_surfaces(result));
+        left_out_surfaces(result) + failed_surfaces(result));
 }
 
 }  // namespace setae::study_figures

@@ -130,12 +130,10 @@ ResultList parsed_list(const std::string& text) {
 ResultList read_result_list(const std::string& path) { return parsed_list(bytes::read_back(path)); }
 
 std::string study_of_result_list(const std::string& path) {
-    constexpr std::uint64_t longest_path = 4 * 4096;  // all of its letters escaped
     std::ifstream file(path, std::ios::binary);
-    std::string head(result_list_heading.size() + study_mark.size() + longest_path, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
-    return parsed_list(head).study;
+    for (std::string line; std::getline(file, line) && line.starts_with('#');)
+        if (line.starts_with(study_mark)) return unescaped(line.substr(study_mark.size()));
+    return "";
 }
 
 std::string result_list_line(const std::string& name) { return escaped(name) + "\n"; }

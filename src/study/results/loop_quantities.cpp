@@ -11,12 +11,15 @@ namespace {
 /// Σ weight × part of each loop.
 template <class PartOf>
 Components in_mean(const LoopsInMean& mean, const PartOf& part_of) {
-    Components sum;
-    for (std::size_t i = 0; i < mean.loops.size(); ++i) {
+    std::vector<Components> parts(mean.loops.size());
+    std::vector<Dependence> terms;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
         const double weight = mean.weights[static_cast<Index>(i)];
-        if (weight != 0.0) sum = combined({{1.0, sum}, {weight, part_of(*mean.loops[i])}});
+        if (weight == 0.0) continue;
+        parts[i] = part_of(*mean.loops[i]);
+        terms.push_back({weight, parts[i]});
     }
-    return sum;
+    return combined(terms);
 }
 
 }  // namespace

@@ -30,13 +30,21 @@ void take_published(PairResult& pair, const PublishedPair& published) {
     if (published.contact_radius) pair.contact_area = pi * *published.contact_radius * *published.contact_radius;
 }
 
-/// What a loop's contact area in a mean of so many rests on: its fit, and inputs that loops share.
-void add_area_inputs(Components& inputs, const ExperimentResult& e, double share) {
-    inputs = combined({{1.0, inputs}, {share, e.dependence.contact_area}});
-    const auto& loading = e.analysis->loading;
-    auto noise = area_noise_of(loading.primary(), e.bodies, loading.range.force_last);
-    if (noise.directions.size() > 0)
-        inputs = combined({{1.0, inputs}, {share, Components{{fit_name(e.input.file), std::move(noise)}}}});
+/// What the mean contact area of loops rests on: their fits, and inputs that loops share.
+Components area_inputs_of(const std::vector<const ExperimentResult*>& loops) {
+    const double share = 1.0 / static_cast<double>(loops.size());
+    std::vector<Components> fits(loops.size());
+    std::vector<Dependence> terms;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const auto& e = *loops[i];
+        terms.push_back({share, e.dependence.contact_area});
+        const auto& loading = e.analysis->loading;
+        auto noise = area_noise_of(loading.primary(), e.bodies, loading.range.force_last);
+        if (noise.directions.size() == 0) continue;
+        fits[i][fit_name(e.input.file)] = std::move(noise);
+        terms.push_back({share, fits[i]});
+    }
+    return combined(terms);
 }
 
 void take_loops(PairResult& pair, const StudyResult& result, const ElastomerResult& elastomer) {
@@ -49,9 +57,8 @@ void take_loops(PairResult& pair, const StudyResult& result, const ElastomerResu
         take_dependence(pair, quantity, loops, elastomer.modulus_from_loops);
         if (quantity.of_pair != &PairResult::approach) continue;  // which every loop has
         std::vector<double> area, ideal_loss, bulk;
-        const double share = 1.0 / static_cast<double>(loops.loops.size());
+        pair.contact_area_inputs = area_inputs_of(loops.loops);
         for (const auto* e : loops.loops) {
-            add_area_inputs(pair.contact_area_inputs, *e, share);
             area.push_back(e->analysis->context.largest_contact_area);
             ideal_loss.push_back(e->analysis->context.ideal_smooth_sphere_loss);
             if (e->analysis->bulk) bulk.push_back(e->analysis->bulk->energy_loss);

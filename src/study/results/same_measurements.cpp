@@ -58,17 +58,20 @@ private:
 };
 
 /// Joins items that are the same, of those beside each other when sorted by their number of values and their size.
-void join_alike(Groups& groups, std::vector<std::size_t> items,
+void join_alike(Groups& groups, const std::vector<std::size_t>& items,
                 const std::function<std::tuple<Index, double>(std::size_t)>& size,
                 const std::function<bool(std::size_t, std::size_t)>& same) {
-    std::ranges::stable_sort(items, [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
-    for (std::size_t i = 0; i < items.size(); ++i)
-        for (std::size_t k = i + 1; k < items.size(); ++k) {
-            const auto [values, extent] = size(items[i]);
-            const auto [other_values, other_extent] = size(items[k]);
-            if (values != other_values || !alike(extent, other_extent)) break;
-            if (!same(items[i], items[k])) continue;
-            groups.join(items[i], items[k]);
+    std::vector<std::pair<std::tuple<Index, double>, std::size_t>> sized;
+    for (const auto item : items) sized.emplace_back(size(item), item);
+    std::ranges::stable_sort(sized, {}, [](const auto& entry) { return entry.first; });
+    for (std::size_t i = 0; i < sized.size(); ++i)
+        for (std::size_t k = i + 1; k < sized.size(); ++k) {
+            const auto& [of_one, one] = sized[i];
+            const auto& [of_other, other] = sized[k];
+            if (std::get<0>(of_one) != std::get<0>(of_other) || !alike(std::get<1>(of_one), std::get<1>(of_other)))
+                break;
+            if (!same(one, other)) continue;
+            groups.join(one, other);
             break;  // the next ones are compared with that one
         }
 }

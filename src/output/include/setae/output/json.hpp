@@ -72,10 +72,13 @@ using Json = nlohmann::ordered_json;
 /// "alerts", "provenance"; "by_average" where likelihoods are used. No clock time, so that the same input gives the
 /// same bytes.
 [[nodiscard]] Json to_json(const study::StudyResult& result);
-/// The same as text, in pieces, so that thousands of experiments need not be in memory twice.
+/// The same as text, in pieces, so that thousands of measurements, surfaces and experiments need not be in memory
+/// twice.
 void write_json(const study::StudyResult& result, const std::function<void(std::string_view)>& write);
-/// The same with null for columns of more than 16 numbers, and of the first experiments alone.
-[[nodiscard]] Json json_without_curves(const study::StudyResult& result, std::size_t most_experiments);
+/// The same with null for columns of more than 16 numbers, and only the first entries of longer lists: surfaces, a
+/// surface's measurements, pairs, alerts, inputs; of experiments still fewer.
+[[nodiscard]] Json json_without_curves(const study::StudyResult& result, std::size_t most_entries,
+                                       std::size_t most_experiments);
 
 /// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
 [[nodiscard]] std::vector<Quantity> measurement_quantities(const study::MeasurementResult& measurement);

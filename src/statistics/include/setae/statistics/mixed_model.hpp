@@ -115,8 +115,9 @@ struct MixedModel {
 /// number of labels is not that of the levels, a label missing in some rows only, a crossed level that is none, an
 /// exclusion without reason, of a row that is not there, or twice; UndefinedDataError where every row is excluded.
 /// Source: Patterson, Thompson, Biometrika 58 (1971) 545; Harville, J. Am. Stat. Assoc. 72 (1977) 320; Giesbrecht,
-/// Burns, Biometrics 41 (1985) 477. Cost: O(n) a step of the likelihood, O(n³) where a level is crossed; O(n³) of the
-/// largest surface once, and once for each group left out.
+/// Burns, Biometrics 41 (1985) 477. Cost: O(n) a step of the likelihood, then once the sum of m³ over the groups of
+/// the outermost level below surfaces, m their rows, O(n) where there is none; O(n³) where a level is crossed. The same
+/// for each group left out.
 [[nodiscard]] MixedModel mixed_model(const ReplicateData& data, const MixedModelOptions& options = {});
 
 }  // namespace setae::statistics

@@ -16,6 +16,7 @@
 #include "setae/adhesion/prediction.hpp"
 #include "setae/adhesion/prediction_test.hpp"
 #include "setae/adhesion/scale_balance.hpp"
+#include "setae/core/boxed.hpp"
 #include "setae/core/traced_value.hpp"
 #include "setae/loops/analysis.hpp"
 #include "setae/loops/reference_loop.hpp"
@@ -36,11 +37,11 @@ struct ExperimentResult {
     ExperimentInput input;  ///< its options in units of the record as analysed, calibrations applied
     loops::LensAndCounterBody bodies;
     std::string error;
-    std::optional<loops::LoopAnalysis> analysis;
-    LoopDependence dependence;         ///< of its numbers on what it shares with other loops
-    std::optional<LoopModels> models;  ///< where the study asks for them
+    Boxed<loops::LoopAnalysis> analysis;
+    LoopDependence dependence;  ///< of its numbers on what it shares with other loops
+    Boxed<LoopModels> models;   ///< where the study asks for them
     /// G(v) of the receding edge, of loops on the smooth standard
-    std::optional<loops::Outcome<loops::CrackSpeedFit>> edge_speed;
+    Boxed<loops::Outcome<loops::CrackSpeedFit>> edge_speed;
     std::vector<Alert> alerts;
 
     [[nodiscard]] bool failed() const { return !error.empty(); }
@@ -102,7 +103,7 @@ struct PairResult {
     std::optional<double> ideal_loss;         ///< of a smooth sphere with this W and E* [J]
     std::optional<Estimate> reference_share;  ///< of the hysteresis W_ret − W_app, what the smooth reference has, too
     loops::Outcome<PairWorkAlong> work_along_retraction;
-    int experiments = 0;                      ///< loops behind the measured values; 0 for published ones
+    int experiments = 0;  ///< loops behind the measured values; 0 for published ones
 
     double area_ratio = 1.0;
     Estimate stored_energy;  ///< U_el/A_app [J/m²]
