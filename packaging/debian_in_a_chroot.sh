@@ -11,7 +11,7 @@ fi
 root=$(mktemp -d)
 chmod 755 "$root" # packages are fetched by a user of their own
 trap 'rm -rf --one-file-system "$root"' EXIT
-if ! debootstrap --variant=minbase bookworm "$root" http://deb.debian.org/debian >"$root.log" 2>&1; then
+if ! debootstrap --variant=minbase bookworm "$root" >"$root.log" 2>&1; then
   tail -3 "$root.log"
   echo "skipped: debootstrap could not make a bare Debian; $root.log says why"
   exit 77
@@ -20,7 +20,8 @@ rm "$root.log"
 cp "$package" "$root/setae.deb"
 mkdir "$root/study"
 cp "$study" "$root/study/study.toml"
-echo 'deb http://deb.debian.org/debian-security bookworm-security main' >>"$root/etc/apt/sources.list"
+# security updates lie beside the packages on the server that debootstrap took
+sed -n 's|/debian/* bookworm main|/debian-security bookworm-security main|p' "$root/etc/apt/sources.list" >"$root/etc/apt/sources.list.d/security.list"
 inside() { chroot "$root" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 inside apt-get update -qq
 inside apt-get install -y -qq --no-install-recommends /setae.deb >/dev/null

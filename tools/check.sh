@@ -10,6 +10,7 @@ failed=0
 mapfile -t sources < <(git ls-files '*.cpp' '*.hpp')
 clang-format-16 --dry-run -Werror "${sources[@]}" || failed=1
 tools/include_graph.py order || failed=1
+tests/package/registries.py || failed=1
 
 if [ "$since" = all ]; then
   mapfile -t tidy < <(git ls-files 'src/*.cpp' 'apps/*.cpp' ':!*/tests/*' ':!*/benchmarks/*')

@@ -2,10 +2,10 @@
 """Scripts that pages are checked with or made of, each one file of a package of npm, fetched once and known by its digest."""
 
 import hashlib
-import io
 import os
+import subprocess
 import tarfile
-import urllib.request
+import tempfile
 
 AXE = (
     "axe-core",
@@ -22,19 +22,29 @@ IFRAME_WORKER = (
 )
 
 
+def fetched(package, version, folder):
+    """Path of a package's archive, which npm puts into the folder; OSError without npm or network."""
+    command = ["npm", "pack", f"{package}@{version}", "--pack-destination", folder, "--loglevel=error", "--ignore-scripts", "--prefer-offline",
+               "--fetch-retries=1", "--fetch-retry-mintimeout=1000", "--fetch-timeout=30000"]
+    run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    if run.returncode:
+        raise OSError(f"npm cannot fetch {package} {version}: {run.stderr.strip()}")
+    return os.path.join(folder, f"{package}-{version}.tgz")
+
+
 def script(package, folder):
-    """Text of a package's script, which is kept in the folder; OSError without network."""
+    """Text of a package's script, which is kept in the folder; OSError without npm or network."""
     name, version, member, expected = package
     path = os.path.join(folder, f"{name}-{version}.js")
     if not os.path.exists(path):
-        url = f"https://registry.npmjs.org/{name}/-/{name}-{version}.tgz"
-        with urllib.request.urlopen(url, timeout=30) as answer:
-            archive = answer.read()
-        digest = hashlib.sha512(archive).hexdigest()
-        if digest != expected:
-            raise SystemExit(f"{url}: SHA-512 {digest}, expected {expected}")
-        with tarfile.open(fileobj=io.BytesIO(archive)) as files:
-            text = files.extractfile("package/" + member).read()
+        with tempfile.TemporaryDirectory() as scratch:
+            archive = fetched(name, version, scratch)
+            with open(archive, "rb") as file:
+                digest = hashlib.sha512(file.read()).hexdigest()
+            if digest != expected:
+                raise SystemExit(f"{name} {version}: SHA-512 {digest}, expected {expected}")
+            with tarfile.open(archive) as files:
+                text = files.extractfile("package/" + member).read()
         os.makedirs(folder, exist_ok=True)
         with open(path + ".part", "wb") as file:
             file.write(text)
