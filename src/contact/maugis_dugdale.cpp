@@ -148,14 +148,20 @@ double radius_at(double value, double Point::*member, double lambda, const Fold&
         double lower = fold.zone, upper = 2.0 * lower;
         // beyond, A² is lost in rounding
         const double last = 1e9 * std::max(fold.zone, zone_of_vanished_contact(lambda));
-        while (excess(upper) < 0.0 && upper < last) lower = upper, upper *= 2.0;
+        while (excess(upper) < 0.0 && upper < last) {
+            lower = upper;
+            upper *= 2.0;
+        }
         if (!(excess(upper) > 0.0)) return 0.0;
         return point_at(numerics::bracketed_root(excess, lower, upper), lambda).radius;
     }
     double upper = has_fold ? fold.zone : 1e9 * zone_of_vanished_contact(lambda);
     if (!(excess(upper) < 0.0)) return has_fold ? point_at(upper, lambda).radius : 0.0;
     double lower = has_fold ? upper : zone_at_radius(1.0, lambda);
-    while (excess(lower) < 0.0) upper = lower, lower *= 0.5;
+    while (excess(lower) < 0.0) {
+        upper = lower;
+        lower *= 0.5;
+    }
     return point_at(numerics::bracketed_root(excess, lower, upper), lambda).radius;
 }
 

@@ -38,7 +38,10 @@ double mean_inside(const topography::HeightMap& map, const std::array<double, 2>
     Index n = 0;
     for (Index i = 0; i < map.heights.rows(); ++i)
         for (Index j = 0; j < map.heights.cols(); ++j)
-            if (distance_from(map, centre, i, j) <= radius) sum += map.heights(i, j), ++n;
+            if (distance_from(map, centre, i, j) <= radius) {
+                sum += map.heights(i, j);
+                ++n;
+            }
     return n > 0 ? sum / static_cast<double>(n) : 0.0;
 }
 

@@ -70,7 +70,8 @@ private:
                 std::array<double, nodes> next{};
                 for (std::size_t p = 0; p + 1 < nodes; ++p) next[p + 1] = 2.0 * here[p];
                 for (std::size_t p = 0; p < nodes; ++p) next[p] -= before[p];
-                before = here, here = next;
+                before = here;
+                here = next;
             }
         }
     }
@@ -132,10 +133,14 @@ void RaySums::along(double angle, double* values, double* opposite) const {
         Complex other = left ? std::conj(std::conj(minus) * plus_[m]) : std::conj(std::conj(plus) * minus_[m]);
         if (radii_.first != 0.0) {
             const auto shift = std::polar(1.0, q_along * radii_.first);
-            value *= shift, other *= shift;
+            value *= shift;
+            other *= shift;
         }
         // sums are real: a mode at −p is the conjugate one at p
-        if (q_along < 0.0) value = std::conj(value), other = std::conj(other);
+        if (q_along < 0.0) {
+            value = std::conj(value);
+            other = std::conj(other);
+        }
         const double place = std::abs(q_along) / step_;
         const double below = std::floor(place);
         kernel.taps(2.0 * (place - below) - 1.0, taps);

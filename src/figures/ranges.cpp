@@ -106,7 +106,10 @@ Range value_range(const HeatMap& map) {
         least = std::min(least, value);
         most = std::max(most, value);
     }
-    if (least > most) least = 0.0, most = 1.0;
+    if (least > most) {
+        least = 0.0;
+        most = 1.0;
+    }
     if (least == most) most = least + 1.0;
     Range range{map.values_axis.from.value_or(least), map.values_axis.to.value_or(most)};
     require_ends(map.values_axis, range);

@@ -42,7 +42,8 @@ std::string deviation(const Table& load, const Told& what) {
         if (is_full(load, i) && !what.when_full) continue;
         const double ratio = theory[i] / solved[i] - 1.0;
         if (!std::isfinite(ratio)) continue;
-        least = std::fmin(least, ratio), greatest = std::fmax(greatest, ratio);
+        least = std::fmin(least, ratio);
+        greatest = std::fmax(greatest, ratio);
     }
     if (std::isnan(least)) return fmt::format("{} not compared", what.words);
     if (fmt::format("{:+.1f}", 100.0 * least) == fmt::format("{:+.1f}", 100.0 * greatest))

@@ -18,7 +18,10 @@ class PowerLaws {
 public:
     explicit PowerLaws(const spectra::Spectrum& curve) {
         for (Index i = 0; i < curve.wavevector.size(); ++i)
-            if (curve.density[i] > 0.0) q_.push_back(curve.wavevector[i]), density_.push_back(curve.density[i]);
+            if (curve.density[i] > 0.0) {
+                q_.push_back(curve.wavevector[i]);
+                density_.push_back(curve.density[i]);
+            }
     }
 
     [[nodiscard]] const std::vector<double>& nodes() const { return q_; }

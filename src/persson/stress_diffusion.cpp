@@ -67,7 +67,8 @@ private:
             const double pivot = 1.0 + half * loss - lower * above;
             above = j + 1 < cells ? -half * falls[j + 1] / pivot : 0.0;
             result = (value - lower * result) / pivot;
-            upper[j] = above, right[j] = result;
+            upper[j] = above;
+            right[j] = result;
         }
         for (Index j = cells - 2; j >= 0; --j) right[j] -= upper[j] * right[j + 1];
         area_ = right;

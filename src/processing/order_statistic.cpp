@@ -48,7 +48,10 @@ void QuantileSearch::add(const double* values, Index n) {
             at_low += part[k] == low;
             at_high += part[k] == high;
         }
-        defined_ += defined, below_ += below, at_low_ += at_low, at_high_ += at_high;
+        defined_ += defined;
+        below_ += below;
+        at_low_ += at_low;
+        at_high_ += at_high;
         std::size_t count = 0;
         for (Index k = 0; k < size; ++k) {
             kept[count] = part[k];
@@ -59,7 +62,10 @@ void QuantileSearch::add(const double* values, Index n) {
 }
 
 void QuantileSearch::add(const QuantileSearch& other) {
-    defined_ += other.defined_, below_ += other.below_, at_low_ += other.at_low_, at_high_ += other.at_high_;
+    defined_ += other.defined_;
+    below_ += other.below_;
+    at_low_ += other.at_low_;
+    at_high_ += other.at_high_;
     between_.insert(between_.end(), other.between_.begin(), other.between_.end());
 }
 

@@ -173,12 +173,18 @@ Mask grown(const Mask& mask, Index by) {
         Index left = 0;  // how many places the last chosen one still reaches
         for (Index k = 0; k < count; ++k) {
             if (source(k)) left = by + 1;
-            if (left > 0) target(k), --left;
+            if (left > 0) {
+                target(k);
+                --left;
+            }
         }
         left = 0;
         for (Index k = count - 1; k >= 0; --k) {
             if (source(k)) left = by + 1;
-            if (left > 0) target(k), --left;
+            if (left > 0) {
+                target(k);
+                --left;
+            }
         }
     };
     Mask wider = mask;

@@ -109,7 +109,11 @@ Array1D local_slopes(const BinnedSpectra& binned) {
         for (Index j = std::max<Index>(0, b - reach); j <= std::min(bins - 1, b + reach); ++j) {
             if (!(mean[j] > 0.0)) continue;
             const double x = std::log(binned.wavevector[j] / binned.wavevector[b]), y = std::log(mean[j]);
-            n += 1.0, sx += x, sy += y, sxx += x * x, sxy += x * y;
+            n += 1.0;
+            sx += x;
+            sy += y;
+            sxx += x * x;
+            sxy += x * y;
         }
         const double spread = n * sxx - sx * sx;
         if (n >= 2.0 && spread > 0.0) slopes[b] = std::clamp((n * sxy - sx * sy) / spread, -6.0, 2.0);

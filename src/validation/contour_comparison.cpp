@@ -97,7 +97,10 @@ double mean_between(const spectra::MeasuredSpectrum& spectrum, double lower, dou
     double sum = 0.0;
     int count = 0;
     for (Index k = 0; k < spectrum.wavevector.size(); ++k)
-        if (spectrum.wavevector[k] >= lower && spectrum.wavevector[k] < upper) sum += spectrum.density[k], ++count;
+        if (spectrum.wavevector[k] >= lower && spectrum.wavevector[k] < upper) {
+            sum += spectrum.density[k];
+            ++count;
+        }
     return count > 0 ? sum / count : undefined;
 }
 

@@ -25,8 +25,10 @@ OverRuns over_runs(const Members& members, double ideal, Value value) {
         if (!trial->refusal.empty() || !std::isfinite(number)) continue;
         ++result.count;
         sum += number;
-        if (!(std::abs(number - ideal) <= std::abs(result.worst - ideal)))
-            result.worst = number, result.worst_run = trial->run;
+        if (!(std::abs(number - ideal) <= std::abs(result.worst - ideal))) {
+            result.worst = number;
+            result.worst_run = trial->run;
+        }
     }
     if (result.count == 0) return result;
     result.mean = sum / result.count;

@@ -109,9 +109,17 @@ const Changes& experiments() {
         {"stage_noise_1", [](auto& r) { r.displacement_noise = 0.01; }},
         {"stage_noise_3", [](auto& r) { r.displacement_noise = 0.03; }},
         {"stage_noise_10", [](auto& r) { r.displacement_noise = 0.1; }},
-        {"stage_correlated_0.9", [](auto& r) { r.displacement_noise = 0.01, r.displacement_correlation = 0.9; }},
+        {"stage_correlated_0.9",
+         [](auto& r) {
+             r.displacement_noise = 0.01;
+             r.displacement_correlation = 0.9;
+         }},
         {"camera", [](auto& r) { r.camera = true; }},
-        {"camera_slow", [](auto& r) { r.camera = true, r.protocol.camera_rate = r.protocol.force_rate / 7.0; }},
+        {"camera_slow",
+         [](auto& r) {
+             r.camera = true;
+             r.protocol.camera_rate = r.protocol.force_rate / 7.0;
+         }},
         {"hold", [](auto& r) { r.protocol.hold_time = 100.0 / r.protocol.force_rate; }},
         {"no_snap_in", [](auto& r) { r.specimen.work_approach = 1e-9 * r.specimen.work_retraction; }},
         {"machine_as_stiff", [](auto& r) { r.protocol.machine_stiffness = contact_stiffness(r); }},
@@ -163,19 +171,30 @@ const Changes& courses() {
              const Index left = std::max<Index>(12, (last - first) / 20);
              keep(r.loop, std::max<Index>(first - left, 0), std::min(last + left, r.loop.force.size() - 1));
          }},
-        {"baseline_before_only", [](auto& r) { keep(r.loop, 0, contact_of(r.loop).second), r.closed = false; }},
+        {"baseline_before_only",
+         [](auto& r) {
+             keep(r.loop, 0, contact_of(r.loop).second);
+             r.closed = false;
+         }},
         {"baseline_after_only",
-         [](auto& r) { keep(r.loop, contact_of(r.loop).first + 8, r.loop.force.size() - 1), r.closed = false; }},
+         [](auto& r) {
+             keep(r.loop, contact_of(r.loop).first + 8, r.loop.force.size() - 1);
+             r.closed = false;
+         }},
         {"no_baseline",
          [](auto& r) {
              const auto [first, last] = contact_of(r.loop);
-             keep(r.loop, first + 8, last), r.closed = false;
+             keep(r.loop, first + 8, last);
+             r.closed = false;
          }},
-        {"ends_at_largest_force", [](auto& r) {
+        {"ends_at_largest_force",
+         [](auto& r) {
              Index turn = 0;
              r.loop.force.maxCoeff(&turn);
-             keep(r.loop, 0, turn), r.closed = false;
-         }}};
+             keep(r.loop, 0, turn);
+             r.closed = false;
+         }},
+    };
     return changes;
 }
 
@@ -198,7 +217,11 @@ const Changes& channels() {
                                  {"no_time", [](auto& r) { r.loop.time = Array1D(); }},
                                  {"force_reversed", [](auto& r) { r.loop.force *= -1.0; }},
                                  {"displacement_reversed", [](auto& r) { r.loop.displacement *= -1.0; }},
-                                 {"both_reversed", [](auto& r) { r.loop.force *= -1.0, r.loop.displacement *= -1.0; }},
+                                 {"both_reversed",
+                                  [](auto& r) {
+                                      r.loop.force *= -1.0;
+                                      r.loop.displacement *= -1.0;
+                                  }},
                                  {"swapped", [](auto& r) { std::swap(r.loop.force, r.loop.displacement); }}};
     return changes;
 }

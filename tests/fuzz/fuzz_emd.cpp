@@ -15,8 +15,8 @@ constexpr std::size_t most_written = 4096;
 /// An EMD told by bytes: layout, packing, type, number of sides, sides, step; then the units and what is left as
 /// metadata.
 ///
-/// Not the file's own bytes, which fuzz_hdf5_bytes damages: HDF5 1.10.8 crashes on them, and what is looked for here are
-/// faults of the reader above it.
+/// Not the file's own bytes, which fuzz_hdf5_bytes damages: HDF5 1.10.8 crashes on them, and what is looked for here
+/// are faults of the reader above it.
 tests::EmdFile described(std::string_view bytes) {
     const auto next = [&]() -> unsigned {
         if (bytes.empty()) return 0;
@@ -39,7 +39,10 @@ tests::EmdFile described(std::string_view bytes) {
     file.type = types[next() % std::size(types)];
     file.sides.resize(1 + next() % 4);
     std::size_t numbers = 1;
-    for (auto& side : file.sides) side = next(), numbers *= side;
+    for (auto& side : file.sides) {
+        side = next();
+        numbers *= side;
+    }
     if (layout & 4) file.sides.front() *= 1'000'000;
     file.pixels_written = !(layout & 4) && numbers <= most_written && H5Tget_class(file.type) <= H5T_FLOAT;
     file.step_x = static_cast<double>(next()) - 128.0;

@@ -133,7 +133,10 @@ std::string hdf5_file(Description described) {
     const auto type = types[described.next() % std::size(types)];
     std::vector<hsize_t> sides(1 + (described.next() + 3) % 4);
     hsize_t numbers = 1;
-    for (auto& side : sides) side = described.next(), numbers *= side;
+    for (auto& side : sides) {
+        side = described.next();
+        numbers *= side;
+    }
     if (structures & 4) sides.front() *= 1'000'000;
     tests::Hdf5Builder::Layout layout;
     const auto packing = described.next(), chunk = described.next();

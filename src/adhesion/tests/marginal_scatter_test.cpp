@@ -49,7 +49,10 @@ TEST(MarginalScatter, ConvergesInItsNodes) {
     for (int k = 0; k < 20; ++k) {
         const double by[3] = {3.0 * k / 4.0, 2.0 * (k % 5), 6.0 * (k % 3)};
         double surface[4], elastomer[4];
-        for (int i = 0; i < 4; ++i) surface[i] = by[1] * normal(random), elastomer[i] = by[2] * normal(random);
+        for (int i = 0; i < 4; ++i) {
+            surface[i] = by[1] * normal(random);
+            elastomer[i] = by[2] * normal(random);
+        }
         for (int i = 0; i < 16; ++i) data(i, k) = (3.0 + by[0]) * normal(random) + surface[i / 4] + elastomer[i % 4];
     }
     const VectorXd one = few.log_densities(own, data), other = many.log_densities(own, data);

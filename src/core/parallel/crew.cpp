@@ -84,11 +84,14 @@ void Crew::help() {
         wake_.wait(lock, [&] { return places_ > 0; });
         Loop& loop = *loops_.front();
         if (--loop.places == 0) loops_.pop_front();
-        --places_, --idle_, ++loop.active;
+        --places_;
+        --idle_;
+        ++loop.active;
         lock.unlock();
         loop.work();
         lock.lock();
-        ++idle_, --loop.active;
+        ++idle_;
+        --loop.active;
         done_.notify_all();
         lock.unlock();
         (void)soon([&] { return places_ > 0; });

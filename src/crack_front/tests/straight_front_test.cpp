@@ -75,7 +75,8 @@ TEST(StraightFront, OneWayGoesTheSameInOneStepAsInMany) {
     const StraightFrontOptions options{
         .width = 64.0, .restoring = 0.2, .method = EquilibriumMethod::rosso_krauth, .tolerance = 1e-10};
     StraightFront one(field, options), many(field, options);
-    one.drive_to(0.0), many.drive_to(0.0);
+    one.drive_to(0.0);
+    many.drive_to(0.0);
     for (int k = 1; k <= 40; ++k) many.drive_to(0.25 * k);
     one.drive_to(10.0);
     EXPECT_LT((one.front() - many.front()).abs().maxCoeff(), 1e-8);

@@ -85,7 +85,10 @@ public:
         if (gathered_.flavour == Flavour::spip) {
             for (auto& unit : gathered_.unit)
                 if (unit.empty()) unit = "nm";  // of SPIP's own lengths
-            if (header.unit.empty() && gathered_.bit_to_nm) header.unit = "nm", header.factor = *gathered_.bit_to_nm;
+            if (header.unit.empty() && gathered_.bit_to_nm) {
+                header.unit = "nm";
+                header.factor = *gathered_.bit_to_nm;
+            }
         }
         if (gathered_.unit[1].empty()) gathered_.unit[1] = gathered_.unit[0];
         for (std::size_t axis = 0; axis < 2; ++axis) {

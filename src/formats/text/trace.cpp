@@ -92,7 +92,10 @@ double usual_step(const Array1D& positions) {
     const double median = *middle;
     double sum = 0.0, count = 0.0;
     for (const double step : steps)
-        if (std::abs(step - median) <= 0.5 * median) sum += step, count += 1.0;
+        if (std::abs(step - median) <= 0.5 * median) {
+            sum += step;
+            count += 1.0;
+        }
     return count > 0.0 ? sum / count : median;
 }
 

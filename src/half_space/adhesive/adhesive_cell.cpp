@@ -75,12 +75,14 @@ public:
 
     void keep() {
         kept_ = here_;
-        kept_tangent_ = tangent_, kept_stiff_tangent_ = stiff_tangent_;
+        kept_tangent_ = tangent_;
+        kept_stiff_tangent_ = stiff_tangent_;
         kept_has_tangent_ = has_tangent_;
     }
     void restore() {
         here_ = kept_;
-        tangent_ = kept_tangent_, stiff_tangent_ = kept_stiff_tangent_;
+        tangent_ = kept_tangent_;
+        stiff_tangent_ = kept_stiff_tangent_;
         has_tangent_ = kept_has_tangent_;
     }
 

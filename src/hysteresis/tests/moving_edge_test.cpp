@@ -44,7 +44,8 @@ Recession by_time(const HystereticSphere& of, const Pressing& pressing, const Mo
                      k3 = receding(a - 0.5 * h * k2, half), k4 = receding(std::max(gone, a - h * k3), end);
         const double next = a - h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
         result.edge_work += 0.5 * (2.0 * pi * a * rate(a, depth) + 2.0 * pi * next * rate(next, end)) * (a - next);
-        a = next, depth = end;
+        a = next;
+        depth = end;
         result.smallest_force = std::min(result.smallest_force, 2.0 * a * E * (depth - a * a / (3.0 * R)));
     }
     result.edge_work += E * depth * depth * a;

@@ -174,8 +174,10 @@ std::optional<RadialStep> end_of_plateau(const RadialMean& radial, double noise,
     constexpr double share = 1.0 / 3, outstanding = 6.0;
     double sum = 0, count = 0, farthest = 0;
     std::size_t begin = 0;
-    for (; begin < radial.mean.size() && (static_cast<double>(begin) < 0.7 * smallest_radius || count < 9); ++begin)
-        sum += radial.mean[begin] * radial.count[begin], count += radial.count[begin];
+    for (; begin < radial.mean.size() && (static_cast<double>(begin) < 0.7 * smallest_radius || count < 9); ++begin) {
+        sum += radial.mean[begin] * radial.count[begin];
+        count += radial.count[begin];
+    }
     for (std::size_t k = begin; k < radial.mean.size(); ++k)
         if (radial.count[k] > 0.3 * 2 * std::numbers::pi * static_cast<double>(k) &&
             sign * (radial.mean[k] - sum / count) >= 0)
@@ -187,7 +189,8 @@ std::optional<RadialStep> end_of_plateau(const RadialMean& radial, double noise,
             sign * step >= 0)
             return RadialStep{static_cast<double>(k), step > 0 ? farthest : -farthest,
                               farthest * std::sqrt(radial.count[k])};
-        sum += radial.mean[k] * radial.count[k], count += radial.count[k];
+        sum += radial.mean[k] * radial.count[k];
+        count += radial.count[k];
     }
     return std::nullopt;
 }
@@ -202,9 +205,11 @@ std::optional<RadialStep> edge_of(const RadialMean& radial, double noise, double
     for (auto at = static_cast<std::size_t>(std::max(1.0, smallest_radius)); at + reach < radial.mean.size(); ++at) {
         double inner = 0, outer = 0, inner_count = 0, outer_count = 0;
         for (std::size_t k = 0; k < reach; ++k) {
-            outer += radial.mean[at + k] * radial.count[at + k], outer_count += radial.count[at + k];
+            outer += radial.mean[at + k] * radial.count[at + k];
+            outer_count += radial.count[at + k];
             if (at < k + 1) continue;
-            inner += radial.mean[at - 1 - k] * radial.count[at - 1 - k], inner_count += radial.count[at - 1 - k];
+            inner += radial.mean[at - 1 - k] * radial.count[at - 1 - k];
+            inner_count += radial.count[at - 1 - k];
         }
         if (inner_count < 1 || outer_count < 1) continue;
         const double whole = 2 * std::numbers::pi * static_cast<double>(at) * reach;

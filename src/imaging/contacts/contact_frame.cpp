@@ -124,8 +124,14 @@ ContactFrame measure_contact_frame(const FramePixels& pixels, const ContactFrame
             if (doubt.empty() && frame.confidence > beyond_doubt) return frame;
             const double score = frame.confidence * frame.contrast_to_noise *
                                  frame.radius;  // glare and dust are small, illumination is faint
-            if (doubt.empty() && score > best) best = score, chosen = frame;
-            if (frame.confidence > highest) highest = frame.confidence, reason = doubt;
+            if (doubt.empty() && score > best) {
+                best = score;
+                chosen = frame;
+            }
+            if (frame.confidence > highest) {
+                highest = frame.confidence;
+                reason = doubt;
+            }
         }
         if (found.last_level) break;
     }

@@ -32,8 +32,14 @@ double correlation_factor(const std::vector<double>& residuals, const std::vecto
     double variance = 0, counted = 0, product = 0, pairs = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const auto j = (i + 1) % n;
-        if (weights[i] > 0) variance += residuals[i] * residuals[i], counted += 1;
-        if (weights[i] > 0 && weights[j] > 0) product += residuals[i] * residuals[j], pairs += 1;
+        if (weights[i] > 0) {
+            variance += residuals[i] * residuals[i];
+            counted += 1;
+        }
+        if (weights[i] > 0 && weights[j] > 0) {
+            product += residuals[i] * residuals[j];
+            pairs += 1;
+        }
     }
     if (pairs < 12 || variance <= 0) return 1.0;
     const double correlation =
@@ -138,8 +144,10 @@ OutlineCorrection corrected_outline(const Outline& outline, const std::vector<Ed
     result.outline.centre_x += step[0];
     result.outline.centre_y += step[1];
     result.outline.mean_radius += step[2];
-    if (shape == OutlineShape::ellipse)
-        result.outline.stretch_cosine += step[3], result.outline.stretch_sine += step[4];
+    if (shape == OutlineShape::ellipse) {
+        result.outline.stretch_cosine += step[3];
+        result.outline.stretch_sine += step[4];
+    }
     result.largest_step = step.cwiseAbs().maxCoeff();
     result.solved = result.outline.semi_minor() > 0.3 * result.outline.semi_major();
     return result;
@@ -167,7 +175,10 @@ Outline consensus_circle(const std::vector<EdgePoint>& points, double tolerance,
         const double ux = (cy * (bx * bx + by * by) - by * (cx * cx + cy * cy)) / cross,
                      uy = (bx * (cx * cx + cy * cy) - cx * (bx * bx + by * by)) / cross;
         const Outline circle{a.x + ux, a.y + uy, std::hypot(ux, uy)};
-        if (const auto count = agreeing(circle); count > most) most = count, best = circle;
+        if (const auto count = agreeing(circle); count > most) {
+            most = count;
+            best = circle;
+        }
     }
     return best;
 }

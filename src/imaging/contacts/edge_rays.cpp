@@ -99,7 +99,10 @@ Sectors gathered(const FramePixels& pixels, const Outline& outline, std::size_t 
     }
     for (auto& profile : sectors.profiles)
         for (auto& at : profile.bins)
-            if (at.count > 0) at.distance /= at.count, at.grey /= at.count;
+            if (at.count > 0) {
+                at.distance /= at.count;
+                at.grey /= at.count;
+            }
     return sectors;
 }
 
@@ -117,8 +120,12 @@ double linear_part(const RayProfile& profile, StepFit& fit) {
     for (const auto& at : profile.bins) {
         if (at.count == 0) continue;
         const double step = normal_integral((at.distance - fit.place) / fit.width);
-        n += at.count, h += at.count * step, hh += at.count * step * step;
-        g += at.count * at.grey, gh += at.count * at.grey * step, gg += at.count * at.grey * at.grey;
+        n += at.count;
+        h += at.count * step;
+        hh += at.count * step * step;
+        g += at.count * at.grey;
+        gh += at.count * at.grey * step;
+        gg += at.count * at.grey * at.grey;
     }
     const double determinant = n * hh - h * h;
     if (n < 4 || determinant < 1e-6 * n * n) return gg;
@@ -172,7 +179,10 @@ StepFit searched(const RayProfile& profile, double width, double sign, double fa
     for (double place = -farthest; place <= farthest; place += 0.5 * width) {
         StepFit fit{.place = place, .width = width};
         const double squares = linear_part(profile, fit);
-        if (sign * fit.contrast > 0 && squares < least) least = squares, best = fit;
+        if (sign * fit.contrast > 0 && squares < least) {
+            least = squares;
+            best = fit;
+        }
     }
     best.good = std::isfinite(least);
     return best;
@@ -216,13 +226,17 @@ std::vector<EdgeRay> fitted_rays(const Sectors& sectors, const Outline& outline,
         // scatter within bins and of bins about the fit: of pixels
         const double own = std::max(0.0, profile.grey_squared - grey_squared) + fit.squares;
         squares_a_pixel.push_back(own / std::max(1.0, fit.count - 3));
-        squares += own, freedom += fit.count - 3;
+        squares += own;
+        freedom += fit.count - 3;
     }
     // the median keeps rays over dust out
     noise = std::sqrt(std::max(upper_median(squares_a_pixel), 0.0));
     const double floor = freedom > 0 ? 1e-4 * std::sqrt(squares / freedom) : 0;
     noise = std::max({noise, floor, 1e-9});
-    for (auto& ray : rays) ray.variance *= noise * noise, ray.contrast_deviation *= noise;
+    for (auto& ray : rays) {
+        ray.variance *= noise * noise;
+        ray.contrast_deviation *= noise;
+    }
     return rays;
 }
 
@@ -235,7 +249,10 @@ RayProfile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays
         if (!agree[k]) continue;
         const auto& bins = sectors.profiles[k].bins;
         double level = 0, count = 0;
-        for (const auto& at : bins) level += at.count * at.grey, count += at.count;
+        for (const auto& at : bins) {
+            level += at.count * at.grey;
+            count += at.count;
+        }
         level /= count;
         const double place = from_own_place ? rays[k].place : 0.0;
         for (const auto& at : bins) {
@@ -248,7 +265,10 @@ RayProfile mean_profile(const Sectors& sectors, const std::vector<EdgeRay>& rays
         }
     }
     for (auto& at : mean.bins)
-        if (at.count > 0) at.distance /= at.count, at.grey /= at.count;
+        if (at.count > 0) {
+            at.distance /= at.count;
+            at.grey /= at.count;
+        }
     return mean;
 }
 
@@ -259,8 +279,10 @@ double first_fringe(const RayProfile& profile, const StepFit& step, double sign,
     for (const auto& at : profile.bins) {
         if (at.count == 0 || at.distance < step.place) continue;
         const double grey = sign * at.grey;
-        if (grey > highest) highest = grey, at_highest = at.distance;
-        else if (grey < highest - turned * std::abs(step.contrast)) return at_highest;
+        if (grey > highest) {
+            highest = grey;
+            at_highest = at.distance;
+        } else if (grey < highest - turned * std::abs(step.contrast)) return at_highest;
     }
     return farthest;
 }
@@ -275,9 +297,10 @@ struct OutlineRays {
 OutlineRays comparable_rays(const std::vector<EdgeRay>& rays, double sign) {
     std::vector<double> contrasts, significances;
     for (const auto& ray : rays)
-        if (ray.fitted && sign * ray.contrast > 0)
-            contrasts.push_back(sign * ray.contrast),
-                significances.push_back(sign * ray.contrast / ray.contrast_deviation);
+        if (ray.fitted && sign * ray.contrast > 0) {
+            contrasts.push_back(sign * ray.contrast);
+            significances.push_back(sign * ray.contrast / ray.contrast_deviation);
+        }
     OutlineRays found{.significance = upper_median(significances)};
     const double typical = upper_median(contrasts);
     for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -295,8 +318,10 @@ void take_agreement(EdgeFit& fit, const OutlineRays& used, const OutlineCorrecti
     agree.assign(fit.rays.size(), false);
     std::vector<double> contrasts;
     for (std::size_t i = 0; i < used.rays.size(); ++i)
-        if (correction.weights[i] > least_weight)
-            agree[used.rays[i]] = true, contrasts.push_back(sign * fit.rays[used.rays[i]].contrast);
+        if (correction.weights[i] > least_weight) {
+            agree[used.rays[i]] = true;
+            contrasts.push_back(sign * fit.rays[used.rays[i]].contrast);
+        }
     const auto visible =
         std::count_if(fit.rays.begin(), fit.rays.end(), [](const EdgeRay& ray) { return ray.visible; });
     fit.agreeing_share = visible > 0 ? static_cast<double>(contrasts.size()) / static_cast<double>(visible) : 0.0;

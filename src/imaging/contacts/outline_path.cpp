@@ -21,7 +21,10 @@ std::vector<Index> closed_path(const Array2D& gain, double cost, Index most) {
                 for (const Index step : {-d, d}) {
                     if (k + step < 0 || k + step >= columns) continue;
                     const double sum = best[k + step] - cost * static_cast<double>(d);
-                    if (sum > highest) highest = sum, chosen = step;
+                    if (sum > highest) {
+                        highest = sum;
+                        chosen = step;
+                    }
                 }
             from(i, k) = static_cast<std::int8_t>(chosen);
             next[k] = highest + gain(i % rows, k);

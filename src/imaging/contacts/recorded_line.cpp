@@ -29,7 +29,10 @@ Traced traced(const FrameSource& source, std::size_t index, const ContactFrame& 
     within.ellipse.centre_y -= top;
     try {
         auto outline = trace_contact_outline(read.pixels, within, x - left, y - top, angles, smallest_void);
-        for (auto& hole : outline.voids) hole.x += left, hole.y += top;
+        for (auto& hole : outline.voids) {
+            hole.x += left;
+            hole.y += top;
+        }
         return {std::move(outline), {}};
     } catch (const InvalidArgument& e) {
         return {{}, e.what()};

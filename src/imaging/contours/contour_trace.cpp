@@ -68,8 +68,10 @@ std::vector<ContourSegment> binary_segments(const PixelMask& sample, const Trace
         double least = std::numeric_limits<double>::infinity();
         for (const auto& outline : found) {
             Index at = 0;
-            if (const double d = distance_to(resampled(outline, 1.0, false), list.front(), at); d < least)
-                least = d, best = &outline;
+            if (const double d = distance_to(resampled(outline, 1.0, false), list.front(), at); d < least) {
+                least = d;
+                best = &outline;
+            }
         }
         if (best != nullptr) segments.push_back(exact_segment(*best));
     }
@@ -90,7 +92,8 @@ void keep_within(PlaneCurve& curve, Array1D& standard_error, long columns, long 
     while (first < last && !inside(first)) ++first;
     while (last > first && !inside(last)) --last;
     const Index n = last - first + 1;
-    curve.x = Array1D(curve.x.segment(first, n)), curve.y = Array1D(curve.y.segment(first, n)),
+    curve.x = Array1D(curve.x.segment(first, n));
+    curve.y = Array1D(curve.y.segment(first, n));
     standard_error = Array1D(standard_error.segment(first, n));
 }
 
@@ -99,9 +102,11 @@ ContourSegment refined_segment(EdgeBand& band, const PlaneCurve& start, const st
     auto edge = refined_edge(band, start, anchors, options.smoothing_length);
     keep_within(edge.curve, edge.standard_error, pixels.cols(), pixels.rows());
     ContourSegment segment{edge.curve.x, edge.curve.y, edge.standard_error, edge.curve.closed, edge.curve.length(), {}};
-    segment.edge_width = edge.blur, segment.smoothing_length = edge.smoothing_length,
+    segment.edge_width = edge.blur;
+    segment.smoothing_length = edge.smoothing_length;
     segment.noise_density = edge.noise_density;
-    segment.contrast_to_noise = edge.contrast_to_noise, segment.fringe = edge.shape.fringe != 0,
+    segment.contrast_to_noise = edge.contrast_to_noise;
+    segment.fringe = edge.shape.fringe != 0;
     segment.converged = edge.converged;
     for (const auto& anchor : anchors) {
         Index nearest = 0;
@@ -120,7 +125,8 @@ PlaneCurve joined(const std::vector<PlaneCurve>& parts) {
     PlaneCurve whole;
     Index n = 0;
     for (const auto& part : parts) n += part.size();
-    whole.x.resize(n), whole.y.resize(n);
+    whole.x.resize(n);
+    whole.y.resize(n);
     Index at = 0;
     for (const auto& part : parts) {
         whole.x.segment(at, part.size()) = part.x, whole.y.segment(at, part.size()) = part.y;
@@ -136,7 +142,11 @@ PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anch
     Index nearest = 0;
     for (const auto& curve : curves) {
         Index at = 0;
-        if (const double d = distance_to(curve, anchor, at); d < least) least = d, best = &curve, nearest = at;
+        if (const double d = distance_to(curve, anchor, at); d < least) {
+            least = d;
+            best = &curve;
+            nearest = at;
+        }
     }
     if (best == nullptr)
         throw UndefinedDataError(
@@ -146,7 +156,10 @@ PlaneCurve led_through(const std::vector<PlaneCurve>& curves, const Anchor& anch
     if (curve.closed) {  // opened opposite to the anchor
         const Index n = curve.size(), shift = (nearest + n / 2) % n;
         Array1D x(n), y(n);
-        for (Index i = 0; i < n; ++i) x[i] = best->x[(i + shift) % n], y[i] = best->y[(i + shift) % n];
+        for (Index i = 0; i < n; ++i) {
+            x[i] = best->x[(i + shift) % n];
+            y[i] = best->y[(i + shift) % n];
+        }
         curve = {x, y, false};
         nearest = (nearest - shift + n) % n;
     }
@@ -211,7 +224,9 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
     trace.binary = picture.grey_levels == 2;
     if (trace.binary) {
         const auto mask = divide_binary(picture.pixels, picture.hidden, options.vacuum);
-        trace.vacuum_level = mask.vacuum_level, trace.sample_level = mask.sample_level, trace.vacuum = mask.vacuum;
+        trace.vacuum_level = mask.vacuum_level;
+        trace.sample_level = mask.sample_level;
+        trace.vacuum = mask.vacuum;
         trace.segments = binary_segments(mask.sample, options);
         add_alerts(trace, mask, !options.anchors.empty());
         if (trace.segments.empty())
@@ -228,8 +243,10 @@ ContourTrace trace_contour(const FramePixels& pixels, const TraceOptions& option
             "give anchors along the edge where the eye sees one",
             phases.cells > 0 ? phases.gain / phases.cells : 0.0, least_gain));
     trace.vacuum = divided ? phases.vacuum : options.vacuum == Vacuum::dark ? Vacuum::dark : Vacuum::bright;
-    trace.vacuum_level = phases.vacuum_level, trace.sample_level = phases.sample_level;
-    trace.vacuum_noise = phases.vacuum_noise, trace.sample_noise = phases.sample_noise;
+    trace.vacuum_level = phases.vacuum_level;
+    trace.sample_level = phases.sample_level;
+    trace.vacuum_noise = phases.vacuum_noise;
+    trace.sample_noise = phases.sample_noise;
     std::vector<PlaneCurve> curves;
     if (divided) {
         remove_islands(phases.sample, least_area);

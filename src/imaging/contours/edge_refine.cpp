@@ -59,18 +59,24 @@ public:
           squares_(static_cast<std::size_t>(std::ceil(2 * reach)) + 1, 0.0),
           count_(squares_.size(), 0.0) {}
     void add(double distance, double residual) {
-        squares_[bin(distance)] += residual * residual, count_[bin(distance)] += 1;
+        squares_[bin(distance)] += residual * residual;
+        count_[bin(distance)] += 1;
     }
     [[nodiscard]] double variance(double distance) const {
         const auto i = bin(distance);
         double squares = 0, count = 0;
-        for (auto j = i > 0 ? i - 1 : i; j <= std::min(i + 1, count_.size() - 1); ++j)
-            squares += squares_[j], count += count_[j];
+        for (auto j = i > 0 ? i - 1 : i; j <= std::min(i + 1, count_.size() - 1); ++j) {
+            squares += squares_[j];
+            count += count_[j];
+        }
         return count > 0 ? std::max(floor_, squares / count) : floor_ + 1;
     }
     [[nodiscard]] double variance_between(double from, double to) const {
         double squares = 0, count = 0;
-        for (auto j = bin(from); j <= bin(to); ++j) squares += squares_[j], count += count_[j];
+        for (auto j = bin(from); j <= bin(to); ++j) {
+            squares += squares_[j];
+            count += count_[j];
+        }
         return count > 0 ? std::max(floor_, squares / count) : floor_;
     }
 
@@ -155,7 +161,8 @@ private:
 
     void shift(double distance) {
         const auto n = normals(curve_);
-        curve_.x += distance * n.x, curve_.y += distance * n.y;
+        curve_.x += distance * n.x;
+        curve_.y += distance * n.y;
     }
 
     void gather() {
@@ -179,9 +186,10 @@ private:
             const double weight = 1.0 / scatter.variance(p.distance), slope = slope_at(p);
             const Index next = curve_.at(p.index + 1);
             const double information = weight * slope * slope, score = -weight * slope * residual(p);
-            evidence_.information[p.index] += (1 - p.fraction) * information,
-                evidence_.information[next] += p.fraction * information;
-            evidence_.score[p.index] += (1 - p.fraction) * score, evidence_.score[next] += p.fraction * score;
+            evidence_.information[p.index] += (1 - p.fraction) * information;
+            evidence_.information[next] += p.fraction * information;
+            evidence_.score[p.index] += (1 - p.fraction) * score;
+            evidence_.score[next] += p.fraction * score;
         }
     }
 
@@ -191,8 +199,11 @@ private:
         for (const auto& p : pixels_) {
             const double w = 1.0 / scatter.variance(p.distance), t = shape_.value(p.distance),
                          g = p.value - shape_.level;
-            one[p.index] += w, shape[p.index] += w * t, squared[p.index] += w * t * t, grey[p.index] += w * g,
-                product[p.index] += w * t * g;
+            one[p.index] += w;
+            shape[p.index] += w * t;
+            squared[p.index] += w * t * t;
+            grey[p.index] += w * g;
+            product[p.index] += w * t * g;
         }
         for (auto* sum : {&one, &shape, &squared, &grey, &product}) *sum = spread(curve_, *sum, level_stretch);
         // the contrast is held to the whole contour's with the weight of a tenth of the pixels around
@@ -223,8 +234,10 @@ private:
             const std::array<Index, 3> at{curve_.at(k - 1), k, curve_.at(k + 1)};
             constexpr std::array<double, 3> part{1, -2, 1};
             double bend_x = 0, bend_y = 0;
-            for (std::size_t i = 0; i < 3; ++i)
-                bend_x += part[i] * curve_.x[at[i]], bend_y += part[i] * curve_.y[at[i]];
+            for (std::size_t i = 0; i < 3; ++i) {
+                bend_x += part[i] * curve_.x[at[i]];
+                bend_y += part[i] * curve_.y[at[i]];
+            }
             for (std::size_t i = 0; i < 3; ++i) {
                 const double nx = normals_.x[at[i]], ny = normals_.y[at[i]];
                 right[at[i]] -= stiffness[k] * part[i] * (bend_x * nx + bend_y * ny);
@@ -241,7 +254,8 @@ private:
         const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
         const Array1D wish = solver.solve(right.matrix()).array();
         const Array1D delta = (round < rounds_of_full_steps ? 1.0 : 0.5) * wish.max(-most_move).min(most_move);
-        curve_.x += delta * normals_.x, curve_.y += delta * normals_.y;
+        curve_.x += delta * normals_.x;
+        curve_.y += delta * normals_.y;
         moved_ = delta.abs();
         last_move_ = most_of(moved_);
         even_out();
@@ -288,7 +302,10 @@ private:
                          px = anchor.x - curve_.x[k], py = anchor.y - curve_.y[k];
             const double t = std::clamp((px * ex + py * ey) / std::max(1e-300, ex * ex + ey * ey), 0.0, 1.0);
             const double squared = (px - t * ex) * (px - t * ex) + (py - t * ey) * (py - t * ey);
-            if (squared < least) least = squared, best = {k, t};
+            if (squared < least) {
+                least = squared;
+                best = {k, t};
+            }
         }
         return best;
     }
@@ -298,7 +315,8 @@ private:
         for (Index k = 0; k + (curve_.closed ? 0 : 1) < curve_.size(); ++k) {
             const double d =
                 std::hypot(curve_.x[curve_.at(k + 1)] - curve_.x[k], curve_.y[curve_.at(k + 1)] - curve_.y[k]);
-            shortest = std::min(shortest, d), longest = std::max(longest, d);
+            shortest = std::min(shortest, d);
+            longest = std::max(longest, d);
         }
         if (shortest >= 0.75 && longest <= 1.3) return;
         const auto before = curve_.size();
@@ -361,7 +379,8 @@ private:
             const Index before = curve_.at(k - 1), after = curve_.at(k + 1);
             const double bend = (curve_.x[before] - 2 * curve_.x[k] + curve_.x[after]) * normals_.x[k] +
                                 (curve_.y[before] - 2 * curve_.y[k] + curve_.y[after]) * normals_.y[k];
-            samples.x[k] += bend / 12 * normals_.x[k], samples.y[k] += bend / 12 * normals_.y[k];
+            samples.x[k] += bend / 12 * normals_.x[k];
+            samples.y[k] += bend / 12 * normals_.y[k];
         }
         return samples;
     }

@@ -25,8 +25,12 @@ using Parameters = Eigen::Matrix<double, 6, 1>;  // level, step, place, ln width
 
 EdgeShape shape_of(const Parameters& p) {
     EdgeShape shape;
-    shape.level = p[0], shape.step = p[1], shape.place = p[2], shape.fringe = p[4];
-    shape.width = std::exp(p[3]), shape.fringe_width = std::exp(p[5]);
+    shape.level = p[0];
+    shape.step = p[1];
+    shape.place = p[2];
+    shape.fringe = p[4];
+    shape.width = std::exp(p[3]);
+    shape.fringe_width = std::exp(p[5]);
     return shape;
 }
 
@@ -87,7 +91,8 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
             const double squares = squares_of(profile, weights, next);
             if (squares < fit.squares) {
                 const bool rests = fit.squares - squares < 1e-9 * fit.squares;
-                fit.parameters = next, fit.squares = squares;
+                fit.parameters = next;
+                fit.squares = squares;
                 damping = std::max(1e-9, 0.2 * damping);
                 if (rests) step = most_steps;
                 better = true;
@@ -102,11 +107,16 @@ Fit least_squares(const EdgeProfile& profile, const std::vector<double>& weights
 
 std::vector<double> weights_of(const EdgeProfile& profile) {
     double variance = 0, count = 0;
-    for (std::size_t i = 0; i < profile.mean.size(); ++i)
-        variance += profile.count[i] * profile.variance[i], count += profile.count[i];
+    for (std::size_t i = 0; i < profile.mean.size(); ++i) {
+        variance += profile.count[i] * profile.variance[i];
+        count += profile.count[i];
+    }
     double low = 1e300, high = -1e300;
     for (std::size_t i = 0; i < profile.mean.size(); ++i)
-        if (profile.count[i] > 0) low = std::min(low, profile.mean[i]), high = std::max(high, profile.mean[i]);
+        if (profile.count[i] > 0) {
+            low = std::min(low, profile.mean[i]);
+            high = std::max(high, profile.mean[i]);
+        }
     const double typical =
         std::max(variance / std::max(1.0, count), least_scatter * least_scatter * (high - low) * (high - low));
     std::vector<double> weights;
@@ -134,7 +144,8 @@ EdgeShape best_shape(const EdgeProfile& profile, const EdgeShape& start) {
     const auto weights = weights_of(profile);
     EdgeShape bare = start;
     bare.step = start.slope(0) * start.width * std::sqrt(2 * std::numbers::pi);
-    bare.fringe = 0, bare.fringe_width = std::max(2.0, 2 * start.width);
+    bare.fringe = 0;
+    bare.fringe_width = std::max(2.0, 2 * start.width);
     auto step = least_squares(profile, weights, parameters_of(bare), 4);
     if (!same_edge(shape_of(step.parameters), start))
         step = {parameters_of(bare), squares_of(profile, weights, parameters_of(bare))};
@@ -184,10 +195,15 @@ EdgeProfile edge_profile(const std::vector<BandPixel>& pixels, double reach) {
     };
     for (const auto& p : pixels) {
         const auto i = bin_of(p);
-        profile.count[i] += 1, profile.distance[i] += p.distance, profile.mean[i] += p.value;
+        profile.count[i] += 1;
+        profile.distance[i] += p.distance;
+        profile.mean[i] += p.value;
     }
     for (std::size_t i = 0; i < bins; ++i)
-        if (profile.count[i] > 0) profile.distance[i] /= profile.count[i], profile.mean[i] /= profile.count[i];
+        if (profile.count[i] > 0) {
+            profile.distance[i] /= profile.count[i];
+            profile.mean[i] /= profile.count[i];
+        }
     for (const auto& p : pixels) {
         const auto i = bin_of(p);
         profile.variance[i] += (p.value - profile.mean[i]) * (p.value - profile.mean[i]) / profile.count[i];
@@ -201,17 +217,24 @@ EdgeShape fitted_shape(const EdgeProfile& profile) {
     constexpr long reach = 12;  // bins on either side whose means make a slope: 3 px
     const auto mean_over = [&](long from, long to) {
         double sum = 0, weight = 0;
-        for (long i = std::max(0L, from); i < std::min(n, to); ++i)
-            sum += weights[static_cast<std::size_t>(i)] * profile.mean[static_cast<std::size_t>(i)],
-                weight += weights[static_cast<std::size_t>(i)];
+        for (long i = std::max(0L, from); i < std::min(n, to); ++i) {
+            sum += weights[static_cast<std::size_t>(i)] * profile.mean[static_cast<std::size_t>(i)];
+            weight += weights[static_cast<std::size_t>(i)];
+        }
         return weight > 0 ? sum / weight : 0.0;
     };
     double steepest_up = 0, steepest_down = 0;
     long up = n / 2, down = n / 2;
     for (long i = reach / 2; i <= n - reach / 2; ++i) {
         const double rise = mean_over(i, i + reach) - mean_over(i - reach, i);
-        if (rise > steepest_up) steepest_up = rise, up = i;
-        if (-rise > steepest_down) steepest_down = -rise, down = i;
+        if (rise > steepest_up) {
+            steepest_up = rise;
+            up = i;
+        }
+        if (-rise > steepest_down) {
+            steepest_down = -rise;
+            down = i;
+        }
     }
     const double ends = mean_over(n - n / 4, n) - mean_over(0, n / 4);
     const bool told = std::abs(ends) > 0.25 * (steepest_up + steepest_down);

@@ -34,7 +34,8 @@ LiveWire::LiveWire(const FramePixels& pixels, Vacuum vacuum)
     for (long i = 0; i < pixels.size(); i += stride) rises.push_back(std::hypot(rise_x_.data()[i], rise_y_.data()[i]));
     const float strong = upper_quantile(std::move(rises), 0.99);
     const float unit = strong > 0 ? 1.0F / strong : 0.0F;
-    rise_x_ *= unit, rise_y_ *= unit;
+    rise_x_ *= unit;
+    rise_y_ *= unit;
 }
 
 LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
@@ -73,7 +74,8 @@ LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
             const double next = so_far + length / (least_edge + std::clamp(rise, 0.0, 1.0));
             const auto place = static_cast<std::size_t>(y * columns + x);
             if (next >= cost[place]) continue;
-            cost[place] = next, came[place] = static_cast<signed char>(d);
+            cost[place] = next;
+            came[place] = static_cast<signed char>(d);
             open.emplace(next, static_cast<long>(place));
         }
     }
@@ -87,8 +89,12 @@ LiveWire::Path LiveWire::between(const Anchor& from, const Anchor& to) const {
         const auto d = static_cast<std::size_t>(came[static_cast<std::size_t>(at)]);
         at -= step_y[d] * columns + step_x[d];
     }
-    std::reverse(path.x.begin(), path.x.end()), std::reverse(path.y.begin(), path.y.end());
-    path.x.front() = from.x, path.y.front() = from.y, path.x.back() = to.x, path.y.back() = to.y;
+    std::reverse(path.x.begin(), path.x.end());
+    std::reverse(path.y.begin(), path.y.end());
+    path.x.front() = from.x;
+    path.y.front() = from.y;
+    path.x.back() = to.x;
+    path.y.back() = to.y;
     return path;
 }
 

@@ -72,12 +72,14 @@ private:
     PlaneCurve from(long x, long y, int direction, bool open) {
         std::vector<double> corner_x{static_cast<double>(x) - 0.5}, corner_y{static_cast<double>(y) - 0.5};
         const auto add = [&] {
-            corner_x.push_back(static_cast<double>(x) - 0.5), corner_y.push_back(static_cast<double>(y) - 0.5);
+            corner_x.push_back(static_cast<double>(x) - 0.5);
+            corner_y.push_back(static_cast<double>(y) - 0.5);
         };
         const int first = direction;
         while (true) {
             walked_(y, x) = static_cast<std::uint8_t>(walked_(y, x) | (1 << direction));
-            x += side_x[direction], y += side_y[direction];
+            x += side_x[direction];
+            y += side_y[direction];
             int next = -1;
             for (const int turn : {1, 0, 3}) {  // right first: parts of the sample that touch at a corner stay apart
                 const int candidate = (direction + turn) % 4;
@@ -91,8 +93,10 @@ private:
             direction = next;
         }
         if (open) add();
-        else if (direction == first)
-            corner_x.erase(corner_x.begin()), corner_y.erase(corner_y.begin());  // it began within a straight stretch
+        else if (direction == first) {  // it began within a straight stretch
+            corner_x.erase(corner_x.begin());
+            corner_y.erase(corner_y.begin());
+        }
         PlaneCurve curve;
         curve.x = Eigen::Map<Array1D>(corner_x.data(), static_cast<Index>(corner_x.size()));
         curve.y = Eigen::Map<Array1D>(corner_y.data(), static_cast<Index>(corner_y.size()));

@@ -158,7 +158,9 @@ Cells cells_of(const FramePixels& pixels, const PixelMask& hidden, long side, lo
                 for (long x = left; x < left + side; ++x) {
                     if (hidden(y, x) != 0) continue;
                     const double value = static_cast<double>(pixels(y, x)) - origin;
-                    sum += value, squares += value * value, count += 1;
+                    sum += value;
+                    squares += value * value;
+                    count += 1;
                 }
             if (2 * count < static_cast<double>(side * side)) continue;
             cells.weight(row, column) = 1;

@@ -12,8 +12,10 @@ Array1D smoothed(const PlaneCurve& curve, const Array1D& values, double deviatio
     const Index n = values.size(), reach = static_cast<Index>(std::ceil(4 * deviation));
     std::vector<double> kernel;
     double sum = 0;
-    for (Index j = -reach; j <= reach; ++j)
-        kernel.push_back(std::exp(-0.5 * static_cast<double>(j * j) / (deviation * deviation))), sum += kernel.back();
+    for (Index j = -reach; j <= reach; ++j) {
+        kernel.push_back(std::exp(-0.5 * static_cast<double>(j * j) / (deviation * deviation)));
+        sum += kernel.back();
+    }
     const auto value = [&](Index i) {
         if (curve.closed) return values[((i % n) + n) % n];
         if (i < 0) return 2 * values[0] - values[std::min(-i, n - 1)];
@@ -50,7 +52,8 @@ Normals normals(const PlaneCurve& curve) {
         const Index before = curve.at(i - 1), after = curve.at(i + 1);
         const double dx = curve.x[after] - curve.x[before], dy = curve.y[after] - curve.y[before],
                      length = std::max(1e-300, std::hypot(dx, dy));
-        found.x[i] = dy / length, found.y[i] = -dx / length;
+        found.x[i] = dy / length;
+        found.y[i] = -dx / length;
     }
     return found;
 }
@@ -83,7 +86,8 @@ PlaneCurve resampled(const PlaneCurve& curve, double step, bool smooth) {
                        (v[c] - before +
                         t * (2 * before - 5 * v[b] + 4 * v[c] - beyond + t * (3 * (v[b] - v[c]) + beyond - before)));
         };
-        result.x[k] = between(curve.x), result.y[k] = between(curve.y);
+        result.x[k] = between(curve.x);
+        result.y[k] = between(curve.y);
     }
     return result;
 }

@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "setae/core/errors.hpp"
-#include "setae/imaging/opencv_session.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/imaging/opencv_session.hpp"
 
 namespace setae::imaging {
 namespace {
@@ -40,7 +40,10 @@ long fill_undefined(PreparedPicture& picture) {
         if (std::isfinite(picture.pixels.data()[i])) defined.push_back(picture.pixels.data()[i]);
     const float median = upper_median(std::move(defined));
     for (long i = 0; i < picture.pixels.size(); ++i)
-        if (!std::isfinite(picture.pixels.data()[i])) picture.pixels.data()[i] = median, picture.hidden.data()[i] = 1;
+        if (!std::isfinite(picture.pixels.data()[i])) {
+            picture.pixels.data()[i] = median;
+            picture.hidden.data()[i] = 1;
+        }
     return count;
 }
 
@@ -50,9 +53,13 @@ int counted_levels(const PreparedPicture& picture) {
     for (long i = 0; i < picture.pixels.size(); ++i) {
         if (picture.hidden.data()[i] != 0) continue;
         const float value = picture.pixels.data()[i];
-        if (!any) any = true, first = value;
-        else if (value != first && !second_seen) second_seen = true, second = value;
-        else if (value != first && value != second) return 3;
+        if (!any) {
+            any = true;
+            first = value;
+        } else if (value != first && !second_seen) {
+            second_seen = true;
+            second = value;
+        } else if (value != first && value != second) return 3;
     }
     if (!any) throw UndefinedDataError("nothing of the picture is left: all of it is hidden");
     return second_seen ? 2 : 1;

@@ -20,9 +20,11 @@ double power(const Array1D& heights, double q) {
     double re = 0, im = 0, turn_re = 1, turn_im = 0;
     const double step_re = std::cos(q), step_im = std::sin(q);
     for (Index k = 0; k < heights.size(); ++k) {
-        re += heights[k] * turn_re, im += heights[k] * turn_im;
+        re += heights[k] * turn_re;
+        im += heights[k] * turn_im;
         const double next = turn_re * step_re - turn_im * step_im;
-        turn_im = turn_re * step_im + turn_im * step_re, turn_re = next;
+        turn_im = turn_re * step_im + turn_im * step_re;
+        turn_re = next;
     }
     return (re * re + im * im) / static_cast<double>(heights.size());
 }
@@ -53,8 +55,9 @@ PlaceSpectrum place_spectrum(Array1D heights) {
         const double from = lowest * std::pow(ratio, b), to = from * ratio;
         double sum = 0;
         for (int m = 0; m < modes; ++m) sum += power(heights, from + (to - from) * (m + 0.5) / modes);
-        found.wavevector.push_back(std::sqrt(from * to)), found.density.push_back(sum / modes),
-            found.width.push_back(to - from);
+        found.wavevector.push_back(std::sqrt(from * to));
+        found.density.push_back(sum / modes);
+        found.width.push_back(to - from);
     }
     return found;
 }
@@ -73,7 +76,10 @@ double best_smoothing(const PlaceSpectrum& places, double noise) {
     double least = std::numeric_limits<double>::infinity(), best = shortest_length;
     for (double length = shortest_length; length < longest_length; length *= pace) {
         const double squares = expected_squares(places, noise, length);
-        if (squares < least) least = squares, best = length;
+        if (squares < least) {
+            least = squares;
+            best = length;
+        }
     }
     return best;
 }

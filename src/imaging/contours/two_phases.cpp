@@ -149,7 +149,10 @@ double otsu(const Map& map, const Map& weight) {
         below += values[i];
         const double count = static_cast<double>(i + 1), difference = below / count - (total - below) / (n - count);
         const double between = count * (n - count) * difference * difference;
-        if (between > best) best = between, level = 0.5 * (values[i] + values[i + 1]);
+        if (between > best) {
+            best = between;
+            level = 0.5 * (values[i] + values[i + 1]);
+        }
     }
     return level;
 }
@@ -239,7 +242,8 @@ double undivided_energy(const Cells& cells, const LeastScatter& least) {
             if (cells.weight(row, column) == 0) continue;
             const double residual = cells.mean(row, column) - levels.dot(quadratic(row, column)),
                          other = cells.log_variance(row, column) - structure / count;
-            squares += residual * residual, structure_squares += other * other;
+            squares += residual * residual;
+            structure_squares += other * other;
         }
     const double scatter = std::max(least.level, std::sqrt(squares / count)),
                  structure_scatter = std::max(least.structure, std::sqrt(structure_squares / count));
@@ -283,8 +287,10 @@ void name_phases(TwoPhases& result, const FramePixels& pixels, const PixelMask& 
         std::swap(level[0], level[1]);
         std::swap(noise[0], noise[1]);
     }
-    result.vacuum_level = level[0], result.sample_level = level[1];
-    result.vacuum_noise = noise[0], result.sample_noise = noise[1];
+    result.vacuum_level = level[0];
+    result.sample_level = level[1];
+    result.vacuum_noise = noise[0];
+    result.sample_noise = noise[1];
     result.vacuum = level[0] >= level[1] ? Vacuum::bright : Vacuum::dark;
 }
 
@@ -328,7 +334,7 @@ TwoPhases divide_binary(const FramePixels& pixels, const PixelMask& hidden, Vacu
     const bool vacuum_bright = vacuum == Vacuum::automatic ? 2 * bright_rim > rim : vacuum == Vacuum::bright;
     result.sample = vacuum_bright ? PixelMask(1 - bright) : bright;
     result.vacuum = vacuum_bright ? Vacuum::bright : Vacuum::dark;
-    result.vacuum_level = static_cast<double>(vacuum_bright ? high : low),
+    result.vacuum_level = static_cast<double>(vacuum_bright ? high : low);
     result.sample_level = static_cast<double>(vacuum_bright ? low : high);
     return result;
 }

@@ -58,11 +58,14 @@ bool expand_runs(std::string_view runs, const Layout& layout, std::vector<std::u
     while (at + 2 <= runs.size()) {
         const auto count = static_cast<std::uint8_t>(runs[at]), value = static_cast<std::uint8_t>(runs[at + 1]);
         at += 2;
-        if (count == 0 && value == 0) x = 0, ++y;
-        else if (count == 0 && value == 1) return true;
+        if (count == 0 && value == 0) {
+            x = 0;
+            ++y;
+        } else if (count == 0 && value == 1) return true;
         else if (count == 0 && value == 2) {
             if (at + 2 > runs.size()) return false;
-            x += static_cast<std::uint8_t>(runs[at]), y += static_cast<std::uint8_t>(runs[at + 1]);
+            x += static_cast<std::uint8_t>(runs[at]);
+            y += static_cast<std::uint8_t>(runs[at + 1]);
             at += 2;
         } else {
             const std::uint64_t some = count > 0 ? count : value, stored = pairs ? (some + 1) / 2 : some;

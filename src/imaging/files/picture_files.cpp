@@ -51,10 +51,12 @@ bool natural_order(std::string_view first, std::string_view second) {
                        y = second.substr(b.significant, b.end - b.significant);
             if (x.size() != y.size()) return x.size() < y.size();
             if (x != y) return x < y;
-            i = a.end, j = b.end;
+            i = a.end;
+            j = b.end;
         } else {
             if (first[i] != second[j]) return first[i] < second[j];
-            ++i, ++j;
+            ++i;
+            ++j;
         }
     }
     if (i == first.size() && j == second.size()) return first < second;  // equal but for leading zeros
@@ -102,7 +104,10 @@ FrameNumbers numbers_of(const std::vector<std::string>& paths) {
         while (begin > 0 && is_digit(name[begin - 1])) --begin;
         const auto number = spelled<long>(std::string_view(name).substr(begin, last + 1 - begin));
         if (!number) return counted("");
-        if (&path == &paths.front()) before = name.substr(0, begin), after = name.substr(last + 1);
+        if (&path == &paths.front()) {
+            before = name.substr(0, begin);
+            after = name.substr(last + 1);
+        }
         if (name.substr(0, begin) != before || name.substr(last + 1) != after)
             return counted("names differ by more than a number; frames are counted from 1");
         if (!found.numbers.empty() && *number <= found.numbers.back())

@@ -68,7 +68,9 @@ private:
         H5Tset_size(kind, value.size() + 1);
         const hid_t attribute = H5Acreate2(object, name, kind, space, H5P_DEFAULT, H5P_DEFAULT);
         H5Awrite(attribute, kind, value.c_str());
-        H5Aclose(attribute), H5Sclose(space), H5Tclose(kind);
+        H5Aclose(attribute);
+        H5Sclose(space);
+        H5Tclose(kind);
     }
     static void dimension(hid_t group, const std::string& name, double step, const std::string& unit) {
         const hsize_t count = 2;
@@ -78,7 +80,8 @@ private:
         const double positions[] = {10, 10 + step};
         H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, positions);
         text(data, "units", unit);
-        H5Dclose(data), H5Sclose(space);
+        H5Dclose(data);
+        H5Sclose(space);
     }
     void write_ncem(hid_t file) const {
         const hid_t outer = group_in(file, "data"), group = group_in(outer, "image"), space = H5Screate(H5S_SCALAR);
@@ -89,7 +92,10 @@ private:
         H5Dclose(dataset(group, "data", shape, 1));
         dimension(group, "dim" + std::to_string(shape.size() - 1), step_y, unit_y);
         dimension(group, "dim" + std::to_string(shape.size()), step_x, unit_x);
-        H5Aclose(attribute), H5Sclose(space), H5Gclose(group), H5Gclose(outer);
+        H5Aclose(attribute);
+        H5Sclose(space);
+        H5Gclose(group);
+        H5Gclose(outer);
     }
     void write_velox(hid_t file) const {
         const hid_t outer = group_in(file, "Data"), images = group_in(outer, "Image"),
@@ -104,7 +110,11 @@ private:
                     data = H5Dcreate2(image, "Metadata", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
         const std::string padded = json + std::string(5, '\0');
         H5Dwrite(data, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data());
-        H5Dclose(data), H5Sclose(space), H5Gclose(image), H5Gclose(images), H5Gclose(outer);
+        H5Dclose(data);
+        H5Sclose(space);
+        H5Gclose(image);
+        H5Gclose(images);
+        H5Gclose(outer);
     }
 };
 

@@ -50,7 +50,8 @@ inline std::string jpeg_bytes(const cv::Mat& image, int quality = 95) {
     unsigned char* bytes = nullptr;
     unsigned long count = 0;
     jpeg_mem_dest(&jpeg, &bytes, &count);
-    jpeg.image_width = static_cast<JDIMENSION>(image.cols), jpeg.image_height = static_cast<JDIMENSION>(image.rows);
+    jpeg.image_width = static_cast<JDIMENSION>(image.cols);
+    jpeg.image_height = static_cast<JDIMENSION>(image.rows);
     jpeg.input_components = image.channels();
     jpeg.in_color_space = image.channels() == 3 ? JCS_RGB : JCS_GRAYSCALE;
     jpeg_set_defaults(&jpeg);

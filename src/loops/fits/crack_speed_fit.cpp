@@ -118,7 +118,10 @@ public:
                 const auto found = with_best_scale(threshold, power);
                 if (!found) continue;
                 const double squares = (course(*found).contact_radius - measured_).square().sum();
-                if (squares < least) least = squares, best = *found;
+                if (squares < least) {
+                    least = squares;
+                    best = *found;
+                }
             }
         if (!std::isfinite(least))
             throw UndefinedDataError(

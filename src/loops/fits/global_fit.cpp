@@ -65,8 +65,10 @@ Eigen::VectorXd start_of(const Layout& layout, const std::vector<SolvedFit>& sep
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(layout.unknowns()), counts = sums;
     for (std::size_t b = 0; b < separate.size(); ++b)
         for (std::size_t k = 0; k < 4; ++k)
-            if (const Index column = layout.columns[b][k]; column != none)
-                sums[column] += separate[b].solution.at[static_cast<Index>(k)], counts[column] += 1.0;
+            if (const Index column = layout.columns[b][k]; column != none) {
+                sums[column] += separate[b].solution.at[static_cast<Index>(k)];
+                counts[column] += 1.0;
+            }
     return sums.cwiseQuotient(counts);
 }
 

@@ -17,7 +17,10 @@ Outcome<ModelFit> fitted(const BranchData& data, const LensAndCounterBody& bodie
                          ContactModel model) {
     options.model = model;
     if (model == ContactModel::hertz) options.work_of_adhesion.reset();
-    if (model != ContactModel::maugis_dugdale) options.cohesive_stress.reset(), options.transition_parameter.reset();
+    if (model != ContactModel::maugis_dugdale) {
+        options.cohesive_stress.reset();
+        options.transition_parameter.reset();
+    }
     try {
         return fit_model(data, bodies, options);
     } catch (const InvalidArgument& error) {
@@ -65,8 +68,10 @@ ModelComparison compare_models(const BranchData& data, const LensAndCounterBody&
     for (ComparedModel& model : comparison.models) {
         if (!model.fit) continue;
         model.akaike_weight /= weights;
-        if (model.akaike_difference == 0.0) comparison.best = model.model, best = &model;
-        else if (!second || model.akaike_difference < second->akaike_difference) second = &model;
+        if (model.akaike_difference == 0.0) {
+            comparison.best = model.model;
+            best = &model;
+        } else if (!second || model.akaike_difference < second->akaike_difference) second = &model;
     }
     comparison.sentence = fmt::format("{} fits best", to_string(best->model));
     if (second)

@@ -194,9 +194,10 @@ CurvePoint ModelCurve::zone_point(double t, const CurveParameters& parameters) c
     point.displacement_by = {displacement_radius - 2.0 / 3.0 * point.displacement,
                              2.0 / 3.0 * point.displacement - displacement_radius, displacement_lambda};
     if (stress_given_) {
-        point.force_by[0] -= 2.0 / 3.0 * force_lambda, point.force_by[1] -= force_lambda / 3.0;
-        point.displacement_by[0] -= 2.0 / 3.0 * displacement_lambda,
-            point.displacement_by[1] -= displacement_lambda / 3.0;
+        point.force_by[0] -= 2.0 / 3.0 * force_lambda;
+        point.force_by[1] -= force_lambda / 3.0;
+        point.displacement_by[0] -= 2.0 / 3.0 * displacement_lambda;
+        point.displacement_by[1] -= displacement_lambda / 3.0;
     }
     return point;
 }

@@ -77,7 +77,8 @@ void fill_transition(ModelFit& fit, const PreparedFit& prepared, const FitSoluti
     Eigen::MatrixXd slopes(rows, 3);
     for (Index k = 0; k < 3; ++k) {
         FitParameters more = solution.at, less = solution.at;
-        more[k] += step, less[k] -= step;
+        more[k] += step;
+        less[k] -= step;
         const TransitionContact above = transition_contact(more, radius), below = transition_contact(less, radius);
         slopes(0, k) = (above.contact_modulus - below.contact_modulus) / (2.0 * step);
         slopes(1, k) = (above.work_of_adhesion - below.work_of_adhesion) / (2.0 * step);

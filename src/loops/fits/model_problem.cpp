@@ -156,7 +156,10 @@ BranchProblem::Foot BranchProblem::foot(Index sample, const FitParameters& at, c
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < table.t.size(); ++i) {
             const double distance = error(sample, table.points[i], point0).squaredNorm();
-            if (distance < least) least = distance, start = table.t[i];
+            if (distance < least) {
+                least = distance;
+                start = table.t[i];
+            }
         }
     }
     move(std::clamp(start, lowest, highest));
@@ -286,8 +289,10 @@ CurvePoint BranchProblem::point_at(double depth, const FitParameters& at, const 
     const auto curve_at = [&](double t) { return curve_.at(t, at.head<3>()); };
     if (curve_.goes_on_apart()) return curve_at(std::copysign(std::sqrt(curve_.radius() * std::abs(depth)), depth));
     double lower = table.least_t, upper = std::max(table.t.back(), lower);
-    while (upper < curve_.largest_radius() && curve_at(upper).displacement < depth)
-        lower = upper, upper = std::min(2.0 * upper, curve_.largest_radius());
+    while (upper < curve_.largest_radius() && curve_at(upper).displacement < depth) {
+        lower = upper;
+        upper = std::min(2.0 * upper, curve_.largest_radius());
+    }
     double t = std::clamp(table.guess(depth, &CurvePoint::displacement, 0), lower, upper);
     CurvePoint point;
     for (int round = 0; round < 100; ++round) {
@@ -309,7 +314,8 @@ void BranchProblem::evaluate_at_displacement(const FitParameters& at, Eigen::Ref
     for (Index p = 0; jacobian && p < curve_.parameters(); ++p) {
         const double step = 1e-5 * std::max(1.0, std::abs(at[p]));
         FitParameters more = at, less = at;
-        more[p] += step, less[p] -= step;
+        more[p] += step;
+        less[p] -= step;
         end_by[static_cast<std::size_t>(p)] =
             (table(more, entries_of_table).points.front().force - table(less, entries_of_table).points.front().force) /
             (2.0 * step);

@@ -88,7 +88,9 @@ FittedLine fitted_line(const BranchData& data, const RetractionCourse& course, d
     Array1D rate(n), by_force(n), by_radius(n);
     for (Index i = 0; i < n; ++i) {
         const auto slopes = contact::jkr::energy_release_slopes(a[i], data.force[i], sphere);
-        rate[i] = slopes.value, by_force[i] = slopes.by_force, by_radius[i] = slopes.by_radius;
+        rate[i] = slopes.value;
+        by_force[i] = slopes.by_force;
+        by_radius[i] = slopes.by_radius;
     }
     FittedLine fitted;
     Line& line = fitted.line;

@@ -72,7 +72,8 @@ std::vector<Index> chosen(const CurveSegment& segment, const ForceCurveFitOption
         Index least = 0, deepest = 0;
         segment.force.minCoeff(&least);
         depth.maxCoeff(&deepest);
-        first = std::min(least, deepest), last = std::max(least, deepest);
+        first = std::min(least, deepest);
+        last = std::max(least, deepest);
     }
     std::vector<Index> samples;
     for (Index i = first; i <= last; ++i)
@@ -112,7 +113,10 @@ public:
             const double point = displacement_.minCoeff() + (2.0 * k / candidates - 1.0) * depth_unit_;
             const LeastSquaresSolution linear = plain(design(point));
             const double cost = linear.residuals.squaredNorm();
-            if (linear.parameters[0] > 0.0 && cost < least) least = cost, best = point;
+            if (linear.parameters[0] > 0.0 && cost < least) {
+                least = cost;
+                best = point;
+            }
         }
         if (!std::isfinite(least)) require_modulus(undefined);
         const LeastSquaresSolution linear = plain(design(best));

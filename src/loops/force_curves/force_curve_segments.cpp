@@ -33,7 +33,10 @@ std::vector<IndexRange> ranges_of(const Table& curve) {
     std::vector<IndexRange> ranges;
     if (const Column* segment = curve.find("segment")) {
         for (Index first = 0, i = 1; i <= n; ++i)
-            if (i == n || segment->values[i] != segment->values[first]) ranges.push_back({first, i - 1}), first = i;
+            if (i == n || segment->values[i] != segment->values[first]) {
+                ranges.push_back({first, i - 1});
+                first = i;
+            }
         return ranges;
     }
     Index peak = 0;

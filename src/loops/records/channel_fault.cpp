@@ -48,8 +48,22 @@ Loop with(const Array1D& force, const Array1D& displacement, const Array1D& time
 /// Σ of squared residuals of the line through samples, from sums of powers.
 class LineSums {
 public:
-    void add(double x, double y) { n_ += 1.0, x_ += x, y_ += y, xx_ += x * x, xy_ += x * y, yy_ += y * y; }
-    void remove(double x, double y) { n_ -= 1.0, x_ -= x, y_ -= y, xx_ -= x * x, xy_ -= x * y, yy_ -= y * y; }
+    void add(double x, double y) {
+        n_ += 1.0;
+        x_ += x;
+        y_ += y;
+        xx_ += x * x;
+        xy_ += x * y;
+        yy_ += y * y;
+    }
+    void remove(double x, double y) {
+        n_ -= 1.0;
+        x_ -= x;
+        y_ -= y;
+        xx_ -= x * x;
+        xy_ -= x * y;
+        yy_ -= y * y;
+    }
     [[nodiscard]] double squares() const {
         const double spread = xx_ - x_ * x_ / n_, shared = xy_ - x_ * y_ / n_, all = yy_ - y_ * y_ / n_;
         return std::max(spread > 0.0 ? all - shared * shared / spread : all, 0.0);

@@ -15,7 +15,10 @@ namespace {
 struct Span {
     double least = std::numeric_limits<double>::infinity(), greatest = -std::numeric_limits<double>::infinity();
 
-    void add(double value) { least = std::min(least, value), greatest = std::max(greatest, value); }
+    void add(double value) {
+        least = std::min(least, value);
+        greatest = std::max(greatest, value);
+    }
     /// [mJ/m²], one number where both are alike.
     [[nodiscard]] std::string text() const {
         const auto low = fmt::format("{:.0f}", 1e3 * least), high = fmt::format("{:.0f}", 1e3 * greatest);

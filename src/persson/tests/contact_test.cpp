@@ -198,7 +198,8 @@ TEST(PerssonContact, DoesNotDependOnTheNodesOfTheSpectrum) {
 TEST(PerssonContact, IsTheSameInOtherUnits) {
     auto curve = self_affine_curve();
     const auto here = contact_at_scales(2e7, rough());
-    curve.wavevector *= 1e-3, curve.density *= 1e12;
+    curve.wavevector *= 1e-3;
+    curve.density *= 1e12;
     curve.band = {curve.band.lower * 1e-3, curve.band.upper * 1e-3};
     const auto there = contact_at_scales(2e7, scales_of(curve, {.contact_modulus = modulus}));
     EXPECT_NEAR(last(there.area_fraction) / last(here.area_fraction), 1.0, 1e-12);

@@ -96,7 +96,9 @@ TEST_F(Processes, RunWhereTheyAreToldWithTheEnvironmentTheyAreGiven) {
     EXPECT_FALSE(end.well());
     std::ifstream file(words);
     std::string colour, folder, wrong;
-    std::getline(file, colour), std::getline(file, folder), std::getline(file, wrong);
+    std::getline(file, colour);
+    std::getline(file, folder);
+    std::getline(file, wrong);
     EXPECT_EQ(colour, "blue");
     EXPECT_EQ(fs::path(folder), fs::canonical(path_));
     EXPECT_EQ(wrong, "wrong");

@@ -139,8 +139,10 @@ PatchBoundary patch_boundary(const PatchGraph& graph, const ArrayView2D& heights
                 const Index i = (graph.runs[r].i + graph.box.origin[0]) % nx,
                             j = (graph.runs[r].first + k + graph.box.origin[1]) % ny, point = graph.run_first[r] + k;
                 const auto look = [&](Index ni, Index nj, bool along_x) {
-                    if (periodic) ni = (ni + nx) % nx, nj = (nj + ny) % ny;
-                    else if (ni < 0 || nj < 0 || ni >= nx || nj >= ny) return;
+                    if (periodic) {
+                        ni = (ni + nx) % nx;
+                        nj = (nj + ny) % ny;
+                    } else if (ni < 0 || nj < 0 || ni >= nx || nj >= ny) return;
                     if (!std::isnan(heights(ni, nj))) found(point, heights(ni, nj), along_x);
                 };
                 look(i - 1, j, true);

@@ -167,7 +167,10 @@ public:
         Level& level = levels_[number];
         level.value.setZero();
         const bool coarsest = number + 1 == levels_.size();
-        for (int k = 0; k < (coarsest ? coarsest_sweeps : 1); ++k) level.sweep(0, false), level.sweep(1, false);
+        for (int k = 0; k < (coarsest ? coarsest_sweeps : 1); ++k) {
+            level.sweep(0, false);
+            level.sweep(1, false);
+        }
         if (!coarsest) {
             level.find_rest();
             Level& below = levels_[number + 1];
@@ -180,7 +183,10 @@ public:
                 number, [](double& fine, double& coarse, double share) { fine += share * coarse; }, level.value,
                 below.value);
         }
-        for (int k = 0; k < (coarsest ? coarsest_sweeps : 1); ++k) level.sweep(1, true), level.sweep(0, true);
+        for (int k = 0; k < (coarsest ? coarsest_sweeps : 1); ++k) {
+            level.sweep(1, true);
+            level.sweep(0, true);
+        }
     }
 
 private:

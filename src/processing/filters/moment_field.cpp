@@ -35,7 +35,10 @@ public:
     }
     void finish() {
         if (held_ == 0) return;
-        for (std::size_t rest = held_; rest < rows_at_once; ++rest) rows_[rest] = rows_[0], weights_[rest] = 0.0;
+        for (std::size_t rest = held_; rest < rows_at_once; ++rest) {
+            rows_[rest] = rows_[0];
+            weights_[rest] = 0.0;
+        }
         flush();
     }
 
@@ -158,8 +161,10 @@ void MomentField::gather_columns(const LoadValues& load, parallel::Threads threa
                         const double* weights = axis.gather[extent(l - n)].data() + j * axis.taps;
                         const double* values = coarse[extent(n)].data() + margin + axis.first_tap[extent(j)];
                         double even = 0.0, odd = 0.0;
-                        for (Index t = 0; t + 1 < axis.taps; t += 2)
-                            even += weights[t] * values[t], odd += weights[t + 1] * values[t + 1];
+                        for (Index t = 0; t + 1 < axis.taps; t += 2) {
+                            even += weights[t] * values[t];
+                            odd += weights[t + 1] * values[t + 1];
+                        }
                         if (axis.taps % 2 == 1) even += weights[axis.taps - 1] * values[axis.taps - 1];
                         sum += binomial(l, n) * (even + odd);
                     }

@@ -82,7 +82,10 @@ void SmoothingSpline::smooth(double* heights) const {
     }
     double sum = 0.0, weight = 0.0;
     for (Index i = 0; i < points_; ++i)
-        if (weights_[i] > 0.0) sum += weights_[i] * heights[i], weight += weights_[i];
+        if (weights_[i] > 0.0) {
+            sum += weights_[i] * heights[i];
+            weight += weights_[i];
+        }
     const double centre = sum / weight;
     Array1D right = Array1D::Zero(points_);
     std::size_t next = 0;

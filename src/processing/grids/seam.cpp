@@ -28,9 +28,14 @@ Step step_between(const Row& from, const Row& to) {
     for (Index j = 0; j < from.size(); ++j) {
         const double d = to(j) - from(j);
         if (!std::isfinite(d)) continue;
-        step.mean += d, step.square += d * d, count += 1.0;
+        step.mean += d;
+        step.square += d * d;
+        count += 1.0;
     }
-    if (count > 0.0) step.mean /= count, step.square /= count;
+    if (count > 0.0) {
+        step.mean /= count;
+        step.square /= count;
+    }
     return step;
 }
 
@@ -41,7 +46,8 @@ Seam seam_between(Index n, const Rows& row) {
     double square = 0.0, square_of_means = 0.0;
     for (Index i = 0; i + 1 < n; ++i) {
         const auto step = step_between(row(i), row(i + 1));
-        square += step.square, square_of_means += step.mean * step.mean;
+        square += step.square;
+        square_of_means += step.mean * step.mean;
     }
     const auto pairs = static_cast<double>(n - 1);
     const auto seam = step_between(row(n - 1), row(0));
@@ -112,9 +118,13 @@ Processed windowed(topography::Measurement measurement, double share) {
     StepRecord record{"window_edges", {}, {}};
     record.numbers.push_back(recorded("height_step_at_seam", "", seam_of(measurement).height_step, "m"));
     double changed = 0.0;
-    if (auto* map = std::get_if<HeightMap>(&measurement)) changed = taper(*map, share), map->periodic = true;
-    else if (auto* scan = std::get_if<LineScan>(&measurement)) changed = taper(*scan, share), scan->periodic = true;
-    else
+    if (auto* map = std::get_if<HeightMap>(&measurement)) {
+        changed = taper(*map, share);
+        map->periodic = true;
+    } else if (auto* scan = std::get_if<LineScan>(&measurement)) {
+        changed = taper(*scan, share);
+        scan->periodic = true;
+    } else
         throw InvalidArgument(fmt::format("{}: a profile's points are not equally far apart; expected a map or a line",
                                           topography::label(topography::metadata(measurement))));
     record.numbers.push_back(recorded("windowed_share", "", changed, "1"));

@@ -88,7 +88,10 @@ TEST(Quantile, LoadsEveryRowOnce) {
         const Array1D values = Array1D::NullaryExpr(n * columns, [&] { return normal(engine); });
         std::atomic<Index> loads = 0;
         auto counted = rows_of(values);
-        counted.load = [&, load = counted.load](Index i, double* row) { ++loads, load(i, row); };
+        counted.load = [&, load = counted.load](Index i, double* row) {
+            ++loads;
+            load(i, row);
+        };
         ASSERT_TRUE(quantile(counted, 0.5, {2}));
         EXPECT_EQ(loads, n);
     }

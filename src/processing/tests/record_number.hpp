@@ -32,7 +32,10 @@ inline const topography::Profile& profile_of(const Processed& processed) {
 inline double rms_of(const Array2D& heights) {
     double sum = 0.0, squares = 0.0, count = 0.0;
     for (Index k = 0; k < heights.size(); ++k)
-        if (heights.data()[k] == heights.data()[k]) sum += heights.data()[k], count += 1.0;
+        if (heights.data()[k] == heights.data()[k]) {
+            sum += heights.data()[k];
+            count += 1.0;
+        }
     for (Index k = 0; k < heights.size(); ++k)
         if (heights.data()[k] == heights.data()[k]) squares += std::pow(heights.data()[k] - sum / count, 2);
     return std::sqrt(squares / count);

@@ -78,11 +78,17 @@ Comparison compared(const Binned& a, const Binned& b) {
     result.lower = std::exp(points.front()[0]);
     result.upper = std::exp(points.back()[0]);
     double weight = 0.0, sxx = 0.0, sxy = 0.0;
-    for (const auto& [x, y, w] : points) weight += w, result.centre += w * x, result.mean += w * y;
+    for (const auto& [x, y, w] : points) {
+        weight += w;
+        result.centre += w * x;
+        result.mean += w * y;
+    }
     result.centre /= weight;
     result.mean /= weight;
-    for (const auto& [x, y, w] : points)
-        sxx += w * (x - result.centre) * (x - result.centre), sxy += w * (x - result.centre) * (y - result.mean);
+    for (const auto& [x, y, w] : points) {
+        sxx += w * (x - result.centre) * (x - result.centre);
+        sxy += w * (x - result.centre) * (y - result.mean);
+    }
     result.mean_error = std::sqrt(1.0 / weight);
     result.tilt = sxy / sxx;
     result.tilt_error = std::sqrt(1.0 / sxx);

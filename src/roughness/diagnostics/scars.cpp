@@ -45,9 +45,10 @@ double upper_median_of(const double* heights, Index n, std::vector<double>& room
         const auto end = std::remove_if(sample.begin(), sample.end(), [](double h) { return h != h; });
         const auto size = end - sample.begin();
         std::sort(sample.begin(), end);
-        if (size > 2 * margin)
-            low = sample[static_cast<std::size_t>(size / 2 - margin)],
+        if (size > 2 * margin) {
+            low = sample[static_cast<std::size_t>(size / 2 - margin)];
             high = sample[static_cast<std::size_t>(size / 2 + margin - 1)];
+        }
     }
     auto [kept, rank] = keep(low, high);
     if (rank < 0 || rank >= kept) std::tie(kept, rank) = std::tuple_cat(keep(-infinity, infinity));

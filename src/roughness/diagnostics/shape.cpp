@@ -56,7 +56,10 @@ double mean_difference(Rows& rows, Index before_i, Index behind_i, Index before_
                             *const next = rows.row(i + behind_i);
         for (Index j = before_j; j + behind_j < rows.columns(); ++j) {
             const double value = difference(last + j - before_j, here + j, next + j + behind_j);
-            if (!std::isnan(value)) sum += value, ++n;
+            if (!std::isnan(value)) {
+                sum += value;
+                ++n;
+            }
         }
     }
     return n > 0 ? sum / static_cast<double>(n) : 0.0;
@@ -133,11 +136,14 @@ Form form_of(const Evidence& evidence, parallel::Threads threads) {
     if (enough_for_parabola(evidence) && !evidence.is_line) {
         form.parabola.emplace(evidence.heights.heights, topography::Trend::parabola, threads);
         const auto rms = rms_of_three(evidence, *form.parabola);
-        form.rms_map = rms[0], form.rms_level = rms[1], form.rms_without_parabola = rms[2];
+        form.rms_map = rms[0];
+        form.rms_level = rms[1];
+        form.rms_without_parabola = rms[2];
         return form;
     }
     const auto rms = rms_of_two(evidence);
-    form.rms_map = rms[0], form.rms_level = rms[1];
+    form.rms_map = rms[0];
+    form.rms_level = rms[1];
     if (enough_for_parabola(evidence)) form.rms_without_parabola = rms_height(line_without_parabola(evidence));
     return form;
 }

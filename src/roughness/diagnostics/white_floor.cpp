@@ -113,7 +113,10 @@ double best_exponent(Fit fit) {
     const double width = (largest_exponent - least_exponent) / steps;
     for (int k = 1; k <= steps; ++k) {
         const double candidate = least_exponent + k * width, at = fit(candidate);
-        if (at < loss) best = candidate, loss = at;
+        if (at < loss) {
+            best = candidate;
+            loss = at;
+        }
     }
     return numerics::golden_section(fit, std::max(least_exponent, best - width),
                                     std::min(largest_exponent, best + width), 25);

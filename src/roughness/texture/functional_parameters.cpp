@@ -43,7 +43,10 @@ double flattest_start(const CurveInterpolant& curve) {
     double best_place = (1.0 - central_share) * best / steps;
     const auto noted_fall = [&](double p) {
         const double value = fall(p);
-        if (value < least - noise) best_place = p, least = value;
+        if (value < least - noise) {
+            best_place = p;
+            least = value;
+        }
         return value;
     };
     (void)numerics::golden_section(noted_fall, (1.0 - central_share) * std::max(0, best - 1) / steps,

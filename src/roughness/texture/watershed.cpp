@@ -93,7 +93,10 @@ Basins basins_of(const Grid& grid, parallel::Threads threads) {
             grid.for_neighbours(i, j, 0, [&](Index other) {
                 const double beside = other == none ? undefined : grid.at(other);
                 if (beside != beside) rim[static_cast<std::size_t>(point)] = 1;
-                else if (beside > highest) best = other, highest = beside;
+                else if (beside > highest) {
+                    best = other;
+                    highest = beside;
+                }
             });
             uphill[static_cast<std::size_t>(point)] = static_cast<Label>(best);
         }

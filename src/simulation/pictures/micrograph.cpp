@@ -143,7 +143,10 @@ public:
             for (long j = column - 1; j <= column + 1; ++j) {
                 const Patch& patch = patches_[static_cast<std::size_t>(i * across_ + j)];
                 const double squared = (patch.x - x) * (patch.x - x) + (patch.y - y) * (patch.y - y);
-                if (!nearest || squared < least) nearest = &patch, least = squared;
+                if (!nearest || squared < least) {
+                    nearest = &patch;
+                    least = squared;
+                }
             }
         return std::cos(nearest->wave_x * x + nearest->wave_y * y + nearest->phase);
     }

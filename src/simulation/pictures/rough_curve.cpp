@@ -87,7 +87,10 @@ struct Bulge {
 struct Points {
     std::vector<double> x, v;
 
-    void add(double at, double height) { x.push_back(at), v.push_back(height); }
+    void add(double at, double height) {
+        x.push_back(at);
+        v.push_back(height);
+    }
     void add_level(double from, double to) {
         const auto count = std::max(1L, std::lround((to - from) / point_spacing));
         for (long k = 0; k < count; ++k)
@@ -164,7 +167,8 @@ RoughCurve rough_curve(const RoughCurveOptions& options) {
     result.curve = {Array1D(count), Array1D(count)};
     for (Index i = 0; i < count; ++i) {
         const auto at = place(points.x[static_cast<std::size_t>(i)], points.v[static_cast<std::size_t>(i)]);
-        result.curve.x[i] = at.x, result.curve.y[i] = at.y;
+        result.curve.x[i] = at.x;
+        result.curve.y[i] = at.y;
     }
     for (const auto& bulge : bulges)
         for (const double side : {-1.0, 1.0}) {

@@ -29,8 +29,10 @@ std::vector<Alert> speeds_beyond_bulk(const Hysteresis& hysteresis) {
                                                      {*pair.speed_factor, rest})
                                        .estimate();
             if (over_rest.value - standard_errors * over_rest.standard_error > bound &&
-                (!farthest || over_rest.value > at_speed.value))
-                farthest = &pair, at_speed = over_rest;
+                (!farthest || over_rest.value > at_speed.value)) {
+                farthest = &pair;
+                at_speed = over_rest;
+            }
         }
         if (farthest)
             alerts.push_back(

@@ -40,7 +40,8 @@ public:
     explicit Groups(std::size_t items) : first_(items) { std::iota(first_.begin(), first_.end(), std::size_t{0}); }
 
     void join(std::size_t a, std::size_t b) {
-        a = first(a), b = first(b);
+        a = first(a);
+        b = first(b);
         first_[std::max(a, b)] = std::min(a, b);
     }
     std::size_t first(std::size_t item) {
@@ -101,7 +102,10 @@ bool same_numbers(const loops::Loop& a, const loops::Loop& b) {
 double range(const Array1D& values) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const double value : values)
-        if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+        if (std::isfinite(value)) {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
     return most >= least ? most - least : 0.0;
 }
 

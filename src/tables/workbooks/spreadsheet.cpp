@@ -170,7 +170,10 @@ RawTable table_of(const SheetRows& rows, const Place& place, const Sheet& sheet,
         throw FormatError(source.name, {}, fmt::format("sheet '{}': {}", sheet.name, error.what()));
     }
     for (std::size_t k = 0; k < values.size(); ++k) {
-        if (!names.empty()) table.columns[k].name = names[k].name, table.columns[k].unit = names[k].unit;
+        if (!names.empty()) {
+            table.columns[k].name = names[k].name;
+            table.columns[k].unit = names[k].unit;
+        }
         table.columns[k].values = Eigen::Map<const Array1D>(values[k].data(), static_cast<Index>(values[k].size()));
     }
     return table;

@@ -128,8 +128,10 @@ TEST(ContourComparison, FindsOverhangsAndMissesThoseCutOff) {
     const auto& curve = rendered.truth.curve;
     std::vector<double> x, y;
     for (Index i = 0; i < curve.x.size(); ++i)
-        if (curve.x[i] >= 0.0 && curve.x[i] <= 799.0 && (x.empty() || curve.x[i] > x.back() + 0.5))
-            x.push_back(curve.x[i]), y.push_back(curve.y[i]);
+        if (curve.x[i] >= 0.0 && curve.x[i] <= 799.0 && (x.empty() || curve.x[i] > x.back() + 0.5)) {
+            x.push_back(curve.x[i]);
+            y.push_back(curve.y[i]);
+        }
     const auto cut = compared(trace_of(Eigen::Map<const Array1D>(x.data(), static_cast<Index>(x.size())),
                                        Eigen::Map<const Array1D>(y.data(), static_cast<Index>(y.size()))),
                               rendered);

@@ -18,7 +18,11 @@ struct Scatter {
     double sum = 0.0, squares = 0.0;
     int count = 0;
 
-    void add(double value) { sum += value, squares += value * value, ++count; }
+    void add(double value) {
+        sum += value;
+        squares += value * value;
+        ++count;
+    }
     [[nodiscard]] double mean() const { return sum / count; }
     [[nodiscard]] double standard_error() const { return deviation() / std::sqrt(count); }
     [[nodiscard]] double deviation() const {

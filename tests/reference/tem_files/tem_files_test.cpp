@@ -72,7 +72,9 @@ void expect_as(const Micrograph& micrograph, const Expected& expected) {
     for (long i = 0; i < expected.height; ++i)
         for (long j = 0; j < expected.width; ++j) {
             const double level = static_cast<double>(micrograph.pixels(i, j));
-            sum += level, rows += static_cast<double>(i) * level, columns += static_cast<double>(j) * level;
+            sum += level;
+            rows += static_cast<double>(i) * level;
+            columns += static_cast<double>(j) * level;
         }
     EXPECT_NEAR(sum / static_cast<double>(micrograph.pixels.size()), expected.mean, 1e-6 * expected.mean);
     EXPECT_NEAR(static_cast<double>(micrograph.pixels(0, 0)), expected.first, 1e-4);

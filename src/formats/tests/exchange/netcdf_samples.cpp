@@ -53,10 +53,16 @@ public:
         std::vector<std::uint64_t> offsets;
         auto at = header.size();
         for (const auto& variable : variables_)
-            if (!variable.record) offsets.push_back(at), at += padded(variable.values.size());
+            if (!variable.record) {
+                offsets.push_back(at);
+                at += padded(variable.values.size());
+            }
         const auto records_at = at;
         for (const auto& variable : variables_)
-            if (variable.record) offsets.push_back(at), at += padded(variable.record);
+            if (variable.record) {
+                offsets.push_back(at);
+                at += padded(variable.record);
+            }
         header = header_with(offsets);
         for (const auto& variable : variables_)
             if (!variable.record)

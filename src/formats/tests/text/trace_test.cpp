@@ -53,7 +53,10 @@ TEST(LastDigit, IsThatOfTheFileWhateverTheUnit) {
 
 TEST(Trace, RoundedPositionsOfEqualStepsAreThoseOfALine) {
     std::vector<double> x, h;
-    for (Index i = 0; i < 300; ++i) x.push_back(0.0533 * static_cast<double>(i)), h.push_back(height(i));
+    for (Index i = 0; i < 300; ++i) {
+        x.push_back(0.0533 * static_cast<double>(i));
+        h.push_back(height(i));
+    }
     const auto scan = std::get<LineScan>(channels_of(curve(x, h, 2)).at(0).read());  // strays by a tenth of a step
     EXPECT_EQ(scan.heights.size(), 300);
     EXPECT_NEAR(scan.pixel_size(), 0.0533e-3, 1e-8);
@@ -67,8 +70,10 @@ TEST(Trace, RoundedPositionsOfEqualStepsAreThoseOfALine) {
 TEST(Trace, HeightsAtOnePositionAreAveraged) {
     std::vector<double> x, h;
     for (Index i = 0; i < 60; ++i)
-        for (int k = 0; k < 2; ++k)
-            x.push_back(0.01 * static_cast<double>(i * i)), h.push_back(static_cast<double>(i) + k);
+        for (int k = 0; k < 2; ++k) {
+            x.push_back(0.01 * static_cast<double>(i * i));
+            h.push_back(static_cast<double>(i) + k);
+        }
     const auto profile = std::get<Profile>(channels_of(curve(x, h)).at(0).read());
     ASSERT_EQ(profile.positions.size(), 60);
     EXPECT_NEAR(profile.heights[7], 7.5e-6, 1e-15);
@@ -92,8 +97,10 @@ TEST(Trace, MissingRowsAreGaps) {
 
 TEST(Trace, UnevenPositionsStayAsTraced) {
     std::vector<double> x, h;
-    for (Index i = 0; i < 100; ++i)
-        x.push_back(0.01 * static_cast<double>(i) * (1.0 + 0.01 * static_cast<double>(i))), h.push_back(height(i));
+    for (Index i = 0; i < 100; ++i) {
+        x.push_back(0.01 * static_cast<double>(i) * (1.0 + 0.01 * static_cast<double>(i)));
+        h.push_back(height(i));
+    }
     const auto profile = std::get<Profile>(channels_of(curve(x, h, 6)).at(0).read());
     EXPECT_EQ(profile.positions.size(), 100);
     EXPECT_TRUE(profile.metadata.alerts.empty());
@@ -101,8 +108,14 @@ TEST(Trace, UnevenPositionsStayAsTraced) {
 
 TEST(Passes, ForthAndBackAreTwoChannels) {
     std::vector<double> x, h;
-    for (Index i = 0; i < 50; ++i) x.push_back(0.5 * static_cast<double>(i)), h.push_back(height(i));
-    for (Index i = 49; i >= 0; --i) x.push_back(0.5 * static_cast<double>(i)), h.push_back(height(i) + 1.0);
+    for (Index i = 0; i < 50; ++i) {
+        x.push_back(0.5 * static_cast<double>(i));
+        h.push_back(height(i));
+    }
+    for (Index i = 49; i >= 0; --i) {
+        x.push_back(0.5 * static_cast<double>(i));
+        h.push_back(height(i) + 1.0);
+    }
     const auto channels = channels_of(curve(x, h));
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(channels[0].info.name, "z (forward)");
@@ -116,7 +129,10 @@ TEST(Passes, ForthAndBackAreTwoChannels) {
 TEST(Passes, MayBeginAnewAtTheSameEnd) {
     std::vector<double> x, h;
     for (int pass = 0; pass < 3; ++pass)
-        for (Index i = 0; i < 40; ++i) x.push_back(0.5 * static_cast<double>(i)), h.push_back(height(i) + pass);
+        for (Index i = 0; i < 40; ++i) {
+            x.push_back(0.5 * static_cast<double>(i));
+            h.push_back(height(i) + pass);
+        }
     const auto channels = channels_of(curve(x, h));
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_EQ(channels[2].info.name, "z (pass 3, forward)");
@@ -134,8 +150,10 @@ TEST(Passes, ContoursThatTurnBackAreOne) {
 
 TEST(Positions, OfScatteredPointsAreNoProfile) {
     std::vector<double> x, y;
-    for (Index i = 0; i < 40; ++i)
-        x.push_back(static_cast<double>((i * 37) % 41)), y.push_back(static_cast<double>((i * 23) % 43));
+    for (Index i = 0; i < 40; ++i) {
+        x.push_back(static_cast<double>((i * 37) % 41));
+        y.push_back(static_cast<double>((i * 23) % 43));
+    }
     EXPECT_NE(refusal(curve(x, y)).find("positions of scattered points"), std::string::npos);
 }
 
@@ -190,8 +208,10 @@ TEST(TwoColumnsOfNames, OfOtherQuantitiesAreNotHeights) {
 
 TEST(NumbersOfRows, AreNotHeights) {
     std::string column, matrix;
-    for (int i = 0; i < 100; ++i)
-        column += fmt::format("{}\n", i), matrix += fmt::format("{}{}", i, i % 10 < 9 ? "," : "\n");
+    for (int i = 0; i < 100; ++i) {
+        column += fmt::format("{}\n", i);
+        matrix += fmt::format("{}{}", i, i % 10 < 9 ? "," : "\n");
+    }
     const ReadOptions line{.size = {{1e-3}}, .unit = "um"}, map{.size = {{1e-3, 1e-3}}, .unit = "um"};
     EXPECT_FALSE(channels_of(column, line).at(0).info.is_height);
     EXPECT_FALSE(channels_of(matrix, map).at(0).info.is_height);

@@ -182,7 +182,8 @@ TEST(AdhesiveCell, StaysInContactWithoutLoadAsFarAsItsEnergyAllows) {
 TEST(AdhesiveCell, UnderAStiffStageIsHeld) {
     const auto heights = rough(64, 0.4, 1);
     auto held = patch(heights), staged = patch(heights);
-    held.begin_at(5.0), staged.begin_at(5.0);
+    held.begin_at(5.0);
+    staged.begin_at(5.0);
     const auto by_gap = held.solve(HeldGap{4.0});
     const double stiffness = 1e3;
     const auto by_stage = staged.solve(Stage{4.0 + by_gap.tension / stiffness, stiffness});
@@ -216,7 +217,9 @@ TEST(AdhesiveCell, IsTheSameForAnyNumberOfThreadsAndInOtherUnits) {
     auto alone = patch(heights, AttractionLaw::exponential, {1}),
          together = patch(heights, AttractionLaw::exponential, {2});
     AdhesiveCell small(heights * 1e-9, {128, 128, 128e-9, 128e-9}, {.contact_modulus = 1e6}, {1e-3, 1.5e-9});
-    alone.begin_at(6.0), together.begin_at(6.0), small.begin_at(6e-9);
+    alone.begin_at(6.0);
+    together.begin_at(6.0);
+    small.begin_at(6e-9);
     const auto one = alone.solve(HeldGap{5.0}), two = together.solve(HeldGap{5.0}), si = small.solve(HeldGap{5e-9});
     EXPECT_EQ(one.tension, two.tension);
     EXPECT_EQ(one.energy(), two.energy());

@@ -26,7 +26,10 @@ std::vector<FramePixels> growing(std::size_t n) {
                                 .semi_major = std::max(1.0, planted_radius(k)),
                                 .noise = 6,
                                 .seed = static_cast<unsigned>(k + 1)};
-        if (planted_radius(k) == 0) contact.contrast = 0, contact.inside = 140;
+        if (planted_radius(k) == 0) {
+            contact.contrast = 0;
+            contact.inside = 140;
+        }
         frames.push_back(contact.make());
     }
     return frames;

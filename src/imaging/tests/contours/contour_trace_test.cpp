@@ -30,11 +30,15 @@ Errors errors_of(const ContourSegment& segment, const EdgePicture& picture,
     for (Index i = 0; i < segment.x.size(); ++i) {
         if (segment.x[i] < 4 || segment.x[i] > static_cast<double>(picture.width) - 5) continue;
         const double d = distance(segment.x[i], segment.y[i]);
-        found.rms += d * d, found.mean += d, count += 1;
+        found.rms += d * d;
+        found.mean += d;
+        count += 1;
         found.largest = std::max(found.largest, std::abs(d));
         found.within_two += std::abs(d) < 2 * segment.standard_error[i] ? 1 : 0;
     }
-    found.rms = std::sqrt(found.rms / count), found.mean /= count, found.within_two /= count;
+    found.rms = std::sqrt(found.rms / count);
+    found.mean /= count;
+    found.within_two /= count;
     return found;
 }
 
@@ -64,7 +68,8 @@ TEST(ContourTrace, AtTwiceTheNoiseKeepsWithinHalfAPixelAndSaysHowFar) {
         const auto trace = trace_contour(rendered(picture, wave));
         const auto found = errors_of(trace.segments.at(0), picture, wave);
         EXPECT_LT(found.rms, 0.5);
-        squares += found.rms * found.rms / seeds, share += found.within_two / seeds;
+        squares += found.rms * found.rms / seeds;
+        share += found.within_two / seeds;
         density += trace.segments[0].noise_density / seeds;
     }
     // one column fixes the edge to σ² 2√π w/step² (Cramér and Rao); a picture measures it to 30 %: sums over 17
@@ -252,7 +257,9 @@ TEST(ContourTrace, OfAMaskEnclosesItsPixelsExactly) {
                 if (std::hypot(static_cast<double>(column) - cx, static_cast<double>(row) - cy) < radius)
                     mask(row, column) = value;
     };
-    disc(30, 30, 17, 255), disc(34, 30, 6, 0), disc(60, 20, 9, 255);
+    disc(30, 30, 17, 255);
+    disc(34, 30, 6, 0);
+    disc(60, 20, 9, 255);
     mask.block(28, 42, 2, 20) = 255;                           // a neck
     mask(50, 70) = 255, mask(51, 71) = 255, mask(51, 70) = 0;  // joined by a corner alone
     mask.block(55, 0, 5, 12) = 255;                            // at the picture's sides

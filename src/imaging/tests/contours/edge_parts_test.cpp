@@ -19,7 +19,8 @@ PlaneCurve circle(double radius, Index points) {
     PlaneCurve curve{Array1D(points), Array1D(points), true};
     for (Index i = 0; i < points; ++i) {
         const double t = 2 * pi * static_cast<double>(i) / static_cast<double>(points);
-        curve.x[i] = 100 + radius * std::cos(t), curve.y[i] = 100 + radius * std::sin(t);
+        curve.x[i] = 100 + radius * std::cos(t);
+        curve.y[i] = 100 + radius * std::sin(t);
     }
     return curve;
 }

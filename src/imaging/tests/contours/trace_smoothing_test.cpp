@@ -28,8 +28,10 @@ TEST(TraceSmoothing, LeavesHalfOfAWaveAtItsLength) {
 TEST(TraceSmoothing, SpectrumOfWhiteNoiseIsItsVariance) {
     const auto places = place_spectrum(white(20000, 0.7, 3));
     double sum = 0, width = 0;
-    for (std::size_t i = 0; i < places.density.size(); ++i)
-        sum += places.density[i] * places.width[i], width += places.width[i];
+    for (std::size_t i = 0; i < places.density.size(); ++i) {
+        sum += places.density[i] * places.width[i];
+        width += places.width[i];
+    }
     EXPECT_NEAR(sum / width, 0.49, 0.05);  // 288 modes, each to 100 %: 6 %
     EXPECT_NEAR(width, pi - 0.08, 1e-12);
 }

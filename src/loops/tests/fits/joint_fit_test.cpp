@@ -37,7 +37,9 @@ TEST(JointFit, RecoversModulusWorkAndContactPointFromNoiseFreeData) {
             const Contact contact{.radius = lens.radius, .contact_modulus = 0.92e6, .work_of_adhesion = work};
             BranchData data = clean(contact, shape);
             // so small that the offset of curvature, half its radius over the noise squared, vanishes
-            data.force_noise *= 1e-5, data.displacement_noise *= 1e-5, data.contact_radius_noise *= 1e-5;
+            data.force_noise *= 1e-5;
+            data.displacement_noise *= 1e-5;
+            data.contact_radius_noise *= 1e-5;
             const JkrFit joint = fit_joint(data, rubber_on_diamond());
             EXPECT_TRUE(joint.converged);
             EXPECT_NEAR(joint.contact_point.value / contact_point, 1.0, 1e-8);

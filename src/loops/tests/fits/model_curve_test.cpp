@@ -34,7 +34,8 @@ TEST(ModelCurve, DerivativesAreThoseOfTheCurve) {
             for (int slot = 0; slot < curve.parameters(); ++slot) {
                 const double step = 1e-4 * std::max(0.01, std::abs(at[slot]) / 10.0);
                 CurveParameters more = at, less = at;
-                more[slot] += step, less[slot] -= step;
+                more[slot] += step;
+                less[slot] -= step;
                 const CurvePoint above = curve.at(t, more), below = curve.at(t, less);
                 const auto k = static_cast<std::size_t>(slot);
                 expect_slope(point.force_by[k], above.force, below.force, step, scale(4e-4),

@@ -191,7 +191,9 @@ TEST(ModelFits, OrthogonalDistanceIsUnbiasedAndKnowsItsErrors) {
             const ModelFit fit = fit_model(noisy(exact, 0.03, generator), rubber_on_diamond(), {.channels = channels});
             const double pull =
                 (fit.work_of_adhesion->value - lens.work_of_adhesion) / fit.work_of_adhesion->standard_error;
-            sum += pull, squares += pull * pull, chi2 += fit.chi2_reduced / repetitions;
+            sum += pull;
+            squares += pull * pull;
+            chi2 += fit.chi2_reduced / repetitions;
         }
         EXPECT_LT(std::abs(sum / repetitions), 4.0 / std::sqrt(repetitions));
         // Student's t of some 78 degrees of freedom; a scatter of 60 is known to 9 %
@@ -240,13 +242,16 @@ TEST(ModelFits, HeldParametersStayAndCountAsExact) {
     const BranchData data = zone_branch(contact, 80);
     const ModelFitOptions model{.model = ContactModel::maugis_dugdale};
     ModelFitOptions held = model;
-    held.contact_point = contact_point, held.cohesive_stress = contact.cohesive_stress;
+    held.contact_point = contact_point;
+    held.cohesive_stress = contact.cohesive_stress;
     ModelFit fit = fit_model(data, rubber_on_diamond(), held);
     expect_recovered(fit, lens, "σ0 and δ0 held");
     EXPECT_EQ(fit.parameters, (std::vector<std::string>{"contact_modulus", "work_of_adhesion"}));
     EXPECT_EQ(fit.cohesive_stress->standard_error, 0.0);
     EXPECT_NEAR(fit.transition_parameter->value, 0.7, 1e-8);
-    held = model, held.transition_parameter = 0.7, held.work_of_adhesion = lens.work_of_adhesion;
+    held = model;
+    held.transition_parameter = 0.7;
+    held.work_of_adhesion = lens.work_of_adhesion;
     fit = fit_model(data, rubber_on_diamond(), held);
     expect_recovered(fit, lens, "λ and W held");
     EXPECT_EQ(fit.work_of_adhesion->standard_error, 0.0);

@@ -44,7 +44,8 @@ struct VaryingLoop {
             series.add(force(a, at(a)), depth, a);
             const double next = displacement(a - step, at(a - step));
             if (!(next < depth)) break;
-            a -= step, depth = next;
+            a -= step;
+            depth = next;
         }
         tests::detail::add_free_flight(series, depth, -3e-6, samples);
         const auto n = static_cast<Index>(series.force.size());

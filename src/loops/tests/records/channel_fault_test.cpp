@@ -23,13 +23,15 @@ Loop record(std::uint64_t seed) {
     double next = uneven.displacement[0];
     for (Index i = 0; i <= turn; ++i)
         if (uneven.displacement[i] >= next) {
-            force.push_back(uneven.force[i]), displacement.push_back(uneven.displacement[i]);
+            force.push_back(uneven.force[i]);
+            displacement.push_back(uneven.displacement[i]);
             next += step;
         }
     next = deepest - step;
     for (Index i = turn; i < uneven.force.size(); ++i)
         if (uneven.displacement[i] <= next) {
-            force.push_back(uneven.force[i]), displacement.push_back(uneven.displacement[i]);
+            force.push_back(uneven.force[i]);
+            displacement.push_back(uneven.displacement[i]);
             next -= step;
         }
     const auto n = static_cast<Index>(force.size());

@@ -42,8 +42,10 @@ Array2D by_definition(const HeightMap& map) {
             }
             for (const auto& [di, dj] : steps) {
                 Index ni = i + di, nj = j + dj;
-                if (map.periodic) ni = (ni + nx) % nx, nj = (nj + ny) % ny;
-                else if (ni < 0 || nj < 0 || ni >= nx || nj >= ny) continue;
+                if (map.periodic) {
+                    ni = (ni + nx) % nx;
+                    nj = (nj + ny) % ny;
+                } else if (ni < 0 || nj < 0 || ni >= nx || nj >= ny) continue;
                 const double k = di != 0 ? 1.0 / (pixel[0] * pixel[0]) : 1.0 / (pixel[1] * pixel[1]);
                 matrix(p, p) += k;
                 matrix(p, ni * ny + nj) -= k;

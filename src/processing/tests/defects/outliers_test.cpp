@@ -19,7 +19,10 @@ constexpr Index columns = 400;
 
 ComputedRows rows_of(const Array1D& values, std::atomic<Index>& loads) {
     return {values.size() / columns, columns,
-            [&](Index i, double* row) { ++loads, std::copy_n(values.data() + i * columns, columns, row); },
+            [&](Index i, double* row) {
+                ++loads;
+                std::copy_n(values.data() + i * columns, columns, row);
+            },
             [&](Index i, Index j) { return values[i * columns + j]; }};
 }
 

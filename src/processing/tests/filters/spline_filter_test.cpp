@@ -48,8 +48,10 @@ TEST(SplineFilter, SolvesTheEquationOfTheStandard) {
         for (const bool holes : {false, true})
             for (const double tension : {0.0, 0.4, 1.0}) {
                 LineScan scan{noise(31), 62.0, periodic, {}};
-                if (holes)
-                    scan.heights.segment(0, 3).setConstant(undefined_height), scan.heights[17] = undefined_height;
+                if (holes) {
+                    scan.heights.segment(0, 3).setConstant(undefined_height);
+                    scan.heights[17] = undefined_height;
+                }
                 const SplineFilter filter{.cutoff = 21.0, .tension = tension};
                 const Array1D smooth = filtered(scan, filter).heights, expected = by_definition(scan, filter);
                 for (Index i = 0; i < 31; ++i) {

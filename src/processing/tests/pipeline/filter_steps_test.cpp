@@ -20,20 +20,38 @@ namespace {
 struct Changing {
     std::vector<std::string> names;
 
-    void length(std::string_view name, double& value, std::string_view) { names.emplace_back(name), value = 2.5; }
-    void optional_length(std::string_view name, std::optional<double>& value, std::string_view) {
-        names.emplace_back(name), value = 2.5;
+    void length(std::string_view name, double& value, std::string_view) {
+        names.emplace_back(name);
+        value = 2.5;
     }
-    void number(std::string_view name, double& value, std::string_view) { names.emplace_back(name), value = 0.25; }
-    void angle(std::string_view name, double& value, std::string_view) { names.emplace_back(name), value = 0.25; }
-    void count(std::string_view name, Index& value, std::string_view) { names.emplace_back(name), value = 1; }
-    void flag(std::string_view name, bool& value, std::string_view) { names.emplace_back(name), value = !value; }
+    void optional_length(std::string_view name, std::optional<double>& value, std::string_view) {
+        names.emplace_back(name);
+        value = 2.5;
+    }
+    void number(std::string_view name, double& value, std::string_view) {
+        names.emplace_back(name);
+        value = 0.25;
+    }
+    void angle(std::string_view name, double& value, std::string_view) {
+        names.emplace_back(name);
+        value = 0.25;
+    }
+    void count(std::string_view name, Index& value, std::string_view) {
+        names.emplace_back(name);
+        value = 1;
+    }
+    void flag(std::string_view name, bool& value, std::string_view) {
+        names.emplace_back(name);
+        value = !value;
+    }
     void text(std::string_view name, std::string& value, std::string_view) {
-        names.emplace_back(name), value = "other";
+        names.emplace_back(name);
+        value = "other";
     }
     template <class Value, std::size_t n>
     void choice(std::string_view name, Value& value, const std::array<Choice<Value>, n>& choices, std::string_view) {
-        names.emplace_back(name), value = choices.back().value;
+        names.emplace_back(name);
+        value = choices.back().value;
     }
 };
 

@@ -39,7 +39,10 @@ PatchNumbers flooded(const Mask& mask, Neighbours neighbours, bool periodic) {
                     for (Index dj = -1; dj <= 1; ++dj) {
                         if (neighbours == Neighbours::edges && di != 0 && dj != 0) continue;
                         Index m = k + di, n = l + dj;
-                        if (periodic) m = (m + nx) % nx, n = (n + ny) % ny;
+                        if (periodic) {
+                            m = (m + nx) % nx;
+                            n = (n + ny) % ny;
+                        }
                         if (m < 0 || m >= nx || n < 0 || n >= ny || mask(m, n) == 0 || numbers(m, n) != 0) continue;
                         numbers(m, n) = count;
                         open.push_back({m, n});

@@ -16,7 +16,10 @@ namespace {
 PixelCurve curve_of(std::initializer_list<std::array<double, 2>> points) {
     PixelCurve curve{Array1D(static_cast<Index>(points.size())), Array1D(static_cast<Index>(points.size()))};
     Index i = 0;
-    for (const auto& [x, y] : points) curve.x[i] = x, curve.y[i++] = y;
+    for (const auto& [x, y] : points) {
+        curve.x[i] = x;
+        curve.y[i++] = y;
+    }
     return curve;
 }
 
@@ -53,8 +56,10 @@ TEST(PolygonCoverage, SumsToThePolygonsAreaEvenWithOverhangs) {
     };
     double area = 0.0;
     PixelCurve clipped = curve;
-    clipped.y[0] = at(-0.5, -3.0, 20.3, 15.2, 19.7), clipped.x[0] = -0.5;
-    clipped.y[9] = at(39.5, 23.9, 20.8, 45.0, 18.2), clipped.x[9] = 39.5;
+    clipped.y[0] = at(-0.5, -3.0, 20.3, 15.2, 19.7);
+    clipped.x[0] = -0.5;
+    clipped.y[9] = at(39.5, 23.9, 20.8, 45.0, 18.2);
+    clipped.x[9] = 39.5;
     for (Index i = 1; i < 10; ++i)
         area += (clipped.x[i] - clipped.x[i - 1]) * (29.5 - 0.5 * (clipped.y[i] + clipped.y[i - 1]));
     EXPECT_NEAR(coverage.sum(), area, 1e-9);
@@ -115,7 +120,9 @@ TEST(Micrograph, BlurHasItsStandardDeviation) {
     double mass = 0.0, mean = 0.0, square = 0.0;
     for (long row = 1; row < 60; ++row) {
         const double step = pixels(row, 30) - pixels(row - 1, 30), place = static_cast<double>(row) - 0.5;
-        mass += step, mean += step * place, square += step * place * place;
+        mass += step;
+        mean += step * place;
+        square += step * place * place;
     }
     EXPECT_NEAR(mass, 1.0, 1e-6);
     EXPECT_NEAR(mean, 29.5, 1e-5);

@@ -37,7 +37,11 @@ Study uncertain_study() {
 
 struct Moments {
     double count = 0.0, sum = 0.0, squares = 0.0;
-    void add(double x) { count += 1.0, sum += x, squares += x * x; }
+    void add(double x) {
+        count += 1.0;
+        sum += x;
+        squares += x * x;
+    }
     [[nodiscard]] double deviation() const { return std::sqrt((squares - sum * sum / count) / (count - 1.0)); }
 };
 

@@ -53,11 +53,17 @@ template <class Function>
     double at_a = function(a), at_b = function(b);
     for (int k = 0; k < rounds; ++k) {
         if (at_a < at_b) {
-            upper = b, b = a, at_b = at_a;
-            a = upper - golden * (upper - lower), at_a = function(a);
+            upper = b;
+            b = a;
+            at_b = at_a;
+            a = upper - golden * (upper - lower);
+            at_a = function(a);
         } else {
-            lower = a, a = b, at_a = at_b;
-            b = lower + golden * (upper - lower), at_b = function(b);
+            lower = a;
+            a = b;
+            at_a = at_b;
+            b = lower + golden * (upper - lower);
+            at_b = function(b);
         }
     }
     return at_a < at_b ? a : b;
