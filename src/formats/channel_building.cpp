@@ -46,7 +46,7 @@ bool is_extent(double length) {
 }
 
 bool any_defined(const double* heights, Index count) {
-    return std::any_of(heights, heights + count, [](double height) { return height == height; });
+    return std::any_of(heights, heights + count, [](double height) { return !std::isnan(height); });
 }
 
 }  // namespace

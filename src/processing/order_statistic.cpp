@@ -18,7 +18,7 @@ Sample::Sample(const ComputedRows& values) {
     for (Index k = 0; k < size; ++k) {
         const Index place = k * scattering % n;
         const double value = values.at(place / values.columns, place % values.columns);
-        if (value == value) sorted_.push_back(value);
+        if (!std::isnan(value)) sorted_.push_back(value);
     }
     std::sort(sorted_.begin(), sorted_.end());
 }
@@ -43,7 +43,7 @@ void QuantileSearch::add(const double* values, Index n) {
         const Index size = std::min(stretch, n - begin);
         Index defined = 0, below = 0, at_low = 0, at_high = 0;
         for (Index k = 0; k < size; ++k) {
-            defined += part[k] == part[k];
+            defined += !std::isnan(part[k]);
             below += part[k] < low;
             at_low += part[k] == low;
             at_high += part[k] == high;

@@ -257,9 +257,9 @@ Processed apply(const MaskOut& step, topography::Measurement measurement, parall
     std::visit(
         [&](auto& m) {
             const auto chosen = mask_of(step.region, m, threads);
-            const auto defined = (m.heights == m.heights).count();
+            const auto defined = (!m.heights.isNaN()).count();
             leave_out(m, chosen);
-            const auto left = (m.heights == m.heights).count();
+            const auto left = (!m.heights.isNaN()).count();
             if (left == 0)
                 throw UndefinedDataError(fmt::format("{}: the region of mask_out holds every defined height",
                                                      topography::label(m.metadata)));

@@ -34,7 +34,7 @@ struct Sums {
     }
     [[nodiscard]] bool defined() const {
         const double all = h2 + dx2 + dy2 + laplacian2;
-        return all == all;
+        return !std::isnan(all);
     }
 };
 
@@ -73,7 +73,7 @@ Sum sum_of(Index first, Index last, Term term) {
     double sum[lanes] = {}, count[lanes] = {};
     const auto add = [&](Index lane, double value) {
         if constexpr (checked) {
-            const bool defined = value == value;
+            const bool defined = !std::isnan(value);
             sum[lane] += defined ? value : 0.0;
             count[lane] += defined ? 1.0 : 0.0;
         } else {
@@ -134,12 +134,12 @@ void add_to_lines(const Neighbourhood& at, bool has_undefined, const LineSums& l
     const Index count = at.end - at.begin;
     for (Index j = 0; j < count; ++j) {
         const double h = row[j] - at.origin;
-        const double defined = has_undefined && h != h ? 0.0 : h;
+        const double defined = has_undefined && std::isnan(h) ? 0.0 : h;
         lines.h[j] += defined;
         lines.h2[j] += defined * defined;
     }
     if (has_undefined)
-        for (Index j = 0; j < count; ++j) lines.points[j] += row[j] == row[j] ? 1.0 : 0.0;
+        for (Index j = 0; j < count; ++j) lines.points[j] += std::isnan(row[j]) ? 0.0 : 1.0;
     else
         for (Index j = 0; j < count; ++j) lines.points[j] += 1.0;
 }
@@ -257,11 +257,11 @@ RealSpaceParameters real_space_parameters(const topography::LineScan& scan) {
     const double step = scan.pixel_size();
     const auto at = [&](Index i) { return h[scan.periodic ? (i + n) % n : i]; };
     const auto last_difference = scan.periodic ? n : n - 1;
-    const auto defined = (scan.heights == scan.heights).count();
+    const auto defined = (!scan.heights.isNaN()).count();
     if (defined == 0) nothing_defined();
     RealSpaceParameters result;
     result.defined = defined;
-    result.mean_height = (scan.heights == scan.heights).select(scan.heights, 0.0).sum() / static_cast<double>(defined);
+    result.mean_height = (!scan.heights.isNaN()).select(scan.heights, 0.0).sum() / static_cast<double>(defined);
     result.rms_height = result.rms_height_of_lines = rms_of(0, n, [&](Index i) { return h[i] - result.mean_height; });
     result.rms_slope = result.rms_slope_x =
         rms_of(0, last_difference, [&](Index i) { return at(i + 1) - at(i); }) / step;

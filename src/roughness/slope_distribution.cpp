@@ -21,7 +21,7 @@ struct PowerSums {
     std::array<double, 5> s{};
 
     void add(double slope, double weight) {
-        if (slope != slope) return;
+        if (std::isnan(slope)) return;
         double power = weight;
         for (double& sum : s) {
             sum += power;
@@ -117,7 +117,7 @@ std::array<PowerSums, 4> tile_sums(const topography::HeightMap& map, Index begin
             const double slopes[4] = {(upper[j] - lower[j]) / dx, (lower[j + 1] - lower[j]) / dy,
                                       (upper[j + 1] - lower[j]) / diagonal, (upper[j] - lower[j + 1]) / diagonal};
             for (int direction = 0; direction < 4; ++direction) {
-                const bool defined = slopes[direction] == slopes[direction];
+                const bool defined = !std::isnan(slopes[direction]);
                 const double slope = defined ? slopes[direction] : 0.0;
                 double power = defined ? 1.0 : 0.0;
                 for (auto& sum : sums) {
@@ -184,7 +184,7 @@ Slopes slopes_along_line(Index n, Step step, Rise rise) {
     for (Index i = 0; i < n; ++i) {
         const double slope = rise(i) / step(i);
         blocks[block_of(i, n)].add(slope, step(i));
-        if (slope == slope) defined.push_back(slope);
+        if (!std::isnan(slope)) defined.push_back(slope);
     }
     Slopes slopes{{directional(0.0, blocks)}, std::ssize(defined)};
     Histogram histogram{0.0, slopes.directions.front().rms};

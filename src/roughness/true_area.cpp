@@ -72,7 +72,7 @@ TriangulatedArea triangulated_area(const topography::HeightMap& map, parallel::T
         slope2 = (x0 + y0) + (x1 + y1) + (x0 + y1) + (x1 + y0);
         Sums sums;
         for (Index j = 0; j < columns; ++j) {
-            const bool defined = slope2[j] == slope2[j];
+            const bool defined = !std::isnan(slope2[j]);
             sums.area += defined ? area[j] : 0.0;
             sums.slope2 += defined ? slope2[j] : 0.0;
             sums.triangles += defined ? 4.0 : 0.0;

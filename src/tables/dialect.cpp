@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -140,7 +141,7 @@ std::size_t row_cells(std::string_view line, const Dialect& dialect, std::vector
     for (const auto cell : cells) {
         double value = 0.0;
         if (!parse_cell(cell, dialect, value)) return 0;
-        any_number |= value == value;
+        any_number |= !std::isnan(value);
     }
     return any_number ? cells.size() : 0;
 }
@@ -214,7 +215,7 @@ struct WordScore {
 
 bool is_defined_number(std::string_view cell, const Dialect& dialect) {
     double value = undefined;
-    return parse_cell(cell, dialect, value) && value == value;
+    return parse_cell(cell, dialect, value) && !std::isnan(value);
 }
 
 bool numbers_fit(const std::vector<std::string_view>& cells, const WordScore& score, const Dialect& dialect) {
@@ -224,7 +225,7 @@ bool numbers_fit(const std::vector<std::string_view>& cells, const WordScore& sc
     for (std::size_t k = 0; k < cells.size(); ++k)
         if (!score.text[k]) {
             if (!parse_cell(cells[k], dialect, value)) return false;
-            any |= value == value;
+            any |= !std::isnan(value);
         }
     return any;
 }
@@ -326,7 +327,7 @@ std::optional<BrokenCell> broken_cell(std::string_view line, const Dialect& dial
     std::optional<BrokenCell> broken;
     for (std::size_t k = 0; k < cells.size(); ++k) {
         double value = 0.0;
-        if (parse_cell(cells[k], dialect, value)) numbers += value == value ? 1 : 0;
+        if (parse_cell(cells[k], dialect, value)) numbers += std::isnan(value) ? 0 : 1;
         else if (!broken) broken = BrokenCell{std::string(cells[k]), 0, k + 1};
     }
     const bool most = cells.size() == 2 ? numbers == 1 : 3 * numbers >= 2 * cells.size();

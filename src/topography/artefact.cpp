@@ -24,7 +24,7 @@ LineScan average_reference(std::span<const LineScan> references) {
                 "reference scan {} has {} points over {} m, expected {} over {} m as in {}", reference.metadata.file,
                 reference.heights.size(), reference.size, sum.size(), average.size, average.metadata.file));
         const auto level = detrended(reference, Trend::tilt).heights;
-        const auto defined = level == level;
+        const auto defined = !level.isNaN();
         sum += defined.select(level, 0.0);
         count += defined.cast<double>();
     }

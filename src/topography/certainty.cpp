@@ -43,8 +43,8 @@ Certainty certainty_map(const HeightMap& image, const Tip& tip, const DilationOp
     everywhere.keep_undefined = false;
     everywhere.height_range = range;
     Array2D bound = eroded(with_margin(image, margin_x, margin_y), tip, everywhere).heights;
-    const Array2D known = (image.heights == image.heights).select(bound.block(margin_x, margin_y, nx, ny), undefined);
-    const double highest = (known == known).select(known, -std::numeric_limits<double>::infinity()).maxCoeff();
+    const Array2D known = (!image.heights.isNaN()).select(bound.block(margin_x, margin_y, nx, ny), undefined);
+    const double highest = (!known.isNaN()).select(known, -std::numeric_limits<double>::infinity()).maxCoeff();
     bound = (bound > highest).select(highest, bound);
 
     const ContactSearch search(bound, image.periodic, image.periodic, probe, options.threads);
@@ -68,7 +68,7 @@ Certainty certainty_map(const HeightMap& image, const Tip& tip, const DilationOp
             const bool inside = x >= 0 && y >= 0 && x < nx && y < ny;
             if (inside && !std::isnan(known(x, y))) result.certain(x, y) = 1;
         }
-    result.share = static_cast<double>((result.certain != 0).count()) / static_cast<double>((known == known).count());
+    result.share = static_cast<double>((result.certain != 0).count()) / static_cast<double>((!known.isNaN()).count());
     return result;
 }
 

@@ -15,7 +15,7 @@ std::vector<LineScan> line_scans(const HeightMap& map) {
 
 Profile to_profile(const LineScan& scan) {
     const double step = scan.pixel_size();
-    const auto defined = (scan.heights == scan.heights).count();
+    const auto defined = (!scan.heights.isNaN()).count();
     Profile profile{Array1D(defined), Array1D(defined), scan.metadata};
     for (Index i = 0, kept = 0; i < scan.heights.size(); ++i) {
         if (std::isnan(scan.heights[i])) continue;

@@ -2,6 +2,7 @@
 #include "polynomial_fit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -87,10 +88,10 @@ void PolynomialFit::add(const ArrayView2D& band, Index first, const std::uint8_t
             for (Index j = 0; j < n; ++j) row[static_cast<std::size_t>(j)] = source[j] - *origin_;
             points = full;
             heights[0] = counted ? undefined : dot(row.data(), basis(0), n);
-            if (heights[0] != heights[0]) {
+            if (std::isnan(heights[0])) {
                 for (Index j = 0; j < n; ++j) {
                     const auto k = static_cast<std::size_t>(j);
-                    const bool counts = source[j] == source[j] && (!counted || counted[j]);
+                    const bool counts = !std::isnan(source[j]) && (!counted || counted[j]);
                     weights[k] = counts ? 1.0 : 0.0;
                     if (!counts) row[k] = 0.0;
                 }
@@ -137,7 +138,7 @@ NormalEquations polyline_equations(const Profile& profile, const PolylinePlaces&
                                    const Mask& chosen) {
     const Index count = terms.count(), n = places.u.size();
     const auto counts = [&](Index i) {
-        return profile.heights[i] == profile.heights[i] && (chosen.size() == 0 || chosen(i, 0));
+        return !std::isnan(profile.heights[i]) && (chosen.size() == 0 || chosen(i, 0));
     };
     const auto rule = numerics::gauss_rule(terms.x + 1);
     NormalEquations equations{Array2D::Zero(count, count), Array1D::Zero(count)};

@@ -103,7 +103,7 @@ Object metadata_of(const topography::Metadata& metadata, bool masked) {
 
 /// Finite whatever the heights are: what stands where none is defined.
 double mean_height(const Array2D& heights) {
-    const auto defined = heights == heights;
+    const auto defined = !heights.isNaN();
     const double mean = defined.select(heights, 0.0).sum() / static_cast<double>(defined.count());
     return std::isfinite(mean) ? mean : 0.0;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/output/fit_json.hpp"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "json_support.hpp"
@@ -100,8 +102,7 @@ Json to_json(const loops::ModelFit& fit) {
         add_estimate(json, "zero_load_radius", "a0", fit.zero_load_radius, "m");
         add_estimate(json, "pull_off_force", "F_c", fit.pull_off_force, "N");
     }
-    if (fit.contact_point.value == fit.contact_point.value)
-        add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
+    if (!std::isnan(fit.contact_point.value)) add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
     json["parameters"] = fit.parameters;
     json["covariance"] = matrix(fit.covariance);
     json["correlations"] = matrix(fit.correlations);

@@ -3,6 +3,8 @@
 
 #include "json_support.hpp"
 
+#include <cmath>
+
 namespace setae::output {
 namespace {
 
@@ -38,8 +40,7 @@ void add_moduli_and_work(Json& json, const JkrFit& fit) {
 Json fit_json(const JkrFit& fit) {
     Json json{{"method", fit.method}, {"converged", fit.converged}};
     add_moduli_and_work(json, fit);
-    if (fit.contact_point.value == fit.contact_point.value)
-        add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
+    if (!std::isnan(fit.contact_point.value)) add(json, quantity("contact_point", "delta0", fit.contact_point, "m"));
     json["correlation"] = number(fit.correlation);
     json["correlated_samples"] = number(fit.correlated_samples);
     json["covariance"] = matrix(fit.covariance);

@@ -2,6 +2,9 @@
 #include "setae/output/loop_tables.hpp"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,41 +37,54 @@ std::vector<tables::TidyTable::Cell> beginning(const Part& part, const std::stri
             part.cycle,       part.branch,         method};
 }
 
+/// What a row of a fit has of its results: values with standard errors, and how well the fit describes the record.
+auto results_of(const JkrFit& fit) {
+    return std::array{fit.contact_modulus.value,
+                      fit.contact_modulus.standard_error,
+                      fit.youngs_modulus.value,
+                      fit.youngs_modulus.standard_error,
+                      fit.work_of_adhesion.value,
+                      fit.work_of_adhesion.standard_error,
+                      fit.contact_point.value,
+                      fit.contact_point.standard_error,
+                      fit.correlation,
+                      fit.chi2_reduced,
+                      fit.runs.p_value,
+                      fit.relative_residual,
+                      fit.correlated_samples};
+}
+
+/// The same where there is no fit.
+auto no_results() {
+    decltype(results_of(std::declval<JkrFit>())) results;
+    results.fill(undefined);
+    return results;
+}
+
+/// Ends a row with texts; numbers between that are not there yet are not known.
+void end_row(tables::TidyTable& table, std::vector<tables::TidyTable::Cell> row,
+             std::initializer_list<std::string> texts) {
+    row.resize(table.columns.size() - texts.size(), undefined);
+    for (const auto& text : texts) row.emplace_back(text);
+    table.rows.push_back(std::move(row));
+}
+
 void add_fit(tables::TidyTable& table, const Part& part, const BranchAnalysis& branch, const char* method,
              const Outcome<JkrFit>& fit) {
     auto row = beginning(part, method);
-    const auto add = [&row](const Estimate& estimate) {
-        row.emplace_back(estimate.value);
-        row.emplace_back(estimate.standard_error);
-    };
-    if (fit) {
-        add(fit->contact_modulus);
-        add(fit->youngs_modulus);
-        add(fit->work_of_adhesion);
-        add(fit->contact_point);
-        for (const double value :
-             {fit->correlation, fit->chi2_reduced, fit->runs.p_value, fit->relative_residual, fit->correlated_samples})
-            row.emplace_back(value);
-    } else {
-        row.resize(table.columns.size() - 8, undefined);
-    }
-    row.emplace_back(static_cast<double>(branch.range.n));
-    row.emplace_back(static_cast<double>(branch.range.first));
-    row.emplace_back(static_cast<double>(branch.range.last));
-    row.emplace_back(branch.range.force_first);
-    row.emplace_back(branch.range.force_last);
-    row.emplace_back(branch.range.name);
-    row.emplace_back(std::string(fit && branch.primary().method == fit->method ? "yes" : "no"));
-    row.emplace_back(fit ? std::string(fit->converged ? "" : "not converged") : fit.reason);
-    table.rows.push_back(std::move(row));
+    for (const double value : fit ? results_of(*fit) : no_results()) row.emplace_back(value);
+    const auto& range = branch.range;
+    for (const double value : {static_cast<double>(range.n), static_cast<double>(range.first),
+                               static_cast<double>(range.last), range.force_first, range.force_last})
+        row.emplace_back(value);
+    const bool primary = fit && branch.primary().method == fit->method;
+    const std::string note = !fit ? fit.reason : fit->converged ? "" : "not converged";
+    end_row(table, std::move(row), {range.name, primary ? "yes" : "no", note});
 }
 
 void add_branch(tables::TidyTable& table, const Part& part, const Outcome<BranchAnalysis>& branch) {
     if (!branch) {
-        auto row = beginning(part, "");
-        row.resize(table.columns.size() - 3, undefined);
-        for (const auto& text : {std::string(), std::string("no"), branch.reason}) row.emplace_back(text);
-        table.rows.push_back(std::move(row));
+        end_row(table, beginning(part, ""), {"", "no", branch.reason});
         return;
     }
     add_fit(table, part, *branch, "radius_force", branch->radius_force);
@@ -83,20 +99,13 @@ std::vector<tables::TidyTable::Cell> energies_beginning(const LoopLabels& labels
             cycle};
 }
 
-/// Ends a row whose further numbers are not known.
-void add_reason(tables::TidyTable& table, std::vector<tables::TidyTable::Cell> row, const std::string& reason) {
-    row.resize(table.columns.size() - 1, undefined);
-    row.emplace_back(reason);
-    table.rows.push_back(std::move(row));
-}
-
 /// The ledger of one touch: the first, which stands for the record, or a further one.
 template <class Contact>
 void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std::size_t number,
                         const Contact& contact) {
     auto row = energies_beginning(labels, number, undefined);
     if (!contact.ledger) {
-        add_reason(table, std::move(row), contact.ledger.reason);
+        end_row(table, std::move(row), {contact.ledger.reason});
         return;
     }
     const auto& ledger = *contact.ledger;
@@ -130,7 +139,7 @@ void add_contact_energy(tables::TidyTable& table, const LoopLabels& labels, std:
                                unloading.standard_error,
                                contact.pull_off ? contact.pull_off->force.value : undefined})
         row.emplace_back(value);
-    add_reason(table, std::move(row), "");
+    end_row(table, std::move(row), {""});
 }
 
 }  // namespace
@@ -231,7 +240,7 @@ void add_energies(tables::TidyTable& table, const LoopLabels& labels, const loop
     for (std::size_t i = 0; i < analysis.further_contacts.size(); ++i) {
         const auto& contact = analysis.further_contacts[i];
         if (contact) add_contact_energy(table, labels, i + 2, *contact);
-        else add_reason(table, energies_beginning(labels, i + 2, undefined), contact.reason);
+        else end_row(table, energies_beginning(labels, i + 2, undefined), {contact.reason});
     }
     if (analysis.cycles.size() < 2) return;
     for (std::size_t i = 0; i < analysis.cycles.size(); ++i) {
@@ -242,15 +251,15 @@ void add_energies(tables::TidyTable& table, const LoopLabels& labels, const loop
             row.emplace_back(*cycle.energy);
             row.emplace_back(cycle.energy_standard_error);
         }
-        add_reason(table, std::move(row), cycle.energy.reason);
+        end_row(table, std::move(row), {cycle.energy.reason});
     }
 }
 
 tables::TidyTable loop_rows_table() {
-    return {
-        "",
-        {"loop", "E* [MPa]", "W loading [mJ/m²]", "W unloading [mJ/m²]", "W_ret at pull-off [mJ/m²]", "loss [nJ]", "warnings"},
-        {}};
+    return {"",
+            {"loop", "E* [MPa]", "W loading [mJ/m²]", "W unloading [mJ/m²]", "W_ret at pull-off [mJ/m²]", "loss [nJ]",
+             "warnings"},
+            {}};
 }
 
 void add_loop_row(tables::TidyTable& table, const std::string& name, const loops::LoopAnalysis& analysis) {

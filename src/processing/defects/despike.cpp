@@ -46,7 +46,8 @@ double local_median(const Field& field, const Tilt& tilt, Index i, Index j, Inde
     for (Index a = i - reach_i; a <= i + reach_i; ++a)
         for (Index b = j - reach_j; b <= j + reach_j; ++b) {
             const double rise = field.at(a, b) - here;
-            if (rise != rise || (a == i && b == j) || out(a, b) || (symmetric && out(2 * i - a, 2 * j - b))) continue;
+            if (std::isnan(rise) || (a == i && b == j) || out(a, b) || (symmetric && out(2 * i - a, 2 * j - b)))
+                continue;
             values[static_cast<std::size_t>(n++)] =
                 rise - static_cast<double>(a - i) * tilt.down - static_cast<double>(b - j) * tilt.along;
         }
@@ -125,7 +126,7 @@ bool has_company(const Field& field, const Tilt& tilt, Index i, Index j, Index r
     for (Index a = i - reach_i; a <= i + reach_i; ++a)
         for (Index b = j - reach_j; b <= j + reach_j; ++b) {
             const double rise = field.at(a, b) - field.at(i, j);
-            if (rise != rise || (a == i && b == j)) continue;
+            if (std::isnan(rise) || (a == i && b == j)) continue;
             ++around;
             level += std::fabs(rise - static_cast<double>(a - i) * tilt.down -
                                static_cast<double>(b - j) * tilt.along) <= width;
@@ -151,7 +152,7 @@ void mark_spikes(const Differences& differences, std::vector<Outlier> candidates
         if (has_company(field, tilt, i, j, reach, 0.5 * std::fabs(difference))) continue;
         const double median = local_median(field, tilt, i, j, narrowed(reach, i, field.rows),
                                            narrowed(reach, j, field.columns), &spikes.mask, true);
-        if (median == median && !stands_out(median, point)) continue;
+        if (!std::isnan(median) && !stands_out(median, point)) continue;
         spikes.mask.data()[point] = 1;
         ++spikes.count;
     }
@@ -169,7 +170,7 @@ Spikes spikes_of(const Field& field, const SpikeOptions& options, const topograp
                  parallel::Threads threads) {
     require_domain(options.threshold, options.reach);
     const Index points = field.rows * field.columns;
-    if (!std::any_of(field.heights, field.heights + points, [](double h) { return h == h; }))
+    if (!std::any_of(field.heights, field.heights + points, [](double h) { return !std::isnan(h); }))
         throw UndefinedDataError(
             fmt::format("{}: no height is defined, so there are no spikes to find", topography::label(metadata)));
     const Differences differences{field, median_tilt(field, threads), options.reach};
@@ -192,7 +193,7 @@ double replacement(const Field& field, Index i, Index j, Index reach, const Mask
     for (; reach <= largest_reach; ++reach) {
         const double rise = local_median(field, {}, i, j, narrowed(reach, i, field.rows),
                                          narrowed(reach, j, field.columns), &spikes, false);
-        if (rise == rise) return field.at(i, j) + rise;
+        if (!std::isnan(rise)) return field.at(i, j) + rise;
     }
     return undefined;
 }

@@ -58,7 +58,7 @@ double rms_difference(const RowsOfHeights& map, parallel::Threads threads) {
                  const double* const row = heights + (i - first) * ny;
                  for (Index j = 0; j + 1 < ny; ++j) {
                      const double difference = row[j + 1] - row[j];
-                     const bool defined = difference == difference;
+                     const bool defined = !std::isnan(difference);
                      sum.squares += defined ? difference * difference : 0.0;
                      sum.count += defined ? 1.0 : 0.0;
                  }
@@ -83,7 +83,7 @@ bool mark_row(const double* heights, Index n, Index width, double low, double hi
             least = std::min(least, sign * heights[start + k]);
             if (!(sign * heights[start + k] - before >= low)) break;  // the run has come down, or is undefined
             const double behind = sign * heights[start + k + 1], base = std::max(before, behind);
-            if (behind != behind || !(least - base >= low)) continue;
+            if (std::isnan(behind) || !(least - base >= low)) continue;
             run = k;
             base_of_run = base;
         }
@@ -163,9 +163,9 @@ void fill_row(double* heights, const std::uint8_t* marks, Index n, ScarReplaceme
     for (Index j = 0; j < n; ++j) {
         if (!marks[j]) continue;
         Index end = j;
-        while (end < n && (marks[end] || heights[end] != heights[end])) ++end;
+        while (end < n && (marks[end] || std::isnan(heights[end]))) ++end;
         Index begin = j - 1;
-        while (begin >= 0 && heights[begin] != heights[begin]) --begin;
+        while (begin >= 0 && std::isnan(heights[begin])) --begin;
         for (Index k = j; k < end; ++k) {
             if (!marks[k]) continue;
             if (replacement == ScarReplacement::undefined || (begin < 0 && end == n)) heights[k] = undefined;

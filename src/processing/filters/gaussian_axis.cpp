@@ -12,81 +12,102 @@ const double reach = 4.0 * std::sqrt(2.0);
 /// Narrower Gaussians [pixels] are summed directly.
 constexpr double widest_direct = 3.0;
 
-struct Direct {
-    explicit Direct(GaussianAxis& axis, double deviation, Index orders) {
-        const Index half = static_cast<Index>(std::ceil(reach * deviation));
-        axis.direct = true;
-        axis.coarse = axis.points;
-        axis.taps = 2 * half + 1;
-        for (Index q = 0; q <= orders; ++q) axis.gather.emplace_back(axis.points, axis.taps);
-        for (Index t = 0; t < axis.taps; ++t) {
-            const double offset = deviation > 0.0 ? static_cast<double>(t - half) / deviation : 0.0;
-            double weight = std::exp(-0.5 * offset * offset);
-            for (Index q = 0; q <= orders; ++q, weight *= offset)
-                axis.gather[static_cast<std::size_t>(q)].col(t) = weight;
+/// Tables of a Gaussian that is summed over the points themselves.
+void tabulate_direct(GaussianAxis& axis, double deviation, Index orders) {
+    const Index half = static_cast<Index>(std::ceil(reach * deviation));
+    axis.direct = true;
+    axis.coarse = axis.points;
+    axis.taps = 2 * half + 1;
+    for (Index q = 0; q <= orders; ++q) axis.gather.emplace_back(axis.points, axis.taps);
+    for (Index t = 0; t < axis.taps; ++t) {
+        const double offset = deviation > 0.0 ? static_cast<double>(t - half) / deviation : 0.0;
+        double weight = std::exp(-0.5 * offset * offset);
+        for (Index q = 0; q <= orders; ++q) {
+            axis.gather[static_cast<std::size_t>(q)].col(t) = weight;
+            weight *= offset;
         }
-        for (Index i = 0; i < axis.points; ++i) axis.first_tap.push_back(i - half);
-        axis.coordinate.setZero(axis.points);
     }
+    for (Index i = 0; i < axis.points; ++i) axis.first_tap.push_back(i - half);
+    axis.coordinate.setZero(axis.points);
+}
+
+/// Coarse points half a deviation apart, at origin + k step.
+struct CoarseGrid {
+    double origin = 0.0, step = 0.0;  ///< [points]
+    Index number = 0;
+    Index half = 0;  ///< coarse points that a Gaussian reaches to either side
 };
 
-struct Coarse {
-    GaussianAxis& axis;
-    double deviation, step, origin = 0.0;
-    Index orders, half;
-
-    Coarse(GaussianAxis& target, double width, Index highest)
-        : axis(target), deviation(width), step(0.5 * width), orders(highest) {
-        const auto n = static_cast<double>(axis.points);
-        if (axis.periodic) {
-            axis.coarse = static_cast<Index>(std::ceil(n / step));
-            step = n / static_cast<double>(axis.coarse);
-        }
-        half = static_cast<Index>(std::ceil(4.0 * deviation / step));
-        if (!axis.periodic) {
-            origin = -static_cast<double>(half) * step;
-            axis.coarse = static_cast<Index>(std::floor((n - 1.0 - origin) / step)) + half + 1;
-        }
-        axis.taps = 2 * half;
-        axis.shares = 2 * half + 1;
-        axis.coordinate.resize(axis.points);
-        for (Index k = 0; k <= orders; ++k) {
-            axis.share.emplace_back(axis.points, axis.shares);
-            axis.gather.emplace_back(axis.points, axis.taps);
-        }
-        for (Index i = 0; i < axis.points; ++i) tabulate(i);
+CoarseGrid coarse_grid(const GaussianAxis& axis, double deviation) {
+    const auto n = static_cast<double>(axis.points);
+    CoarseGrid grid{.step = 0.5 * deviation};
+    if (axis.periodic) {
+        grid.number = static_cast<Index>(std::ceil(n / grid.step));
+        grid.step = n / static_cast<double>(grid.number);
     }
+    grid.half = static_cast<Index>(std::ceil(4.0 * deviation / grid.step));
+    if (!axis.periodic) {
+        grid.origin = -static_cast<double>(grid.half) * grid.step;
+        grid.number = static_cast<Index>(std::floor((n - 1.0 - grid.origin) / grid.step)) + grid.half + 1;
+    }
+    return grid;
+}
 
-    void tabulate(Index i) {
-        const double place = (static_cast<double>(i) - origin) / step;  // in coarse steps
-        const auto below = static_cast<Index>(std::floor(place));
-        axis.coordinate[i] = (place - static_cast<double>(below)) * step / deviation;
-        axis.first_tap.push_back(below - half + 1);
-        for (Index t = 0; t < axis.taps; ++t) {
-            const double from_reference = static_cast<double>(t - half + 1) * step / deviation;
-            const double distance = axis.coordinate[i] - from_reference;
-            double weight = std::exp(-distance * distance);
-            for (Index q = 0; q <= orders; ++q, weight *= from_reference)
-                axis.gather[static_cast<std::size_t>(q)](i, t) = weight;
-        }
-        const auto first = static_cast<Index>(std::ceil(place)) - half;
-        axis.first_share.push_back(first);
-        for (Index s = 0; s < axis.shares; ++s) {
-            const double distance = (place - static_cast<double>(first + s)) * step / deviation;
-            double weight = std::abs(distance) * deviation <= static_cast<double>(half) * step
-                                ? std::exp(-distance * distance)
-                                : 0.0;
-            for (Index m = 0; m <= orders; ++m, weight *= distance)
-                axis.share[static_cast<std::size_t>(m)](i, s) = weight;
+/// Weights of the coarse points that point i gathers from.
+void tabulate_gather(GaussianAxis& axis, const CoarseGrid& grid, double deviation, Index orders, Index i) {
+    const double place = (static_cast<double>(i) - grid.origin) / grid.step;  // in coarse steps
+    const auto below = static_cast<Index>(std::floor(place));
+    axis.coordinate[i] = (place - static_cast<double>(below)) * grid.step / deviation;
+    axis.first_tap.push_back(below - grid.half + 1);
+    for (Index t = 0; t < axis.taps; ++t) {
+        const double from_reference = static_cast<double>(t - grid.half + 1) * grid.step / deviation;
+        const double distance = axis.coordinate[i] - from_reference;
+        double weight = std::exp(-distance * distance);
+        for (Index q = 0; q <= orders; ++q) {
+            axis.gather[static_cast<std::size_t>(q)](i, t) = weight;
+            weight *= from_reference;
         }
     }
-};
+}
+
+/// Weights with which point i shares itself among coarse points.
+void tabulate_shares(GaussianAxis& axis, const CoarseGrid& grid, double deviation, Index orders, Index i) {
+    const double place = (static_cast<double>(i) - grid.origin) / grid.step;
+    const auto first = static_cast<Index>(std::ceil(place)) - grid.half;
+    axis.first_share.push_back(first);
+    for (Index s = 0; s < axis.shares; ++s) {
+        const double distance = (place - static_cast<double>(first + s)) * grid.step / deviation;
+        const bool reached = std::abs(distance) * deviation <= static_cast<double>(grid.half) * grid.step;
+        double weight = reached ? std::exp(-distance * distance) : 0.0;
+        for (Index m = 0; m <= orders; ++m) {
+            axis.share[static_cast<std::size_t>(m)](i, s) = weight;
+            weight *= distance;
+        }
+    }
+}
+
+/// Tables of a Gaussian as a product of two, through coarse points.
+void tabulate_coarse(GaussianAxis& axis, double deviation, Index orders) {
+    const auto grid = coarse_grid(axis, deviation);
+    axis.coarse = grid.number;
+    axis.taps = 2 * grid.half;
+    axis.shares = 2 * grid.half + 1;
+    axis.coordinate.resize(axis.points);
+    for (Index k = 0; k <= orders; ++k) {
+        axis.share.emplace_back(axis.points, axis.shares);
+        axis.gather.emplace_back(axis.points, axis.taps);
+    }
+    for (Index i = 0; i < axis.points; ++i) {
+        tabulate_gather(axis, grid, deviation, orders, i);
+        tabulate_shares(axis, grid, deviation, orders, i);
+    }
+}
 
 }  // namespace
 
 GaussianAxis::GaussianAxis(Index number, double deviation, bool wraps, Index orders) : points(number), periodic(wraps) {
-    if (deviation <= widest_direct) Direct(*this, deviation, orders);
-    else Coarse(*this, deviation, orders);
+    if (deviation <= widest_direct) tabulate_direct(*this, deviation, orders);
+    else tabulate_coarse(*this, deviation, orders);
 }
 
 Index GaussianAxis::place(Index number) const {

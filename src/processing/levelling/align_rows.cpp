@@ -51,19 +51,19 @@ Array1D shifts_of(const AlignRows& step, HeightMap& map, const Mask& chosen, par
                       for (Index line = differences ? std::max<Index>(first, 1) : first; line < last; ++line)
                           levels[line] = level_of(band, line, step.method, values);
                   });
-    if (!(levels == levels).any())
+    if (levels.isNaN().all())
         throw UndefinedDataError(
             fmt::format("{}: no line has a point that counts; widen the region", topography::label(map.metadata)));
     if (differences) {
         levels[0] = 0.0;
         for (Index line = 1; line < lines; ++line)
-            levels[line] = levels[line - 1] + (levels[line] == levels[line] ? levels[line] : 0.0);
+            levels[line] = levels[line - 1] + (std::isnan(levels[line]) ? 0.0 : levels[line]);
         return levels;
     }
     for (Index line = 1; line < lines; ++line)
-        if (levels[line] != levels[line]) levels[line] = levels[line - 1];
+        if (std::isnan(levels[line])) levels[line] = levels[line - 1];
     for (Index line = lines - 2; line >= 0; --line)
-        if (levels[line] != levels[line]) levels[line] = levels[line + 1];
+        if (std::isnan(levels[line])) levels[line] = levels[line + 1];
     return levels;
 }
 
@@ -90,7 +90,7 @@ Array1D remove_polynomials(const AlignRows& step, HeightMap& map, const Mask& ch
             }
         }
     });
-    if (!(means == means).any())
+    if (means.isNaN().all())
         throw UndefinedDataError(
             fmt::format("{}: no line has {} points that count; lower the degree or widen the region",
                         topography::label(map.metadata), step.degree + 1));
@@ -99,7 +99,7 @@ Array1D remove_polynomials(const AlignRows& step, HeightMap& map, const Mask& ch
 
 /// Mean and rms deviation of the defined shifts.
 std::array<double, 2> mean_and_spread(const Array1D& shifts) {
-    const auto defined = shifts == shifts;
+    const auto defined = !shifts.isNaN();
     const auto count = static_cast<double>(defined.count());
     const double origin = defined.select(shifts, 0.0).sum() / count;
     const Array1D centred = defined.select(shifts - origin, 0.0);
@@ -122,7 +122,7 @@ Processed apply(const AlignRows& step, topography::Measurement measurement, para
     const Array1D moves = polynomial ? Array1D::Constant(shifts.size(), -mean) : Array1D(shifts - mean);
     move_lines(moves, step.direction, *map, threads);
     if (polynomial && step.degree > 0) map->periodic = false;
-    const auto lost = shifts.size() - (shifts == shifts).count();
+    const auto lost = shifts.isNaN().count();
     record.numbers.push_back(recorded_count("aligned_lines", shifts.size() - lost));
     record.numbers.push_back(recorded("rms_shift", "", spread, "m"));
     if (lost > 0)

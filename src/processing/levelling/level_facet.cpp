@@ -65,8 +65,8 @@ struct MapFacets {
                          for (Index j = 0; j + 1 < columns; ++j) {
                              const double vx = 0.5 * ((next[j] - here[j]) + (next[j + 1] - here[j + 1])) / pixel[0];
                              const double vy = 0.5 * ((here[j + 1] - here[j]) + (next[j + 1] - next[j])) / pixel[1];
-                             if (vx != vx || (chosen.size() > 0 && !(chosen(i, j) && chosen(i, j + 1) &&
-                                                                     chosen(i + 1, j) && chosen(i + 1, j + 1))))
+                             if (std::isnan(vx) || (chosen.size() > 0 && !(chosen(i, j) && chosen(i, j + 1) &&
+                                                                           chosen(i + 1, j) && chosen(i + 1, j + 1))))
                                  continue;
                              visit(block, 1.0, vx, vy);
                          }
@@ -88,7 +88,8 @@ struct LineFacets {
         FacetSums all;
         for (Index i = 0; i + 1 < heights.size(); ++i) {
             const double v = (heights[i + 1] - heights[i]) / lengths[i];
-            if (v == v && (chosen.size() == 0 || (chosen(i, 0) && chosen(i + 1, 0)))) visit(all, lengths[i], v, 0.0);
+            if (!std::isnan(v) && (chosen.size() == 0 || (chosen(i, 0) && chosen(i + 1, 0))))
+                visit(all, lengths[i], v, 0.0);
         }
         return all;
     }

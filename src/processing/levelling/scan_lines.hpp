@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct LineBand {
     /// Whether the point of a line counts: defined and chosen.
     [[nodiscard]] bool counts(Index number, Index point) const {
         const auto k = static_cast<std::size_t>((number - first) * points + point);
-        return heights[k] == heights[k] && (chosen.empty() || chosen[k]);
+        return !std::isnan(heights[k]) && (chosen.empty() || chosen[k]);
     }
 };
 

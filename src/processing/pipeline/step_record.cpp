@@ -38,9 +38,9 @@ double sum_of(const double* heights, Index n, Term term) {
     for (; i + lanes <= n; i += lanes)
         for (Index lane = 0; lane < lanes; ++lane) {
             const double h = heights[i + lane];
-            sums[lane] += h == h ? term(h) : 0.0;
+            sums[lane] += std::isnan(h) ? 0.0 : term(h);
         }
-    for (; i < n; ++i) sums[0] += heights[i] == heights[i] ? term(heights[i]) : 0.0;
+    for (; i < n; ++i) sums[0] += std::isnan(heights[i]) ? 0.0 : term(heights[i]);
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
@@ -50,7 +50,7 @@ Spread spread_of(const double* heights, Index n) {
     if (spread.points == 0.0) return {};
     double origin = 0.0;
     for (Index i = 0; i < n; ++i)
-        if (heights[i] == heights[i]) {
+        if (!std::isnan(heights[i])) {
             origin = heights[i];
             break;
         }
@@ -81,7 +81,7 @@ Spread spread_of(const topography::Profile& profile, parallel::Threads) {
     for (Index i = 0; i + 1 < profile.heights.size(); ++i) {
         const double length = profile.positions[i + 1] - profile.positions[i],
                      rise = profile.heights[i + 1] - profile.heights[i];
-        if (rise == rise && length > 0.0)
+        if (!std::isnan(rise) && length > 0.0)
             all.add({length, profile.heights[i] + 0.5 * rise, rise * rise * length / 12.0});
     }
     return all;

@@ -27,7 +27,7 @@ ComputedRows rows_of(const Array1D& values) {
 double sorted_quantile(const Array1D& values, double probability) {
     std::vector<double> sorted;
     for (const double value : values)
-        if (value == value) sorted.push_back(value);
+        if (!std::isnan(value)) sorted.push_back(value);
     std::sort(sorted.begin(), sorted.end());
     const double order = probability * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(order);

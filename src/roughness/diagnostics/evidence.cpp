@@ -39,7 +39,7 @@ void count(Evidence& evidence, parallel::Threads threads) {
                                                         const double* const values = heights.data();
                                                         for (Index k = first * columns; k < last * columns; ++k) {
                                                             const double h = values[k];
-                                                            defined += h == h;
+                                                            defined += !std::isnan(h);
                                                             lowest = h < lowest ? h : lowest;
                                                             highest = h > highest ? h : highest;
                                                         }
@@ -113,7 +113,7 @@ double rms_slope_along_x(const Array2D& heights, double step) {
         const double *const lower = heights.row(i).data(), *const upper = heights.row(i + 1).data();
         for (Index j = 0; j < heights.cols(); ++j) {
             const double rise = upper[j] - lower[j];
-            const bool defined = rise == rise;
+            const bool defined = !std::isnan(rise);
             squares += defined ? rise * rise : 0.0;
             n += defined;
         }

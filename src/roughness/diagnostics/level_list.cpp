@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -44,7 +45,7 @@ std::optional<std::vector<Level>> few_values(const Array2D& heights) {
     Index* of_last = nullptr;
     for (Index k = 0; k < heights.size(); ++k) {
         const double height = heights.data()[k];
-        if (height != height) continue;
+        if (std::isnan(height)) continue;
         if (height != last) {
             of_last = &counts[height];
             last = height;

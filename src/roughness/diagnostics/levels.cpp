@@ -25,7 +25,7 @@ double plateau_share(const Array2D& heights, parallel::Threads threads) {
                                                         const double *here = heights.data(), *next = here + ny;
                                                         for (Index k = first * ny; k < last * ny; ++k) {
                                                             const double rise = next[k] - here[k];
-                                                            counts.pairs += rise == rise;
+                                                            counts.pairs += !std::isnan(rise);
                                                             counts.same += rise == 0.0;
                                                         }
                                                     })) {

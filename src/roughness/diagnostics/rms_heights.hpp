@@ -18,8 +18,8 @@ std::array<double, count> rms_heights(Index rows, Index columns, const RowsOf& r
     for (Index i = 0; i < rows; ++i) {
         const std::array<const double*, count> row = rows_of(i);
         for (Index j = 0; j < columns; ++j) {
-            n += row[0][j] == row[0][j];
-            for (std::size_t m = 0; m < count; ++m) sum[m] += row[m][j] == row[m][j] ? row[m][j] : 0.0;
+            n += !std::isnan(row[0][j]);
+            for (std::size_t m = 0; m < count; ++m) sum[m] += std::isnan(row[m][j]) ? 0.0 : row[m][j];
         }
     }
     for (std::size_t m = 0; m < count; ++m) mean[m] = sum[m] / static_cast<double>(n);
@@ -28,7 +28,7 @@ std::array<double, count> rms_heights(Index rows, Index columns, const RowsOf& r
         for (Index j = 0; j < columns; ++j)
             for (std::size_t m = 0; m < count; ++m) {
                 const double height = row[m][j], rest = height - mean[m];
-                squares[m] += height == height ? rest * rest : 0.0;
+                squares[m] += std::isnan(height) ? 0.0 : rest * rest;
             }
     }
     for (std::size_t m = 0; m < count; ++m) rms[m] = std::sqrt(squares[m] / static_cast<double>(n));

@@ -33,7 +33,7 @@ double upper_median_of(const double* heights, Index n, std::vector<double>& room
             room[static_cast<std::size_t>(kept)] = h;
             kept += static_cast<int>(h >= low) & static_cast<int>(h <= high);
             below += h < low;
-            defined += h == h;
+            defined += !std::isnan(h);
         }
         return std::array<Index, 2>{kept, defined / 2 - below};
     };
@@ -42,7 +42,7 @@ double upper_median_of(const double* heights, Index n, std::vector<double>& room
     if (n > 4 * sample_size) {
         std::array<double, sample_size> sample;
         for (Index k = 0; k < sample_size; ++k) sample[static_cast<std::size_t>(k)] = heights[k * n / sample_size];
-        const auto end = std::remove_if(sample.begin(), sample.end(), [](double h) { return h != h; });
+        const auto end = std::remove_if(sample.begin(), sample.end(), [](double h) { return std::isnan(h); });
         const auto size = end - sample.begin();
         std::sort(sample.begin(), end);
         if (size > 2 * margin) {

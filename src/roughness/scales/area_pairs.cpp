@@ -26,8 +26,8 @@ public:
     CentredMap(const topography::HeightMap& map, parallel::Threads threads) : heights_(map.heights) {
         const Index nx = heights_.rows(), ny = heights_.cols(), blocks = block_count(nx);
         origin_ = undefined;
-        for (Index i = 0; i < heights_.size() && origin_ != origin_; ++i) origin_ = heights_.data()[i];
-        if (origin_ != origin_)
+        for (Index i = 0; i < heights_.size() && std::isnan(origin_); ++i) origin_ = heights_.data()[i];
+        if (std::isnan(origin_))
             throw UndefinedDataError(
                 fmt::format("{}: no defined height to correlate", topography::label(map.metadata)));
         Array1D sums(blocks), counts(blocks);
@@ -36,12 +36,12 @@ public:
             each_row(static_cast<Index>(block), [&](Index i) {
                 const auto row = heights_.row(i);
                 const double quick = (row - origin_).sum();
-                if (quick == quick) {
+                if (!std::isnan(quick)) {
                     sum += quick;
                     count += static_cast<double>(ny);
                 } else {
-                    sum += (row == row).select(row - origin_, 0.0).sum();
-                    count += static_cast<double>((row == row).count());
+                    sum += (!row.isNaN()).select(row - origin_, 0.0).sum();
+                    count += static_cast<double>((!row.isNaN()).count());
                 }
             });
             sums[static_cast<Index>(block)] = sum;
@@ -252,7 +252,7 @@ void holed_rows(const Plan& plan, const CentredMap& map, Lags lags, parallel::Th
                 [&](Index i, double* line) {
                     for (Index j = 0; j < plan.ny; ++j) {
                         const double h = map.centred(i, j);
-                        line[j] = h == h ? function(h) : 0.0;
+                        line[j] = std::isnan(h) ? 0.0 : function(h);
                     }
                 },
                 spectra, threads);

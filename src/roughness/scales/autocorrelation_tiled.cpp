@@ -120,8 +120,8 @@ double mean_of_defined(const Array2D& values) {
     double origin = undefined, sum = 0.0, count = 0.0;
     for (Index i = 0; i < values.size(); ++i) {
         const double h = values.data()[i];
-        if (h != h) continue;
-        if (origin != origin) origin = h;
+        if (std::isnan(h)) continue;
+        if (std::isnan(origin)) origin = h;
         sum += h - origin;
         count += 1.0;
     }
@@ -152,7 +152,7 @@ FunctionOfScale autocorrelation_of_area(const topography::TiledMap& map, double 
         band.heights =
             lines_of(map, first, map.periodic ? band.lines + sums.y : std::min(band.lines + sums.y, map.ny - first));
         const double origin = mean_of_defined(band.heights);
-        if (origin != origin) continue;
+        if (std::isnan(origin)) continue;
         any_defined = true;
         band.heights -= origin;  // each band about its own: differences of heights do not see it
         add_band(band, map.periodic, sums, options.threads);

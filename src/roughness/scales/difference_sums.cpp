@@ -2,6 +2,7 @@
 #include "difference_sums.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace setae::scales {
@@ -19,7 +20,7 @@ struct Lanes {
 
 template <bool checked>
 void add_value(double value, double origin, Index lane, Lanes& sums) {
-    const bool use = !checked || value == value;
+    const bool use = !checked || !std::isnan(value);
     const double d = use ? value - origin : 0.0, square = d * d;
     if constexpr (checked) sums.count[lane] += use ? 1.0 : 0.0;
     sums.p1[lane] += d;
@@ -59,7 +60,7 @@ void DifferenceSums::add(const double* values, Index n, double origin) {
     auto sums = sums_of<false>(values, n, origin);
     double added = static_cast<double>(n);
     const double quick = total(sums.p1);
-    if (quick != quick) {
+    if (std::isnan(quick)) {
         sums = sums_of<true>(values, n, origin);
         added = total(sums.count);
     }

@@ -59,11 +59,11 @@ void LinePairs::add_line(const double* heights, Part& part) const {
     Index defined = 0;
     const double origin = [&] {
         for (Index i = 0; i < points_; ++i)
-            if (heights[i] == heights[i]) return heights[i];
+            if (!std::isnan(heights[i])) return heights[i];
         return 0.0;
     }();
     for (Index i = 0; i < points_; ++i)
-        if (heights[i] == heights[i]) {
+        if (!std::isnan(heights[i])) {
             sum += heights[i] - origin;
             ++defined;
         }
@@ -81,7 +81,7 @@ void LinePairs::add_line(const double* heights, Part& part) const {
     }
     part.make_room_for_holes();
     for (Index i = 0; i < points_; ++i) {
-        const bool is_defined = heights[i] == heights[i];
+        const bool is_defined = !std::isnan(heights[i]);
         line[i] = is_defined ? (heights[i] - origin) - mean : 0.0;
         part.weights[extent(i)] = is_defined ? 1.0 : 0.0;
         part.squares[extent(i)] = line[i] * line[i];

@@ -42,12 +42,12 @@ void RadialBins::add(Index k, const double* values, Index y, double weight, Row&
              x * x)
                 .sqrt();
         const double sum = segment.sum();
-        if (sum == sum) {
+        if (!std::isnan(sum)) {
             bin.value += weight * sum;
             bin.distance += weight * lengths.sum();
             bin.vectors += weight * static_cast<double>(to - from);
         } else {
-            const Eigen::Array<bool, Eigen::Dynamic, 1> defined = segment == segment;
+            const Eigen::Array<bool, Eigen::Dynamic, 1> defined = !segment.isNaN();
             bin.value += weight * defined.select(segment, 0.0).sum();
             bin.distance += weight * defined.select(lengths, 0.0).sum();
             bin.vectors += weight * static_cast<double>(defined.count());

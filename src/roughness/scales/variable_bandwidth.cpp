@@ -53,8 +53,8 @@ CellMoments moments_of(const Grid& grid, Index x0, Index x1, Index y0, Index y1)
     for (Index i = x0; i < x1; ++i)
         for (Index j = y0; j < y1; ++j) {
             const double h = grid.heights[i * grid.stride + j];
-            if (h != h) continue;
-            if (origin != origin) origin = h;
+            if (std::isnan(h)) continue;
+            if (std::isnan(origin)) origin = h;
             const double x = static_cast<double>(i - x0), y = static_cast<double>(j - y0), z = h - origin;
             n += 1.0;
             sx += x;

@@ -42,7 +42,7 @@ StrongestDirection strongest_direction(const topography::HeightMap& map, double 
     const auto load = [&](Index i, double* row) {
         for (Index j = 0; j < ny; ++j) {
             const double h = map.heights(i, j);
-            row[j] = h == h ? (h - mean) * window_x[i] * window_y[j] : 0.0;
+            row[j] = std::isnan(h) ? 0.0 : (h - mean) * window_x[i] * window_y[j];
         }
     };
     fourier::transform_map(

@@ -52,9 +52,9 @@ AutocorrelationOfProducts::AutocorrelationOfProducts(const topography::HeightMap
             std::fill(row + ny, row + grid_y, 0.0);
         };
     };
-    values_.emplace(grid_x, grid_y, nx_, load([mean](double h) { return h == h ? h - mean : 0.0; }), threads);
-    if (!(map.heights == map.heights).all())
-        counts_.emplace(grid_x, grid_y, nx_, load([](double h) { return h == h ? 1.0 : 0.0; }), threads);
+    values_.emplace(grid_x, grid_y, nx_, load([mean](double h) { return std::isnan(h) ? 0.0 : h - mean; }), threads);
+    if (map.heights.isNaN().any())
+        counts_.emplace(grid_x, grid_y, nx_, load([](double h) { return std::isnan(h) ? 0.0 : 1.0; }), threads);
     find_rows(0);
     if (!(square_ > 0.0))
         throw UndefinedDataError(topography::label(map.metadata) +

@@ -88,7 +88,7 @@ Bandwidth bandwidth(const MeasurementView& measurement, const Filters& filters, 
 
 std::vector<Alert> undefined_alerts(const MeasurementView& measurement) {
     const auto [undefined_heights, all] = measurement.visit([](const auto& m) {
-        return std::pair{m.heights.size() - (m.heights == m.heights).count(), m.heights.size()};
+        return std::pair{m.heights.isNaN().count(), m.heights.size()};
     });
     const double share = static_cast<double>(undefined_heights) / static_cast<double>(all);
     if (share <= 0.01) return {};

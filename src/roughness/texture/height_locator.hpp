@@ -31,7 +31,7 @@ public:
 
     /// Number of heights <= value; −1 for NaN.
     [[nodiscard]] int operator()(double value) const {
-        if (!(value >= heights_.front())) return value != value ? -1 : 0;
+        if (!(value >= heights_.front())) return std::isnan(value) ? -1 : 0;
         if (value >= heights_[static_cast<std::size_t>(count_ - 1)]) return count_;
         const auto step = step_of(value);
         int k = first_[step];

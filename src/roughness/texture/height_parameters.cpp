@@ -45,7 +45,7 @@ Powers powers_of_points(const double* heights, Index n, double origin) {
     std::fill_n(lowest, lanes, std::numeric_limits<double>::infinity());
     std::fill_n(highest, lanes, -std::numeric_limits<double>::infinity());
     const auto add = [&](Index k, double h) {
-        const bool defined = !checked || h == h;
+        const bool defined = !checked || !std::isnan(h);
         const double z = defined ? h - origin : 0.0;
         if constexpr (checked) weight[k] += defined ? 1.0 : 0.0;
         first[k] += z;
@@ -114,7 +114,7 @@ Powers powers(const Uniform& data, double origin, parallel::Threads threads) {
 
 double first_defined(const Eigen::Ref<const Array1D>& heights, const topography::Metadata& metadata) {
     for (const double h : heights)
-        if (h == h) return h;
+        if (!std::isnan(h)) return h;
     throw UndefinedDataError(topography::label(metadata) + ": no defined height");
 }
 
@@ -141,7 +141,7 @@ HeightParameters parameters_of(const Kind& data, parallel::Threads threads, std:
     result.Sv = constant ? 0.0 : -sums.lowest;
     result.Sz = result.Sp + result.Sv;
     result.Sa = constant ? 0.0 : sums.absolute / sums.weight;
-    if constexpr (std::is_same_v<Kind, topography::Profile>) result.defined = (heights == heights).count();
+    if constexpr (std::is_same_v<Kind, topography::Profile>) result.defined = (!heights.isNaN()).count();
     else result.defined = static_cast<Index>(sums.weight);
     return result;
 }

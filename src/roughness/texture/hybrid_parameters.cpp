@@ -23,7 +23,7 @@ Sums central_sums(const double* previous, const double* row, const double* next,
         const double x = (next[j] - previous[j]) / (2.0 * dx),
                      y = (row[j + 1 == ny ? 0 : j + 1] - row[j == 0 ? ny - 1 : j - 1]) / (2.0 * dy);
         const double slope2 = x * x + y * y;
-        if (slope2 != slope2 || row[j] != row[j]) continue;
+        if (std::isnan(slope2) || std::isnan(row[j])) continue;
         sums.slope2 += slope2;
         sums.excess += slope2 / (1.0 + std::sqrt(1.0 + slope2));
         sums.points += 1.0;

@@ -34,7 +34,7 @@ Points points_of(const MeasurementView& line) {
         topography::validate(profile);
         points = {profile.positions, profile.heights};
     }
-    if (!(points.heights == points.heights).all())
+    if (points.heights.isNaN().any())
         throw UndefinedDataError(topography::label(line.metadata()) +
                                  ": elements of a profile need every height; fill undefined heights first");
     return points;
@@ -101,7 +101,7 @@ struct SlopeMeans {
     double squares = 0.0, absolute = 0.0, largest = 0.0, developed = 0.0, weight = 0.0;
 
     void add(double slope, double length) {
-        if (slope != slope) return;
+        if (std::isnan(slope)) return;
         squares += slope * slope * length;
         absolute += std::abs(slope) * length;
         largest = std::max(largest, std::abs(slope));

@@ -40,7 +40,7 @@ double line_size(const MeasurementView& line) {
 }
 
 bool has_undefined(const MeasurementView& line) {
-    return line.visit([](const auto& m) { return !(m.heights == m.heights).all(); });
+    return line.visit([](const auto& m) { return m.heights.isNaN().any(); });
 }
 
 Stretch stretch(const MeasurementView& line, double mean_line, double section_length, double total_height,
@@ -180,7 +180,7 @@ std::vector<TextureParameter> mean_profile_parameters(const topography::HeightMa
                                                       parallel::Threads threads) {
     std::vector<std::vector<TextureParameter>> lines;
     for (const auto& line : topography::line_scans(map))
-        if ((line.heights == line.heights).count() > 1) lines.push_back(profile_parameters(line, options, threads));
+        if ((!line.heights.isNaN()).count() > 1) lines.push_back(profile_parameters(line, options, threads));
     if (lines.empty())
         throw UndefinedDataError(topography::label(map.metadata) + ": no scan line has two defined heights");
     auto rows = lines.front();

@@ -33,7 +33,7 @@ struct Rim {
 /// Where the cubic through four equally spaced values passes `level` between the second (above it) and the third (not
 /// above): 0 … 1.
 double passage(double before, double at_0, double at_1, double after, double level) {
-    const bool cubic = before == before && after == after;
+    const bool cubic = !std::isnan(before) && !std::isnan(after);
     const auto value = [&](double t) {
         if (!cubic) return at_0 + t * (at_1 - at_0);
         return (t - 1.0) * (t - 2.0) * (-t * before + 3.0 * (t + 1.0) * at_0) / 6.0 +
@@ -58,7 +58,7 @@ Rim rim_of(AutocorrelationOfProducts& f, double level, std::array<double, 2> pix
         waiting.pop_back();
         for (const auto& [di, dj] : {std::pair<Index, Index>{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
             const double next = at(i + di, j + dj);
-            if (next != next) {
+            if (std::isnan(next)) {
                 rim.closed = false;
             } else if (next > level) {
                 if (!filled[place(i + di, j + dj)]) {
@@ -113,7 +113,7 @@ std::array<double, 3> correlation_areas(AutocorrelationOfProducts& f, double rad
         for (Index j = -reach_y; j <= reach_y; ++j) {
             const double value = f(i, j);
             if (std::hypot(static_cast<double>(i) * pixel[0], static_cast<double>(j) * pixel[1]) > radius ||
-                value != value)
+                std::isnan(value))
                 continue;
             double power = value * value;
             for (auto& sum : sums) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -87,12 +88,12 @@ Basins basins_of(const Grid& grid, parallel::Threads threads) {
         for (Index j = 0; j < grid.ny(); ++j) {
             const auto point = i * grid.ny() + j;
             const double height = grid.at(point);
-            if (height != height) continue;
+            if (std::isnan(height)) continue;
             auto best = point;
             double highest = height;
             grid.for_neighbours(i, j, 0, [&](Index other) {
                 const double beside = other == none ? undefined : grid.at(other);
-                if (beside != beside) rim[static_cast<std::size_t>(point)] = 1;
+                if (std::isnan(beside)) rim[static_cast<std::size_t>(point)] = 1;
                 else if (beside > highest) {
                     best = other;
                     highest = beside;

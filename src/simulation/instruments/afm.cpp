@@ -45,7 +45,7 @@ void lag_line(Array2D& heights, Index line, double step, double lag) {
     bool started = false, held = true;
     for (Index i = 0; i < heights.rows(); ++i) {
         const double target = heights(i, line);
-        if (target != target) {
+        if (std::isnan(target)) {
             held = true;
             continue;
         }

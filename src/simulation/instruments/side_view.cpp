@@ -121,7 +121,7 @@ Array1D interpolated(const Array1D& heights, double step, bool periodic, double 
         const Index second = periodic ? (first + 1) % n : std::min(first + 1, n - 1);
         const double share = at - left;
         result[k] = share == 0.0 ? heights[first] : (1.0 - share) * heights[first] + share * heights[second];
-        if (result[k] != result[k])
+        if (std::isnan(result[k]))
             throw UndefinedDataError(
                 fmt::format("the silhouette is undefined at x = {} m; a contour needs a surface without holes",
                             start + positions[k]));

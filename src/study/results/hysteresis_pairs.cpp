@@ -46,7 +46,7 @@ std::vector<hysteresis::PinningBand> bands_of(const spectra::Spectrum& curve) {
         double sum = 0.0, end = upper;
         for (int part = 0; part < parts; ++part, end /= narrow)
             sum += (below(end) - below(end / narrow)) * 2.0 * pi * std::sqrt(narrow) / end;
-        if (stored > 0.0) bands.push_back({stored / energy[last], sum / stored});
+        if (stored > 0.0) bands.push_back({.share = stored / energy[last], .mean_wavelength = sum / stored});
     }
     return bands;
 }
@@ -56,9 +56,10 @@ std::optional<hysteresis::Pressing> pressing_of(const ElastomerResult& elastomer
                                                 const RetractionPair& base) {
     if (elastomer.input.preload) return hysteresis::Pressing{.maximum_force = *elastomer.input.preload};
     if (!base.radius || !pair.contact_area || !pair.approach || !(pair.approach->value > 0.0)) return std::nullopt;
-    const double force =
-        contact::jkr::force(std::sqrt(*pair.contact_area / pi),
-                            {base.radius->value, base.soft.contact_modulus.value, pair.approach->value});
+    const contact::jkr::Contact as_measured{.radius = base.radius->value,
+                                            .contact_modulus = base.soft.contact_modulus.value,
+                                            .work_of_adhesion = pair.approach->value};
+    const double force = contact::jkr::force(std::sqrt(*pair.contact_area / pi), as_measured);
     return hysteresis::Pressing{.maximum_force = std::max(0.0, force)};
 }
 
@@ -106,8 +107,11 @@ std::optional<hysteresis::SpeedFactor> speed_factor_of(const RetractionPair& pai
                                                   {*pair.contact_area});
     else
         sphere.contact_radius = contact::jkr::contact_radius_at_force(
-            pair.pressing->maximum_force, {pair.radius->value, pair.soft.contact_modulus.value, work});
-    const hysteresis::EdgePull pull{drive.drive.retraction_speed, drive.reading_time, reading};
+            pair.pressing->maximum_force, {.radius = pair.radius->value,
+                                           .contact_modulus = pair.soft.contact_modulus.value,
+                                           .work_of_adhesion = work});
+    const hysteresis::EdgePull pull{
+        .motor_speed = drive.drive.retraction_speed, .reading_time = drive.reading_time, .reading = reading};
     try {
         if (read && read->value > 0.0) return speed_factor_of_reading(sphere, *pair.edge_speed, pull, read->value);
         return speed_factor(sphere, *pair.edge_speed, pull, 2.0 * work);
@@ -123,9 +127,14 @@ std::optional<TracedValue> work_of_area(const PreparedPair& pair) {
     const auto& as = *pair.as_measured;
     if (!loss || !as.approach || !(as.approach->value > 0.0) || !as.radius || !as.contact_area) return std::nullopt;
     const double bulk = pair.measured.bulk_loss.value_or(0.0);
+    enum Input : std::size_t { approach, radius, modulus, contact_area, energy_loss, stiffness };
     const auto work = [&](const std::vector<double>& in) {
-        const hysteresis::HystereticSphere sphere{in[1], in[2], in[0], in[0]};
-        return hysteresis::work_retraction_for_loss(sphere, as.pressed(sphere.approach(), in[3], in[5]), in[4] - bulk);
+        const hysteresis::HystereticSphere sphere{.radius = in[radius],
+                                                  .contact_modulus = in[modulus],
+                                                  .work_approach = in[approach],
+                                                  .work_retraction = in[approach]};
+        const auto pressing = as.pressed(sphere.approach(), in[contact_area], in[stiffness]);
+        return hysteresis::work_retraction_for_loss(sphere, pressing, in[energy_loss] - bulk);
     };
     try {
         return setae::propagated(work, {*as.approach, *as.radius, as.soft.contact_modulus, *as.contact_area, *loss,
@@ -197,13 +206,13 @@ PreparedPairs prepared_pairs(const StudyResult& result) {
         }
         const auto& spectrum = surface.used();
         auto& prepared = found.pairs.emplace_back(
-            PreparedPair{pair,
-                         elastomer,
-                         adhesion::roughness_in_contact(spectrum.parameters, spectrum.spread, pair.seen),
-                         {},
-                         {},
-                         {},
-                         {}});
+            PreparedPair{.measured = pair,
+                         .elastomer = elastomer,
+                         .roughness = adhesion::roughness_in_contact(spectrum.parameters, spectrum.spread, pair.seen),
+                         .from_roughness = {},
+                         .as_measured = {},
+                         .by_area = {},
+                         .of_area = {}});
         RetractionPair base{.rough = {surface.name, prepared.roughness.parameters, prepared.roughness.spread},
                             .soft = elastomer.soft_side(),
                             .work_of_adhesion = result.traced_work_of_adhesion,
@@ -221,7 +230,9 @@ PreparedPairs prepared_pairs(const StudyResult& result) {
         if (pair.contact_area) measured.contact_area = TracedValue(*pair.contact_area, pair.contact_area_inputs);
         const auto drive = drive_of(result, pair.surface, pair.elastomer);
         if (drive) {
-            base.drive = {drive->drive.approach_speed, drive->drive.retraction_speed, drive->drive.hold_time};
+            base.drive = hysteresis::Drive{.approach_speed = drive->drive.approach_speed,
+                                           .retraction_speed = drive->drive.retraction_speed,
+                                           .hold_time = drive->drive.hold_time};
             base.speed_factor = speed_factor_of(measured, *drive, reading_of(pair), prepared.retraction());
             measured.drive = base.drive;
             measured.speed_factor = base.speed_factor;

@@ -28,11 +28,16 @@ TracedValue difference(const TracedValue& a, const TracedValue& b) {
 /// E_loss of the measured works over the contact area, with the sphere's jumps in the pair's machine.
 TracedValue loss_of_works(const PreparedPair& pair, const TracedValue& retraction) {
     const auto& measured = *pair.as_measured;
+    enum Input : std::size_t { work_approach, work_retraction, radius, modulus, contact_area, stiffness };
     return setae::propagated(
         [&](const std::vector<double>& in) {
-            const double approach = in[0], radius = in[2], modulus = in[3];
-            const hysteresis::HystereticSphere sphere{radius, modulus, approach, std::max(approach, in[1])};
-            return hysteresis::sphere_loop(sphere, measured.pressed(sphere.approach(), in[4], in[5])).energy_loss();
+            const hysteresis::HystereticSphere sphere{
+                .radius = in[radius],
+                .contact_modulus = in[modulus],
+                .work_approach = in[work_approach],
+                .work_retraction = std::max(in[work_approach], in[work_retraction])};
+            const auto pressing = measured.pressed(sphere.approach(), in[contact_area], in[stiffness]);
+            return hysteresis::sphere_loop(sphere, pressing).energy_loss();
         },
         {*measured.approach, retraction, *measured.radius, measured.soft.contact_modulus,
          measured.contact_area.value_or(TracedValue()), measured.machine_stiffness.value_or(TracedValue())});

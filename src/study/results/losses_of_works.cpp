@@ -21,11 +21,12 @@ std::optional<Alert> contradiction(const std::string& subject, const LossOfWorks
                  error = std::sqrt(measured.variance() + by_works.energy.variance());
     if (std::abs(apart) < standard_errors * error || std::abs(apart) < share * by_works.energy.value)
         return std::nullopt;
-    return Alert{"LOSS_CONTRADICTS_WORKS", subject,
-                 fmt::format("it lost {}, where an edge that needs its W_app in and its W_ret all the way out would lose {}",
-                             format_uncertain(measured, "J"), format_uncertain(by_works.energy.estimate(), "J")),
-                 "W_ret is read at pull-off and need not be the work of the whole retraction: look at G(a) along the "
-                 "retraction, and take energies from the loops, not from the works"};
+    return Alert{
+        "LOSS_CONTRADICTS_WORKS", subject,
+        fmt::format("it lost {}, where an edge that needs its W_app in and its W_ret all the way out would lose {}",
+                    format_uncertain(measured, "J"), format_uncertain(by_works.energy.estimate(), "J")),
+        "W_ret is read at pull-off and need not be the work of the whole retraction: look at G(a) along the "
+        "retraction, and take energies from the loops, not from the works"};
 }
 
 }  // namespace
@@ -36,8 +37,12 @@ std::optional<LossOfWorks> loss_of_works(const ElastomerResult& elastomer, const
     if (!input.sphere_radius || !input.preload || !(approach.value > 0.0) || !(retraction.value > 0.0) ||
         !(elastomer.contact_modulus.value > 0.0))
         return std::nullopt;
+    enum Input : std::size_t { radius, modulus, work_approach, work_retraction };
     const auto loop_of = [&](const std::vector<double>& in) {
-        const hysteresis::HystereticSphere sphere{in[0], in[1], in[2], std::max(in[2], in[3])};
+        const hysteresis::HystereticSphere sphere{.radius = in[radius],
+                                                  .contact_modulus = in[modulus],
+                                                  .work_approach = in[work_approach],
+                                                  .work_retraction = std::max(in[work_approach], in[work_retraction])};
         return hysteresis::sphere_loop(sphere, {.maximum_force = *input.preload});
     };
     const std::vector<TracedValue> inputs{elastomer.traced_radius(), elastomer.soft_side().contact_modulus, approach,
@@ -59,7 +64,8 @@ void compare_losses_with_works(StudyResult& result) {
         const auto works = loss_of_works(result.elastomer(reference.elastomer), {reference.approach, "W_app"},
                                          {reference.retraction, "W_ret"});
         if (!works) continue;
-        if (auto alert = contradiction("the smooth reference on " + reference.elastomer, *works, *reference.excess_energy))
+        if (auto alert =
+                contradiction("the smooth reference on " + reference.elastomer, *works, *reference.excess_energy))
             result.alerts.push_back(std::move(*alert));
     }
     for (auto& pair : result.pairs) {

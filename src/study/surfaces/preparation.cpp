@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -189,7 +190,7 @@ void add_reentrance_alert(PreparedMeasurement& prepared) {
 Index undefined_among(const double* heights, Index n) {
     const auto parts =
         numerics::by_row_blocks(numerics::RowBlocks(n, 1), {}, Index{0}, [&](Index first, Index last, Index& count) {
-            for (Index k = first; k < last; ++k) count += heights[k] != heights[k];
+            for (Index k = first; k < last; ++k) count += std::isnan(heights[k]);
         });
     return std::accumulate(parts.begin(), parts.end(), Index{0});
 }

@@ -87,12 +87,12 @@ TEST_F(TextureCases, AMapWithHolesKeepsEveryDifferenceThatExists) {
                 i + 1 < holed.heights.rows() ? (holed.heights(i + 1, j) - holed.heights(i, j)) / dx : undefined;
             const double hy =
                 j + 1 < holed.heights.cols() ? (holed.heights(i, j + 1) - holed.heights(i, j)) / dy : undefined;
-            x2 += hx == hx ? hx * hx : 0.0;
-            y2 += hy == hy ? hy * hy : 0.0;
-            x += hx == hx ? 1 : 0;
-            y += hy == hy ? 1 : 0;
-            both2 += hx == hx && hy == hy ? hx * hx + hy * hy : 0.0;
-            both += hx == hx && hy == hy ? 1 : 0;
+            x2 += std::isnan(hx) ? 0.0 : hx * hx;
+            y2 += std::isnan(hy) ? 0.0 : hy * hy;
+            x += std::isnan(hx) ? 0 : 1;
+            y += std::isnan(hy) ? 0 : 1;
+            both2 += !std::isnan(hx) && !std::isnan(hy) ? hx * hx + hy * hy : 0.0;
+            both += !std::isnan(hx) && !std::isnan(hy) ? 1 : 0;
         }
     EXPECT_NEAR(hybrid_parameters(holed).Sdq, std::sqrt(x2 / x + y2 / y), 1e-12);
     EXPECT_NEAR(std::sqrt(both2 / both), 0.28738572450030225, 1e-12);  // where the package says 0.2906

@@ -30,7 +30,7 @@ ComputedRows rows_of(const Array1D& values, std::atomic<Index>& loads) {
 double deviation_by_sorting(const Array1D& values) {
     std::vector<double> sorted;
     for (const double value : values)
-        if (value == value) sorted.push_back(std::fabs(value));
+        if (!std::isnan(value)) sorted.push_back(std::fabs(value));
     std::sort(sorted.begin(), sorted.end());
     for (const double p : {0.5, 0.9, 0.99}) {
         const double order = p * static_cast<double>(sorted.size() - 1), share = order - std::floor(order);

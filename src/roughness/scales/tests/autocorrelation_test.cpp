@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/scales/autocorrelation.hpp"
 
+#include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -149,7 +150,7 @@ TEST(AutocorrelationArea, IsTheMeanOverTheFullCircle) {
                     if (periodic && (std::abs(k) > 7 || std::abs(l) > 5)) continue;
                     const double length = std::hypot(0.1 * static_cast<double>(k), 0.2 * static_cast<double>(l));
                     const double value = pair_mean(map, k, l);
-                    if (length == 0.0 || length > longest * (1.0 + 1e-12) || value != value) continue;
+                    if (length == 0.0 || length > longest * (1.0 + 1e-12) || std::isnan(value)) continue;
                     const Index b = order.at(grid.bin_of(length));
                     sum[b] += value;
                     lengths[b] += length;

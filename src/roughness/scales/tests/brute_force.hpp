@@ -23,7 +23,7 @@ inline double pair_mean(const topography::HeightMap& map, Index k, Index l) {
                 continue;
             }
             const double difference = map.heights(p, q) - map.heights(i, j);
-            if (difference != difference) continue;
+            if (std::isnan(difference)) continue;
             sum += 0.5 * difference * difference;
             pairs += 1.0;
         }

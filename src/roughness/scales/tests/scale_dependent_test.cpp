@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setae/scales/scale_dependent.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "brute_force.hpp"
@@ -42,7 +44,7 @@ std::vector<double> differences_of(const LineScan& scan, int order, double dista
             if (!inside) break;
             sum += coefficient * (share > 0.0 ? (1.0 - share) * at(floor) + share * at(floor + 1.0) : at(floor));
         }
-        if (inside && sum == sum) result.push_back(sum / std::pow(distance / order, order));
+        if (inside && !std::isnan(sum)) result.push_back(sum / std::pow(distance / order, order));
     }
     return result;
 }
@@ -288,7 +290,7 @@ TEST(Differences, HandedOverRowByRowAreThoseCounted) {
         EXPECT_EQ(values.size(), 12);
         previous = row;
         for (const double value : values)
-            if (value == value) {
+            if (!std::isnan(value)) {
                 squares += value * value;
                 count += 1.0;
             }

@@ -81,7 +81,7 @@ TEST(VariableBandwidth, OfLinesIsTheRmsOverAllLines) {
     double sum = 0.0, count = 0.0;
     for (Index j = 0; j < 37; ++j) {
         const HeightMap line{map.heights.col(j), {4.0, 1.0}, false, {}};
-        const auto defined = static_cast<double>((line.heights == line.heights).count());
+        const auto defined = static_cast<double>((!line.heights.isNaN()).count());
         sum += defined * std::pow(checkerboard(line, 8, 1, true), 2);
         count += defined;
     }
