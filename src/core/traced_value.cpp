@@ -53,8 +53,8 @@ Components combined(std::span<const Dependence> parts) {
     for (const auto& part : parts)
         for (const auto& [input, component] : part.on) {
             const auto [at, fresh] = sum.try_emplace(
-                input, Component{part.derivative * component.directions, component.degrees_of_freedom,
-                                   component.rectangular});
+                input,
+                Component{part.derivative * component.directions, component.degrees_of_freedom, component.rectangular});
             if (fresh) continue;
             if (at->second.directions.size() != component.directions.size())
                 throw InvalidArgument(fmt::format("input '{}' has {} directions in one value and {} in another", input,

@@ -15,7 +15,10 @@ struct ModelUnits {
 /// factor T in float: a multiplier in the units of a model.
 [[nodiscard]] inline fourier::MultiplierOf<float> float_multiplier(const fourier::Multiplier& multiplier,
                                                                    double factor) {
-    fourier::MultiplierOf<float> result{.modes_x = multiplier.modes_x, .modes_y = multiplier.modes_y, .first_line = multiplier.first_line, .values = {}};
+    fourier::MultiplierOf<float> result{.modes_x = multiplier.modes_x,
+                                        .modes_y = multiplier.modes_y,
+                                        .first_line = multiplier.first_line,
+                                        .values = {}};
     result.values.resize(multiplier.values.size());
     std::ranges::transform(multiplier.values, result.values.begin(),
                            [factor](double value) { return static_cast<float>(factor * value); });

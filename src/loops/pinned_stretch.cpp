@@ -63,7 +63,8 @@ double error_of_largest_radius(double largest_force, const JkrFit& fit, double s
     const Estimate& work = fit.work_of_adhesion;
     if (!work.uncertain()) return 0.0;
     const auto radius = [&](double w) {
-        return contact::jkr::contact_radius_at_force(largest_force, {sphere_radius, fit.contact_modulus.value, std::max(w, 0.0)});
+        return contact::jkr::contact_radius_at_force(largest_force,
+                                                     {sphere_radius, fit.contact_modulus.value, std::max(w, 0.0)});
     };
     const double here = radius(work.value);
     return std::max(std::abs(radius(work.value + work.standard_error) - here),
@@ -80,10 +81,10 @@ Departure by_force(const Loop& loop, const Baseline& noise, const IndexRange& ra
     const double depth = fit.contact_point.value + largest * largest / (3.0 * sphere_radius);
     const Array1D force = loop.force(departure.samples);
     const double unloaded = force[0] - force.minCoeff();
-    const double sigma = std::sqrt(std::max(
-        noise.force_noise * noise.force_noise + std::pow(stiffness * noise.displacement_noise, 2) -
-            2.0 * stiffness * noise.force_displacement_covariance,
-        0.0));
+    const double sigma =
+        std::sqrt(std::max(noise.force_noise * noise.force_noise + std::pow(stiffness * noise.displacement_noise, 2) -
+                               2.0 * stiffness * noise.force_displacement_covariance,
+                           0.0));
     const Index window = averaged_neighbours(sigma, visible_share * unloaded, force.size());
     const Array1D below = loop.displacement(departure.samples) - depth;
     departure.values = local_means(force - stiffness * below, window / 2);
@@ -107,9 +108,9 @@ std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segme
     const double largest = analysis.context.largest_contact_radius;
     // the largest radius belongs to a noisy force: a ∝ F^(1/3)
     const double radius_error = largest * segments.before.force_noise / (3.0 * analysis.loading.range.force_last);
-    const Departure departure =
-        measured ? by_measured_radius(loop, unloading, largest, radius_error, options)
-                 : by_force(loop, segments.before, unloading, largest, *analysis.loading.force_displacement, bodies.radius);
+    const Departure departure = measured ? by_measured_radius(loop, unloading, largest, radius_error, options)
+                                         : by_force(loop, segments.before, unloading, largest,
+                                                    *analysis.loading.force_displacement, bodies.radius);
     constexpr Index fewest_left = 10, fewest_pinned = 2;
     const Index pinned = departure.last_pinned() + 1;
     if (pinned < fewest_pinned || departure.values.size() - pinned < fewest_left) return std::nullopt;

@@ -13,8 +13,9 @@ namespace setae::loops {
 /// The edge recedes for good behind the last sample whose contact radius is within four standard deviations of the
 /// noise of the largest; noisier radii are averaged over their neighbours first. Where the radius was not measured, it
 /// recedes behind the last sample whose force exceeds that of a flat punch of the largest radius by less than four
-/// standard deviations, and than 1 % of what has been unloaded, 5 % where the error of W leaves the largest radius in doubt. Nothing without a retraction, for a stretch of fewer
-/// than two samples, or where fewer than ten samples of the branch would be left.
+/// standard deviations, and than 1 % of what has been unloaded, 5 % where the error of W leaves the largest radius in
+/// doubt. Nothing without a retraction, for a stretch of fewer than two samples, or where fewer than ten samples of the
+/// branch would be left.
 [[nodiscard]] std::optional<IndexRange> pinned_stretch(const Loop& loop, const Segments& segments,
                                                        const ContactSegments& contact, const ContactAnalysis& analysis,
                                                        const LensAndCounterBody& bodies,

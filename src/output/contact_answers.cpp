@@ -60,7 +60,9 @@ tables::TidyTable theory_table(const study::ContactAnswers& answers) {
 
 tables::TidyTable retraction_table(const adhesion::PredictedLoop& loop) {
     tables::TidyTable table{
-        "Retraction, by model", {"model", "W_ret at pull-off [mJ/m²]", "pull-off force", "loss", "pull-off of a smooth sphere"}, {}};
+        "Retraction, by model",
+        {"model", "W_ret at pull-off [mJ/m²]", "pull-off force", "loss", "pull-off of a smooth sphere"},
+        {}};
     const double jkr = loop.reversible.smooth_pull_off_force;
     const auto add = [&](const char* name, const adhesion::RetractionPrediction& model) {
         table.rows.push_back({std::string(name), uncertain_number(model.work_retraction, millijoule),

@@ -57,7 +57,7 @@ Calibrations read_calibrations(TomlReader reader, StatedDraws& stated) {
 
 /// One tip of an instrument for all surfaces that it measures; none where points are read without one.
 template <class Protocol>
-std::optional<StatedQuantity> shared_tip(const char* name, std::optional<Protocol> SurfaceRecipe::* instrument,
+std::optional<StatedQuantity> shared_tip(const char* name, std::optional<Protocol> SurfaceRecipe::*instrument,
                                          const TomlReader& reader, StatedDraws& stated, Recipe& recipe) {
     std::optional<StatedQuantity> tip;
     for (auto& rough : recipe.surfaces) {

@@ -65,9 +65,7 @@ void add_work_of_adhesion(std::vector<Comparison>& rows, int run, double planted
     const auto add_work = [&](const char* quantity, const Estimate& found) {
         add(rows, {run, "all", quantity, method, "J/m2", Deviation::absolute, planted, found});
     };
-    const auto generalised = [](const adhesion::WorkFit& fit) {
-        return fit.stated();
-    };
+    const auto generalised = [](const adhesion::WorkFit& fit) { return fit.stated(); };
     if (study.modified) add_work("work_of_adhesion", generalised(*study.modified));
     if (study.work_of_adhesion) add_work("work_of_predictions", *study.work_of_adhesion);
     if (study.loop) add_work("work_of_adhesion_from_loss", generalised(study.loop->through_origin));

@@ -195,8 +195,8 @@ TidyTable law_summary_table(const std::vector<LawSummary>& rows) {
     for (const auto& row : rows) {
         const bool fitted = std::isfinite(row.parameter);
         const Estimate work{.value = row.parameter, .standard_error = row.parameter_standard_error};
-        table.rows.push_back({row.planted, fmt::format("{} of {}", row.found, row.runs), fmt::format("{}", row.possible),
-                              fmt::format("{}", row.excluded),
+        table.rows.push_back({row.planted, fmt::format("{} of {}", row.found, row.runs),
+                              fmt::format("{}", row.possible), fmt::format("{}", row.excluded),
                               fitted ? uncertain_number(work, milli) : std::string(),
                               fitted ? fmt::format("{:.4g}", row.parameter_planted / milli) : std::string(),
                               fmt::format("{:.2g}", row.surface_left_out / milli), row.most_taken});

@@ -13,10 +13,10 @@ namespace setae::validation {
 struct RecordInMaking {
     hysteresis::HystereticSphere specimen;
     simulation::LoadingProtocol protocol;
-    double pull_off = 0.0;     ///< 3/2 πRW_ret [N]
-    double penetration = 0.0;  ///< at the largest force [m]
-    double force_noise = 0.01;  ///< of one sample, share of the pull-off
-    double force_correlation = 0.0;  ///< of neighbouring samples
+    double pull_off = 0.0;            ///< 3/2 πRW_ret [N]
+    double penetration = 0.0;         ///< at the largest force [m]
+    double force_noise = 0.01;        ///< of one sample, share of the pull-off
+    double force_correlation = 0.0;   ///< of neighbouring samples
     double displacement_noise = 0.0;  ///< share of the penetration
     double displacement_correlation = 0.0;
     double compliance = 0.0;  ///< of the load path, which the displacement contains [m/N]

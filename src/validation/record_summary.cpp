@@ -39,7 +39,8 @@ std::string joined(const std::vector<std::string>& names) { return fmt::format("
 
 std::string cell(const RouteSummary& route) {
     if (route.count == 0) return "–";
-    return fmt::format("{:+.2f} %, {:+.2f} ±, {:.0f} %", 100.0 * route.bias, route.bias_in_errors, 100.0 * route.coverage);
+    return fmt::format("{:+.2f} %, {:+.2f} ±, {:.0f} %", 100.0 * route.bias, route.bias_in_errors,
+                       100.0 * route.coverage);
 }
 
 std::string warnings_of(const RecordSummary& row) {
@@ -60,9 +61,8 @@ RecordSummary summary(const std::vector<RecordTrial>& trials, const std::string&
     for (const auto& trial : trials) {
         row.refused += !trial.refused.empty();
         row.named += trial.cause_named;
-        row.silent += !trial.cause_named && std::any_of(trial.routes.begin(), trial.routes.end(), [&](const RecordRoute& route) {
-                          return is_off(route, trial);
-                      });
+        row.silent += !trial.cause_named && std::any_of(trial.routes.begin(), trial.routes.end(),
+                                                        [&](const RecordRoute& route) { return is_off(route, trial); });
         std::vector<std::string> codes = trial.warnings;
         std::sort(codes.begin(), codes.end());
         codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
@@ -126,9 +126,9 @@ std::string record_csv(const std::vector<RecordTrial>& trials) {
         if (trial.routes.empty()) row(trial, ",,,,,");
         for (const auto& route : trial.routes) {
             const auto interval = interval_of(route.found);
-            row(trial, fmt::format("{},{},{},{},{},{}", route.name, route.known, route.found.value,
-                                   route.found.standard_error, interval ? interval->lower : undefined,
-                                   interval ? interval->upper : undefined));
+            row(trial,
+                fmt::format("{},{},{},{},{},{}", route.name, route.known, route.found.value, route.found.standard_error,
+                            interval ? interval->lower : undefined, interval ? interval->upper : undefined));
         }
     }
     return text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of force curves. A text that begins with a record separator tells the members of an archive, each a name, a unit
-// separator and its content: a damaged archive as a whole would stop at its checksums.
+// Files of force curves. A text that begins with a record separator tells the members of an archive, each a name, a
+// unit separator and its content: a damaged archive as a whole would stop at its checksums.
 #include <cmath>
 #include <cstdlib>
 #include <string>

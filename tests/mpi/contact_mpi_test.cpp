@@ -67,7 +67,8 @@ void expect_same(HardWall problem, SolveOptions options = {}) {
 }
 
 TEST(HardWallOfProcesses, HasTheBytesOfOne) {
-    for (const Grid& grid : {Grid{256, 128, 1.0, 0.5}, Grid{192, 100, 1.0, 1.0}, Grid{75, 90, 1.0, 1.0}, Grid{81, 77, 1.0, 1.0}}) {
+    for (const Grid& grid :
+         {Grid{256, 128, 1.0, 0.5}, Grid{192, 100, 1.0, 1.0}, Grid{75, 90, 1.0, 1.0}, Grid{81, 77, 1.0, 1.0}}) {
         expect_same({.grid = grid, .body = {1.0, {}}, .heights = heights(grid, 0.01), .control = MeanPressure{0.01}});
         expect_same({.grid = grid, .body = {1.0, {}}, .heights = heights(grid, 0.01), .control = MeanGap{0.02}});
     }
@@ -114,7 +115,9 @@ TEST(HardWallOfProcesses, RefusesTogether) {
     free.edges = Edges::free;
     EXPECT_THROW((void)solve(free, {.ranks = &ranks()}), InvalidArgument);
     const Grid narrow{2, 48, 1.0, 1.0};
-    if (ranks().count() > 2) { EXPECT_THROW((void)slab_of(narrow, &ranks()), InvalidArgument); }
+    if (ranks().count() > 2) {
+        EXPECT_THROW((void)slab_of(narrow, &ranks()), InvalidArgument);
+    }
 }
 
 TEST(AdhesiveCellOfProcesses, GoesThroughTheLoopOfOne) {

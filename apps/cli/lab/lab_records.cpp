@@ -32,12 +32,8 @@ struct Arguments {
 };
 
 output::Json json_of(const validation::RecordSummary& row) {
-    output::Json json{{"kinds", row.kinds},
-                      {"records", row.count},
-                      {"refused", row.refused},
-                      {"cause_named", row.named},
-                      {"silently_wrong", row.silent},
-                      {"warnings", row.warnings}};
+    output::Json json{{"kinds", row.kinds},       {"records", row.count},         {"refused", row.refused},
+                      {"cause_named", row.named}, {"silently_wrong", row.silent}, {"warnings", row.warnings}};
     json["routes"] = output::Json::array();
     for (const auto& route : row.routes)
         if (route.count > 0)
@@ -76,8 +72,8 @@ ExitCode run(const Arguments& arguments) {
         for (const auto& row : rows) json["rows"].push_back(json_of(row));
         print_json(json);
     } else {
-        print(table + fmt::format("\n{} records of each from seed {}; every result in {}\n", options.runs, options.first_seed,
-                                  (folder / "records.csv").string()));
+        print(table + fmt::format("\n{} records of each from seed {}; every result in {}\n", options.runs,
+                                  options.first_seed, (folder / "records.csv").string()));
     }
     return ExitCode::done;
 }
@@ -92,7 +88,8 @@ Action declare(Options& options) {
     options.add("--runs", arguments->options.runs, "records of each kind or pair").between(1, 1000000).default_shown();
     options.add("--seed", arguments->options.first_seed, "of the first record").default_shown();
     options.add("-o,--output", arguments->output, "folder of records.md and records.csv").default_shown();
-    options.example("setae lab records --runs 200 -o records", "bias and coverage of all results for every kind of record");
+    options.example("setae lab records --runs 200 -o records",
+                    "bias and coverage of all results for every kind of record");
     options.example("setae lab records drift_100 hold camera --pairs --runs 10", "three kinds, two by two");
     return action(options, arguments, explanation, run);
 }

@@ -14,7 +14,9 @@ void RunArguments::add_to(Options& options) {
     const auto folder = options.add(
         "--cache", cache_folder, "folder of results kept for the next run; default: $SETAE_CACHE, else ~/.cache/setae");
     options.flag("--no-cache", no_cache, "compute everything, keep nothing").excludes(folder);
-    options.add("--progress", progress, "auto (a bar on a terminal, nothing elsewhere), bar, json (lines on standard error) or none")
+    options
+        .add("--progress", progress,
+             "auto (a bar on a terminal, nothing elsewhere), bar, json (lines on standard error) or none")
         .one_of_unlisted({"auto", "bar", "json", "none"})
         .value_named("auto|bar|json|none");
 }

@@ -36,10 +36,10 @@ std::string message_of(const std::string& text) {
 }
 
 TEST(NamedInputs, AreMentionedByName) {
-    for (const char* text : {"inputs.lens = '1.25 ± 0.01 mm'\nsphere.radius = 'lens'",
-                             "sphere.radius = 'lens = 1.25 ± 0.01 mm'",
-                             "sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens'",
-                             "sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens = 1250 ± 10 um'"}) {
+    for (const char* text :
+         {"inputs.lens = '1.25 ± 0.01 mm'\nsphere.radius = 'lens'", "sphere.radius = 'lens = 1.25 ± 0.01 mm'",
+          "sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens'",
+          "sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens = 1250 ± 10 um'"}) {
         SCOPED_TRACE(text);
         const auto radius = radius_of(text);
         EXPECT_NEAR(radius.value, 1.25e-3, 1e-18);
@@ -54,9 +54,10 @@ TEST(NamedInputs, WithoutANameAreTheirOwn) {
 }
 
 TEST(NamedInputs, AreRefusedInOneLine) {
-    EXPECT_EQ(message_of("sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens = 1.3 mm'"),
-              "study.toml:2: sphere.radius: input 'lens' is '1.3 mm' here and '1.25 ± 0.01 mm' in line 1; one name is one "
-              "input");
+    EXPECT_EQ(
+        message_of("sphere.again = 'lens = 1.25 ± 0.01 mm'\nsphere.radius = 'lens = 1.3 mm'"),
+        "study.toml:2: sphere.radius: input 'lens' is '1.3 mm' here and '1.25 ± 0.01 mm' in line 1; one name is one "
+        "input");
     EXPECT_EQ(message_of("sphere.radius = '1 mm'\n[inputs]\nlens = '1.25 mm'"),
               "study.toml:3: no key mentions the input 'lens'; write its name where its value is meant, such as "
               "surface_energy = \"lens\"");
@@ -65,9 +66,10 @@ TEST(NamedInputs, AreRefusedInOneLine) {
               "mJ/m2; or did you mean the input 'lens_3'?");
     EXPECT_EQ(message_of("sphere.radius = ' = 1.25 mm'"),
               "study.toml:1: sphere.radius: '= 1.25 mm', expected a name before '='");
-    EXPECT_EQ(message_of("sphere.radius = '1.25 ± 2 mm'"),
-              "study.toml:1: sphere.radius: '1.25 ± 2 mm', the uncertainty is larger than the value, which must be above "
-              "0");
+    EXPECT_EQ(
+        message_of("sphere.radius = '1.25 ± 2 mm'"),
+        "study.toml:1: sphere.radius: '1.25 ± 2 mm', the uncertainty is larger than the value, which must be above "
+        "0");
     EXPECT_EQ(message_of("sphere.radius = '1.25 ± -1 mm'"),
               "study.toml:1: sphere.radius: '1.25 ± -1 mm', expected an uncertainty of 0 or above");
     EXPECT_EQ(message_of("sphere.radius = '1.25 ± 0.01'"),

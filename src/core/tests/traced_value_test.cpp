@@ -19,7 +19,8 @@ TracedValue input(const char* name, double value, double error) {
 // correlated through one calibration, their ratio does not know it.
 TEST(TracedValue, OfARatioOfTwoValuesWithOneCalibrationDoesNotRestOnIt) {
     const auto gain = input("gain", 1.0, 0.02);
-    const TracedValue voltage{5.0, combined({{5.0, gain.components}})}, current{2.0, combined({{2.0, gain.components}})};
+    const TracedValue voltage{5.0, combined({{5.0, gain.components}})},
+        current{2.0, combined({{2.0, gain.components}})};
     const TracedValue ratio{2.5, combined({{1.0 / 2.0, voltage.components}, {-5.0 / 4.0, current.components}})};
     EXPECT_NEAR(ratio.standard_error(), 0.0, 1e-15);
     EXPECT_NEAR(covariance(voltage, current), 5.0 * 2.0 * 0.02 * 0.02, 1e-15);

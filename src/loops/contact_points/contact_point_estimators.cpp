@@ -281,7 +281,8 @@ Estimate from_zero_force(const Touch& touch, double radius) {
     for (int i = 0; i < rounds; ++i) at -= force.at(at) / force.slope(at);
     if (!(at >= depth.minCoeff() && at <= depth.maxCoeff() && force.slope(at) > 0.0))
         throw UndefinedDataError("no zero of the force between the samples around it");
-    const double zero_error = hypotenuse({force.error(at), touch.zero_error(touch.contact.loading.first)}) / force.slope(at);
+    const double zero_error =
+        hypotenuse({force.error(at), touch.zero_error(touch.contact.loading.first)}) / force.slope(at);
     if (data.contact_radius.size() > 0) {
         const Parabola radii(depth, data.contact_radius.segment(range.first, range.count()));
         const double a = radii.at(at), by_radius = 2.0 * a / (3.0 * radius);

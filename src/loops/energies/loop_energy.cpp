@@ -40,8 +40,7 @@ LoopEnergy loop_energy(const Loop& loop, const Segments& segments, Index contact
     const LevelRecord record(loop, segments, drift);
     LoopEnergy result{.energy = work(record.force, loop.displacement, range),
                       .opening = loop.displacement[range.last] - loop.displacement[range.first]};
-    result.without_drift =
-        work(LevelRecord(loop, segments, DriftModel::constant).force, loop.displacement, range);
+    result.without_drift = work(LevelRecord(loop, segments, DriftModel::constant).force, loop.displacement, range);
     LoopErrorBudget& budget = result.standard_error;
     budget.noise = noise_error(record, range);
     budget.drift = drift_error(record, range);

@@ -18,8 +18,8 @@ struct LevelRecord {
     LevelRecord(const Loop& loop, const Segments& segments, DriftModel drift);
 };
 
-/// Samples that a contact's energy is counted over: from the last sample of free flight before it to the first after it,
-/// between which the force is known not to be zero. Where free flight was not found, the contact's whole extent.
+/// Samples that a contact's energy is counted over: from the last sample of free flight before it to the first after
+/// it, between which the force is known not to be zero. Where free flight was not found, the contact's whole extent.
 /// @throws UndefinedDataError where the record begins or ends in contact.
 [[nodiscard]] IndexRange closed_range(const Segments& segments, Index contact);
 

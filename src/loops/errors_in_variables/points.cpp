@@ -31,8 +31,9 @@ struct Weighed {
 ///
 ///   σ_δ >= σ_F/(20k),  σ_F >= kσ_δ/20,  k = range of F over range of δ
 ///
-/// A channel so exact is as good as exact: the residual's variance σ_F² + (F'σ_δ)² grows by 1/400. Without the floor its
-/// weight in units of the other's would depend on digits that no instrument has, and the normal equations on rounding.
+/// A channel so exact is as good as exact: the residual's variance σ_F² + (F'σ_δ)² grows by 1/400. Without the floor
+/// its weight in units of the other's would depend on digits that no instrument has, and the normal equations on
+/// rounding.
 Weighed weighed_noise(const BranchData& data) {
     constexpr double share = 0.05;
     const double stiffness = range_of(data.force) / range_of(data.displacement);

@@ -29,15 +29,16 @@ struct Scan {
         const auto beyond = std::find_if(selection.samples.begin(), selection.samples.end(),
                                          [&](Index i) { return analysis.corrected.force[i] > last; });
         selection.samples.erase(beyond, selection.samples.end());
-        return {.dropped = dropped,
-                .force_share = force_share,
-                .fit = attempt([&] {
-                    return primary_fit(
-                        as_half_space(branch_data({analysis.corrected, analysis.segments.before, analysis.force_zero.modes},
-                                                  selection, options),
-                                      bodies, options),
-                        bodies, options);
-                })};
+        return {
+            .dropped = dropped,
+            .force_share = force_share,
+            .fit = attempt([&] {
+                return primary_fit(
+                    as_half_space(branch_data({analysis.corrected, analysis.segments.before, analysis.force_zero.modes},
+                                              selection, options),
+                                  bodies, options),
+                    bodies, options);
+            })};
     }
 };
 

@@ -13,7 +13,7 @@
 namespace setae::loops {
 namespace {
 
-constexpr Index fewest_free = 5;       ///< samples of free flight
+constexpr Index fewest_free = 5;        ///< samples of free flight
 constexpr double contact_share = 0.15;  ///< of the slope near the turn, above which samples are in contact
 
 double quantile_of(Array1D values, double share) {
@@ -57,8 +57,8 @@ Slopes slopes_of(const Loop& loop) {
         const double error = slope_error(slopes.half_width, step);
         const double steep_force = quantile_of((slopes.force - median_of(slopes.force)).abs(), steep_quantile),
                      steep_motion = quantile_of(slopes.displacement.abs(), steep_quantile);
-        if (slopes.half_width >= most || (error * slopes.force_noise < share * steep_force &&
-                                          error * displacement_noise < share * steep_motion))
+        if (slopes.half_width >= most ||
+            (error * slopes.force_noise < share * steep_force && error * displacement_noise < share * steep_motion))
             return slopes;
     }
 }
@@ -180,8 +180,7 @@ ContactEdges find_contact_edges(const Loop& loop) {
     // a record that begins in contact has the slope of contact there
     const bool begins_free = edges.entry || ends.first <= contact_share * edges.contact_slope * ends.motion_first;
     if (begins_free && last_free + 1 >= fewest_free) edges.before = IndexRange{0, last_free};
-    if (edges.exit && n - (edges.exit->next + 1) >= fewest_free)
-        edges.after = IndexRange{edges.exit->next + 1, n - 1};
+    if (edges.exit && n - (edges.exit->next + 1) >= fewest_free) edges.after = IndexRange{edges.exit->next + 1, n - 1};
     return edges;
 }
 

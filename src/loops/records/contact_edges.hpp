@@ -22,8 +22,9 @@ struct ContactEdges {
 ///
 /// Lines are fitted to windows of samples wide enough that noise hides no slope. In contact the slope in time exceeds
 /// that at the record's own end by more than 15 % of the slope near the turn. Jumps into contact lead to less
-/// force, jumps out of it to more; the side of free flight is flat. Free flight needs five samples. Where nothing jumps into contact, free
-/// flight ends one window before the slope does; after contact there is free flight only where a jump ends it.
+/// force, jumps out of it to more; the side of free flight is flat. Free flight needs five samples. Where nothing jumps
+/// into contact, free flight ends one window before the slope does; after contact there is free flight only where a
+/// jump ends it.
 ///
 /// Needs displacement. Cost: n log n.
 [[nodiscard]] ContactEdges find_contact_edges(const Loop& loop);

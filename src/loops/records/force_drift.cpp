@@ -12,9 +12,10 @@ namespace setae::loops {
 namespace {
 
 using Named = std::pair<DriftModel, const char*>;
-constexpr std::array<Named, 6> models{Named{DriftModel::automatic, "auto"},     Named{DriftModel::constant, "none"},
-                                      Named{DriftModel::linear, "linear"},      Named{DriftModel::quadratic, "quadratic"},
-                                      Named{DriftModel::cubic, "cubic"},        Named{DriftModel::extrapolated, "extrapolate"}};
+constexpr std::array<Named, 6> models{
+    Named{DriftModel::automatic, "auto"}, Named{DriftModel::constant, "none"},
+    Named{DriftModel::linear, "linear"},  Named{DriftModel::quadratic, "quadratic"},
+    Named{DriftModel::cubic, "cubic"},    Named{DriftModel::extrapolated, "extrapolate"}};
 
 }  // namespace
 

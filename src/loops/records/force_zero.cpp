@@ -106,7 +106,8 @@ public:
             const double slope = (from_middle * rest).sum() / spread;
             chi2 += n * rest.mean() * rest.mean() / variance + spread * slope * slope / variance;
         }
-        const double freedom = 2.0 * static_cast<double>(stretches_.size()) - static_cast<double>(curve.coefficients.size());
+        const double freedom =
+            2.0 * static_cast<double>(stretches_.size()) - static_cast<double>(curve.coefficients.size());
         return freedom > 0.0 ? chi_squared_exceedance(chi2, freedom) : 1.0;
     }
 
@@ -188,7 +189,8 @@ Chosen automatic_degree(const Loop& loop, const FreeFlight& flight) {
     return chosen;
 }
 
-/// Between the stretches of free flight, where it is zero, the error of a curve may have any shape: the first two waves.
+/// Between the stretches of free flight, where it is zero, the error of a curve may have any shape: the first two
+/// waves.
 void add_doubt(Array2D& modes, const IndexRange& contact, double size) {
     const Index added = modes.cols();
     modes.conservativeResize(Eigen::NoChange, added + 2);

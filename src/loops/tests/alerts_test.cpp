@@ -33,7 +33,8 @@ TEST(LoopAlerts, SayThatFreeFlightIsMissing) {
     EXPECT_TRUE(has(tests::from(whole, contact), "ONE_BASELINE"));
     EXPECT_TRUE(has(tests::piece(whole, 0, 2 * contact), "ONE_BASELINE"));
     EXPECT_TRUE(has(tests::piece(whole, contact, contact), "NO_BASELINE"));
-    const auto alerts = analyse(whole, tests::rubber_on_diamond(), {.segments = {.drift = DriftModel::constant}}).alerts;
+    const auto alerts =
+        analyse(whole, tests::rubber_on_diamond(), {.segments = {.drift = DriftModel::constant}}).alerts;
     EXPECT_TRUE(std::any_of(alerts.begin(), alerts.end(), [](const Alert& a) { return a.code == "DRIFT_UNKNOWN"; }));
 }
 

@@ -78,8 +78,8 @@ TEST(Analysis, FitsTheRetractionBehindThePinnedStretch) {
         const LoopAnalysis analysis = analyse(loop, rubber_on_diamond());
         ASSERT_TRUE(analysis.pinned) << radius_measured;
         EXPECT_EQ(analysis.pinned->first, peak);
-        // where the edge lets go, give or take the rounding of a, 1e-6, over that of a step of the branch; without radius
-        // behind it by what 1 % of the force hides
+        // where the edge lets go, give or take the rounding of a, 1e-6, over that of a step of the branch; without
+        // radius behind it by what 1 % of the force hides
         EXPECT_GE(analysis.pinned->last, released - 1) << radius_measured;
         EXPECT_LE(analysis.pinned->last, released + (radius_measured ? 1 : rough.samples / 20)) << radius_measured;
         const JkrFit& fit = *analysis.unloading->force_displacement;

@@ -152,8 +152,8 @@ tables::TidyTable elastomers(const StudyResult& result) {
 
 tables::TidyTable loops(const StudyResult& result) {
     tables::TidyTable table{"Loops",
-                            {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]", "W_ret at pull-off (S1) [mJ/m²]",
-                             "W_ret at pull-off (S2) [mJ/m²]", "E_loss [nJ]", ""},
+                            {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]",
+                             "W_ret at pull-off (S1) [mJ/m²]", "W_ret at pull-off (S2) [mJ/m²]", "E_loss [nJ]", ""},
                             {}};
     for (const auto& e : result.experiments) {
         const auto file = std::filesystem::path(e.input.file).filename().string();
@@ -177,10 +177,10 @@ tables::TidyTable loops(const StudyResult& result) {
 }
 
 tables::TidyTable references(const StudyResult& result) {
-    tables::TidyTable table{
-        "Smooth references",
-        {"elastomer", "stage", "W loading [mJ/m²]", "W_ret at pull-off [mJ/m²]", "excess energy [nJ]", "ideal sphere [nJ]"},
-        {}};
+    tables::TidyTable table{"Smooth references",
+                            {"elastomer", "stage", "W loading [mJ/m²]", "W_ret at pull-off [mJ/m²]",
+                             "excess energy [nJ]", "ideal sphere [nJ]"},
+                            {}};
     for (const auto& r : result.references)
         table.rows.push_back({r.elastomer, r.stage, uncertain_number(r.approach, mJ_per_m2),
                               uncertain_number(r.retraction, mJ_per_m2), optional_number(r.excess_energy, nJ),
@@ -197,8 +197,9 @@ tables::TidyTable work_along(const StudyResult& result) {
     for (const auto& pair : result.pairs)
         if (const auto& along = pair.work_along_retraction)
             table.rows.push_back({pair.surface, pair.elastomer, uncertain_number(along->at_largest_contact, mJ_per_m2),
-                                  uncertain_number(along->at_pull_off, mJ_per_m2), uncertain_number(along->slope, per_um),
-                                  uncertain_number(along->energy_loss, nJ), uncertain_number(along->energy_recorded, nJ)});
+                                  uncertain_number(along->at_pull_off, mJ_per_m2),
+                                  uncertain_number(along->slope, per_um), uncertain_number(along->energy_loss, nJ),
+                                  uncertain_number(along->energy_recorded, nJ)});
     return table;
 }
 

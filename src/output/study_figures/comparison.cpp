@@ -188,8 +188,8 @@ std::string why_no_prediction(const StudyResult& result) {
 }
 
 std::string fit_in_words(const adhesion::WorkFit& fit) {
-    return fmt::format("W_int = {}, R² = {:.2f}, n = {}", with_error(fit.generalised.work_of_adhesion.estimate(), 1e3, "mJ/m2"),
-                       fit.generalised.r_squared,
+    return fmt::format("W_int = {}, R² = {:.2f}, n = {}",
+                       with_error(fit.generalised.work_of_adhesion.estimate(), 1e3, "mJ/m2"), fit.generalised.r_squared,
                        fit.n);
 }
 

@@ -19,7 +19,8 @@ std::vector<BudgetRow> with_noise_as_one(const TracedValue& value) {
     const auto is_noise = [](const std::string& input) { return input.starts_with(adhesion::own_noise_of); };
     const auto count = std::count_if(value.components.begin(), value.components.end(),
                                      [&](const auto& entry) { return is_noise(entry.first); });
-    const auto noise = fmt::format("noise of {}", counted(static_cast<std::size_t>(count), "measured value", "measured values"));
+    const auto noise =
+        fmt::format("noise of {}", counted(static_cast<std::size_t>(count), "measured value", "measured values"));
     return budget_of(value, [&](const std::string& input) { return is_noise(input) ? noise : input; });
 }
 
@@ -44,8 +45,7 @@ std::vector<QuotedBudget> budgets_of(const study::Conclusions& conclusions) {
     for (const auto& pair : conclusions.pairs) {
         if (!pair.modified) continue;
         add("predicted_work_of_adhesion", "W_app (7)", "J/m2", &pair, pair.modified->traced);
-        if (pair.predicted_loss)
-            add("predicted_energy_loss", "E_loss (10)", "J", &pair, *pair.predicted_loss);
+        if (pair.predicted_loss) add("predicted_energy_loss", "E_loss (10)", "J", &pair, *pair.predicted_loss);
     }
     return list;
 }
@@ -62,22 +62,25 @@ std::string budget_sentence(const QuotedBudget& budget) {
 std::string budget_text(const study::StudyResult& result, std::size_t width) {
     std::string text;
     for (const auto& budget : budgets_of(result)) {
-        tables::TidyTable table{fmt::format("± of {}: {}", place_of(budget), format_value(budget.standard_error, budget.unit, 2)),
-                                {"input", "± alone", "share of the variance", "± with half of it"},
-                                {}};
+        tables::TidyTable table{
+            fmt::format("± of {}: {}", place_of(budget), format_value(budget.standard_error, budget.unit, 2)),
+            {"input", "± alone", "share of the variance", "± with half of it"},
+            {}};
         for (const auto& row : budget.rows)
             table.rows.push_back({row.input, format_value(row.standard_error, budget.unit, 2),
-                                  fmt::format("{:.1f} %", 100.0 * row.share), format_value(row.halved, budget.unit, 2)});
+                                  fmt::format("{:.1f} %", 100.0 * row.share),
+                                  format_value(row.halved, budget.unit, 2)});
         text += tables::as_text_within(table, width) + "\n";
     }
     return text;
 }
 
 tables::TidyTable budget_table(const study::StudyResult& result) {
-    tables::TidyTable table{"",
-                            {"quantity", "surface", "elastomer", "method", "unit", "standard_error", "input",
-                             "standard_error of the input alone", "share_of_variance", "standard_error with half of it"},
-                            {}};
+    tables::TidyTable table{
+        "",
+        {"quantity", "surface", "elastomer", "method", "unit", "standard_error", "input",
+         "standard_error of the input alone", "share_of_variance", "standard_error with half of it"},
+        {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& budget : budgets_of(*conclusions))
             for (const auto& row : budget.rows)
@@ -88,12 +91,12 @@ tables::TidyTable budget_table(const study::StudyResult& result) {
 }
 
 tables::TidyTable left_out_table(const study::StudyResult& result) {
-    tables::TidyTable table{"",
-                            {"left_out", "surface", "elastomer", "method", "W_app measured [J/m2]",
-                             "standard_error measured [J/m2]", "W_app (7) by the others [J/m2]",
-                             "standard_error (7) [J/m2]", "residual [J/m2]", "standard_error residual [J/m2]",
-                             "held by the 95 % interval"},
-                            {}};
+    tables::TidyTable table{
+        "",
+        {"left_out", "surface", "elastomer", "method", "W_app measured [J/m2]", "standard_error measured [J/m2]",
+         "W_app (7) by the others [J/m2]", "standard_error (7) [J/m2]", "residual [J/m2]",
+         "standard_error residual [J/m2]", "held by the 95 % interval"},
+        {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->left_out)
             table.rows.push_back({p.surface_left_out ? std::string("surface") : std::string("elastomer"), p.surface,

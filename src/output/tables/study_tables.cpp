@@ -53,8 +53,8 @@ public:
     void add_alternatives(const std::string& fit, const adhesion::WorkFit& f, const std::string& variant = "") {
         const auto joined = [&](const char* name) { return variant.empty() ? name : variant + ", " + name; };
         const auto& generalised = f.generalised;
-        add(fit, joined("generalised least squares"), generalised.estimate(),
-            generalised.r_squared, undefined, generalised.scatter.pair, f.n);
+        add(fit, joined("generalised least squares"), generalised.estimate(), generalised.r_squared, undefined,
+            generalised.scatter.pair, f.n);
         add(fit, joined("clustered errors"), f.clustered, undefined, undefined, undefined, f.n);
         const auto estimate = [&](const char* name, const std::optional<adhesion::WorkEstimate>& e) {
             if (e) add(fit, joined(name), e->work_of_adhesion, undefined, e->chi_squared, e->extra_scatter, f.n);

@@ -24,32 +24,15 @@ TEST(Bearings, EveryKindOfAlertHasOneOrIsKnownToNeedNone) {
     const std::set<std::string> elsewhere{"LIKELIHOOD_FAILED", "FILES_LEFT_OUT", "RECONSTRUCTION", "EMPTY_STUDY",
                                           "WILL_NOT_CONFORM"};
     // what was done, or how a file is made
-    const std::set<std::string> informing{"UNIT_PREFIX",
-                                          "SIZE_BETWEEN_POINTS",
-                                          "FORCE_CURVES_NOT_READ",
-                                          "MALFORMED_FIELD",
-                                          "NOT_IN_SCHEMA",
-                                          "UNKNOWN_FIELD",
-                                          "NAME_MISSING",
-                                          "LARGE_MAP",
-                                          "BAD_NUMBER",
-                                          "PIXELS_NOT_SQUARE",
-                                          "COMPLEX_MAGNITUDE",
-                                          "SEVERAL_IMAGES",
-                                          "SIZE_NOT_STATED",
-                                          "SHEET_CHOSEN",
-                                          "STACK",
-                                          "CLOSED_OUTLINE",
-                                          "CONTOUR_STEPS",
-                                          "TIP_CUTOFF",
-                                          "SPECTRUM_CONVERTED",
-                                          "FILTER_CUTOFF",
-                                          "RAL_UNDEFINED",
-                                          "SAL_UNDEFINED",
-                                          "STR_UNDEFINED",
-                                          "STD_WITHOUT_DIRECTION",
-                                          "THIN_LAYER",
-                                          "COLUMN_UNUSED"};
+    const std::set<std::string> informing{"UNIT_PREFIX",        "SIZE_BETWEEN_POINTS", "FORCE_CURVES_NOT_READ",
+                                          "MALFORMED_FIELD",    "NOT_IN_SCHEMA",       "UNKNOWN_FIELD",
+                                          "NAME_MISSING",       "LARGE_MAP",           "BAD_NUMBER",
+                                          "PIXELS_NOT_SQUARE",  "COMPLEX_MAGNITUDE",   "SEVERAL_IMAGES",
+                                          "SIZE_NOT_STATED",    "SHEET_CHOSEN",        "STACK",
+                                          "CLOSED_OUTLINE",     "CONTOUR_STEPS",       "TIP_CUTOFF",
+                                          "SPECTRUM_CONVERTED", "FILTER_CUTOFF",       "RAL_UNDEFINED",
+                                          "SAL_UNDEFINED",      "STR_UNDEFINED",       "STD_WITHOUT_DIRECTION",
+                                          "THIN_LAYER",         "COLUMN_UNUSED"};
     std::set<std::string> kinds, bearing;
     for (const auto& kind : alert_kinds()) kinds.insert(kind.code);
     for (const auto& [codes, sentence] : bearings()) {

@@ -63,11 +63,13 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 TEST(Verdict, SaysThatRoughnessExplainsTheApproachAndTheLossAgrees) {
     const auto said = verdict(result_of(test(0.4, 0.94, 0.0), 0.0372));
     ASSERT_EQ(said.answer.size(), 3u);
-    EXPECT_EQ(said.answer[0],
-              "Roughness explains the work of adhesion on approach: W_int 37.00 [36.36, 37.64] mJ/m² (4 pairs, χ² 0.4 of 3, p = 0.94).");
-    EXPECT_EQ(said.answer[1],
-              "100 % of the variance of W_int is noise of 1 measured value; with half of it, ± falls from 200 µJ/m² to 100 "
-              "µJ/m².");
+    EXPECT_EQ(
+        said.answer[0],
+        "Roughness explains the work of adhesion on approach: W_int 37.00 [36.36, 37.64] mJ/m² (4 pairs, χ² 0.4 of 3, p = 0.94).");
+    EXPECT_EQ(
+        said.answer[1],
+        "100 % of the variance of W_int is noise of 1 measured value; with half of it, ± falls from 200 µJ/m² to 100 "
+        "µJ/m².");
     EXPECT_TRUE(holds(said.answer[2], "mJ/m²: consistent.")) << said.answer[2];
     EXPECT_FALSE(
         std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) { return holds(s, "contradicted"); }));
@@ -76,10 +78,11 @@ TEST(Verdict, SaysThatRoughnessExplainsTheApproachAndTheLossAgrees) {
 TEST(Verdict, SaysThatTheBalanceFailsAndWhatScatterWouldMendIt) {
     auto tested = test(194.0, 4.2e-33, 8.5e-3);
     const auto said = verdict(result_of(tested, 0.050));
-    EXPECT_EQ(said.answer[0],
-              "Roughness alone does not explain the work of adhesion on approach: the full-contact balance (Eq. 7) misses the 4 "
-              "pairs (χ² 194.0 of 3, p = 4·10⁻³³); they scatter by 8.5 mJ/m² more than their errors. "
-              "W_int 37.00 [36.36, 37.64] mJ/m².");
+    EXPECT_EQ(
+        said.answer[0],
+        "Roughness alone does not explain the work of adhesion on approach: the full-contact balance (Eq. 7) misses the 4 "
+        "pairs (χ² 194.0 of 3, p = 4·10⁻³³); they scatter by 8.5 mJ/m² more than their errors. "
+        "W_int 37.00 [36.36, 37.64] mJ/m².");
     EXPECT_TRUE(holds(said.answer[2], "13.00 ± 0.36 mJ/m² apart")) << said.answer[2];
     EXPECT_TRUE(std::any_of(said.limits.begin(), said.limits.end(), [](const auto& s) {
         return holds(

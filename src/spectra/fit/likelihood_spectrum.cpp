@@ -433,8 +433,7 @@ private:
                 if (!read_with(g, probe)) continue;
                 const Eigen::MatrixXd answers = answer(c);
                 moved.leftCols(repetitions) += answers * g.tip.simulation_errors.matrix().transpose();
-                moved.col(repetitions) +=
-                    answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
+                moved.col(repetitions) += answers * (g.tip.skewness_response * std::sqrt(skewness.variance())).matrix();
             }
             covariance += moved * moved.transpose();
         }

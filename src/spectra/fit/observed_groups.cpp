@@ -145,8 +145,8 @@ void add_uniform(std::vector<ObservedGroup>& groups, topography::HeightMap map, 
     auto place = std::find_if(groups.begin(), groups.end(), [&](const ObservedGroup& g) {
         return !g.contour && g.data.name == name && g.data.instrument == instrument.type &&
                g.lines == map.heights.cols() && g.trend_degree == shape.trend_degree &&
-               g.direction == observed.direction && name_of(g.probe) == name_of(probe) &&
-               g.probe_input == input && same(g.height, observed.height) && same(g.lateral, observed.lateral) &&
+               g.direction == observed.direction && name_of(g.probe) == name_of(probe) && g.probe_input == input &&
+               same(g.height, observed.height) && same(g.lateral, observed.lateral) &&
                same(g.optics, observed.optics) && std::abs(g.pixel_size / step - 1.0) < 1e-6 &&
                g.data.periodogram.size() == periodogram.size();
     });

@@ -18,11 +18,11 @@ struct ObservedGroup {
     std::optional<Probe> probe;  ///< none: heights as they are
     std::string probe_input;     ///< name of its size
     SharedFactor height, lateral;
-    double pixel_size = 0.0;     ///< [m]; of curves the mean step
-    double pitch = 0.0;          ///< between lines [m]
-    Index lines = 1;             ///< of one measurement
-    int trend_degree = 1;        ///< of the polynomial that each line loses
-    double direction = 0.0;      ///< of its lines [rad]
+    double pixel_size = 0.0;  ///< [m]; of curves the mean step
+    double pitch = 0.0;       ///< between lines [m]
+    Index lines = 1;          ///< of one measurement
+    int trend_degree = 1;     ///< of the polynomial that each line loses
+    double direction = 0.0;   ///< of its lines [rad]
     int measurements = 0;
     std::vector<Array1D> periodograms;             ///< of each measurement [m³]
     std::vector<double> skewness;                  ///< of the heights of each measurement with a tip

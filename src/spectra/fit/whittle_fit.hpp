@@ -86,8 +86,8 @@ struct MovedClasses {
 ///   δx = H⁻¹ ½ (s₊(x) − s₋(x)),   H = −∂s/∂x = J₀ᵀν(2r − 1)(J₀ + J_T) − Σ ν (r − 1) E_ab/E + Q,   r = P/E
 ///
 /// s: score of the parameters x, which is 0 at the fit. Exact to second order of the step; noise, what tips add and
-/// their response to the surface move with theta. classes: those that were fitted, as the moved ones are in their order.
-/// Source: the implicit function theorem.
+/// their response to the surface move with theta. classes: those that were fitted, as the moved ones are in their
+/// order. Source: the implicit function theorem.
 [[nodiscard]] Eigen::VectorXd theta_moved(const WhittleFit& fit, const std::vector<PeriodogramClass>& classes,
                                           const MovedClasses& moved, const LogSpline& spline,
                                           const Smoothness& smoothness);

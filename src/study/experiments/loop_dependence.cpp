@@ -23,13 +23,14 @@ struct Number {
     Components LoopDependence::*inputs;
     const char* name;
 };
-constexpr std::array<Number, 7> numbers{{{&LoopNumbers::contact_modulus, &LoopDependence::contact_modulus, "E*"},
-                                         {&LoopNumbers::youngs_modulus, &LoopDependence::youngs_modulus, "E"},
-                                         {&LoopNumbers::approach, &LoopDependence::approach, "W of approach"},
-                                         {&LoopNumbers::pull_off, &LoopDependence::pull_off, "W of pull-off"},
-                                         {&LoopNumbers::retraction, &LoopDependence::retraction, "W_ret at pull-off"},
-                                         {&LoopNumbers::loss, &LoopDependence::loss, "the loss"},
-                                         {&LoopNumbers::contact_area, &LoopDependence::contact_area, "the contact area"}}};
+constexpr std::array<Number, 7> numbers{
+    {{&LoopNumbers::contact_modulus, &LoopDependence::contact_modulus, "E*"},
+     {&LoopNumbers::youngs_modulus, &LoopDependence::youngs_modulus, "E"},
+     {&LoopNumbers::approach, &LoopDependence::approach, "W of approach"},
+     {&LoopNumbers::pull_off, &LoopDependence::pull_off, "W of pull-off"},
+     {&LoopNumbers::retraction, &LoopDependence::retraction, "W_ret at pull-off"},
+     {&LoopNumbers::loss, &LoopDependence::loss, "the loss"},
+     {&LoopNumbers::contact_area, &LoopDependence::contact_area, "the contact area"}}};
 
 double freedom_of(const Estimate& estimate) {
     return estimate.degrees_of_freedom.value_or(std::numeric_limits<double>::infinity());

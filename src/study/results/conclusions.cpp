@@ -222,8 +222,7 @@ Outcome<adhesion::StrainedInterfaceFit> Concluding::fit_interface() const {
 Outcome<std::vector<PairPoint>> Concluding::reference_scaled(std::vector<PairPoint> modified) const {
     for (auto& point : modified) {
         const auto reference = reference_work(result_, point.elastomer);
-        if (!reference)
-            return Outcome<std::vector<PairPoint>>::missing("no smooth reference on " + point.elastomer);
+        if (!reference) return Outcome<std::vector<PairPoint>>::missing("no smooth reference on " + point.elastomer);
         point = adhesion::reference_scaled_point(std::move(point), *reference);
     }
     return modified;

@@ -206,8 +206,8 @@ SETAE_KEEP(BranchAnalysis, range, radius_force, radius_force_effective_variance,
 SETAE_KEEP(PullOff, index, force, work_of_adhesion, last_force, work_of_adhesion_fixed_grips, machine_stiffness)
 SETAE_KEEP(RetractionFit, work_of_adhesion, contact_modulus, modulus_free, first, last, n, rms_residual,
            radius_measured)
-SETAE_KEEP(WorkAlongRetraction, at_pull_off, at_largest_contact, slope, smallest_radius, largest_radius, n, rms_residual,
-           chi2_reduced, energy_loss, energy_loss_constant)
+SETAE_KEEP(WorkAlongRetraction, at_pull_off, at_largest_contact, slope, smallest_radius, largest_radius, n,
+           rms_residual, chi2_reduced, energy_loss, energy_loss_constant)
 SETAE_KEEP(LoopErrorBudget, noise, drift, compliance, sampling, discretisation, total)
 SETAE_KEEP(LoopEnergy, energy, without_drift, standard_error, opening, half_width)
 SETAE_KEEP(LoopContext, largest_contact_radius, radius_measured, largest_contact_area, ideal_smooth_sphere_loss,
@@ -222,8 +222,8 @@ SETAE_KEEP(EnergyLedger, contact, loop, before_contact, jump_in, approach, retra
 SETAE_KEEP(ComplianceEffect, stiffness, modulus_change, work_change, energy_change)
 SETAE_KEEP(Change, first, last)
 SETAE_KEEP(HoldGrowth, samples, duration, force, displacement, contact_radius, work_of_adhesion)
-SETAE_KEEP(ContactAnalysis, loading, hold, pinned, unloading, pull_off, retraction, work_along_retraction, loop, context,
-           contact_points, ledger, compliance)
+SETAE_KEEP(ContactAnalysis, loading, hold, pinned, unloading, pull_off, retraction, work_along_retraction, loop,
+           context, contact_points, ledger, compliance)
 SETAE_KEEP(RecordFaults, saturated_high, saturated_low, frames, frames_missing, longest_gap, time_backwards)
 SETAE_KEEP(Calibration, force, displacement, contact_radius)
 SETAE_KEEP(BulkRelaxation, energy_loss, largest_force)

@@ -7,8 +7,8 @@
 
 namespace setae::study {
 
-/// Names of a measurement's uncertain inputs: that of the study file, "afm tip", which surfaces may share, or one of the
-/// instrument on its surface, "tip radius of afm (10 nm), PUNCD". Empty where there is no error.
+/// Names of a measurement's uncertain inputs: that of the study file, "afm tip", which surfaces may share, or one of
+/// the instrument on its surface, "tip radius of afm (10 nm), PUNCD". Empty where there is no error.
 struct InputNames {
     std::string tip_radius;  ///< that the reliable band of the average rests on
     std::string probe_size;  ///< of the tip or foil that the likelihood reads with

@@ -46,7 +46,7 @@ bool has_alert(const LoopAnalysis& analysis, const std::string& code) {
 struct Expected {
     const char* file;
     double largest_force, smallest_force, pull_off_force, pull_off_work;  // nN, nN, nN, mJ/m²
-    double loading_modulus, loading_work, rms_residual;   // MPa, mJ/m², nm
+    double loading_modulus, loading_work, rms_residual;                   // MPa, mJ/m², nm
     double unloading_modulus, unloading_work;
     double loop;  // fJ
 };

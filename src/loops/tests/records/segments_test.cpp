@@ -172,7 +172,8 @@ TEST(Segments, RefuseASensorThatMovesAlone) {
     // the stage stands still: the displacement is the deflection with its sign turned
     Loop loop = without_radius(SyntheticLoop{}.make());
     loop.displacement = -loop.force / 3.0;
-    EXPECT_NE(refusal<UndefinedDataError>(loop).find("check the signs"), std::string::npos) << refusal<UndefinedDataError>(loop);
+    EXPECT_NE(refusal<UndefinedDataError>(loop).find("check the signs"), std::string::npos)
+        << refusal<UndefinedDataError>(loop);
 }
 
 TEST(Segments, RefuseAStartInContact) {

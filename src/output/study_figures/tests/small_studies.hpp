@@ -38,9 +38,8 @@ inline study::PairResult pair_of(const std::string& surface, const std::string& 
     study::PairResult pair{.surface = surface, .elastomer = elastomer};
     pair.approach = Estimate{measured, 0.002};
     const Estimate estimate{predicted, 0.002};
-    pair.modified = adhesion::PredictedWork{{predicted, std::max(0.0, predicted), predicted > 0.0},
-                                            {estimate, "everything"},
-                                            estimate};
+    pair.modified = adhesion::PredictedWork{
+        {predicted, std::max(0.0, predicted), predicted > 0.0}, {estimate, "everything"}, estimate};
     return pair;
 }
 

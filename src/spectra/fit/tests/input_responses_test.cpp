@@ -30,8 +30,7 @@ PeriodogramClass scattered(double from, double to, double freedom, unsigned seed
     c.response = Eigen::MatrixXd::Identity(n, n).array();
     std::mt19937_64 random(seed);
     std::gamma_distribution<double> gamma(freedom, 1.0 / freedom);
-    c.periodogram =
-        c.nodes.unaryExpr([&](double q) { return 1e-30 * std::pow(1.0 + q / 1e6, -3.4) * gamma(random); });
+    c.periodogram = c.nodes.unaryExpr([&](double q) { return 1e-30 * std::pow(1.0 + q / 1e6, -3.4) * gamma(random); });
     c.freedom = Array1D::Constant(n, freedom);
     return c;
 }
@@ -198,9 +197,9 @@ std::vector<ObservedSurface> touched(double of_radius, double error, double tip 
     return all;
 }
 
-// A blunter tip would have hidden more: the same readings mean a rougher surface. Another radius is simulated on another
-// patch: what that scatters by is found with other random numbers. Measured: 0.0042 of 0.0049 ± 0.0007 and 0.017 of 0.019 ±
-// 0.007 for ∫ q C and ∫ q² C.
+// A blunter tip would have hidden more: the same readings mean a rougher surface. Another radius is simulated on
+// another patch: what that scatters by is found with other random numbers. Measured: 0.0042 of 0.0049 ± 0.0007 and
+// 0.017 of 0.019 ± 0.007 for ∫ q C and ∫ q² C.
 TEST(InputResponses, OfATipAreThoseOfAnotherRadius) {
     constexpr double step = 0.2;
     constexpr int seeds = 6;

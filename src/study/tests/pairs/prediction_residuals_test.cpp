@@ -117,10 +117,11 @@ TEST(PredictionCurve, RunsThroughThePredictionsOfPairs) {
     for (const auto& pair : result.pairs) {
         ASSERT_TRUE(pair.modified);
         const auto& surface = result.surface(pair.surface);
-        const auto curve = adhesion::prediction_curve(
-            {surface.name, surface.used().parameters, surface.used().spread},
-            TracedValue(study.elastomers[0].surface_energy, "surface energy"),
-            TracedValue(*study.work_of_adhesion, "work_of_adhesion"), Array1D::Constant(1, result.elastomer(pair.elastomer).contact_modulus.value));
+        const auto curve =
+            adhesion::prediction_curve({surface.name, surface.used().parameters, surface.used().spread},
+                                       TracedValue(study.elastomers[0].surface_energy, "surface energy"),
+                                       TracedValue(*study.work_of_adhesion, "work_of_adhesion"),
+                                       Array1D::Constant(1, result.elastomer(pair.elastomer).contact_modulus.value));
         EXPECT_NEAR(curve.work_of_adhesion[0], pair.modified->work.floored, 1e-15);
         // the pair's error without that of its modulus, normal
         const double error =

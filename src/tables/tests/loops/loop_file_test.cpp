@@ -50,7 +50,8 @@ TEST(LoopFile, ComesBackWithQuantitiesInSi) {
 TEST(LoopFile, SaysWhatIsKnownWithAnError) {
     const TemporaryFolder folder;
     const auto with = [&](const std::string& entry) {
-        return folder.write("l.csv", "# format: setae loop\n# version: 1\n# " + entry + "\nforce [N],displacement [m]\n1,2\n");
+        return folder.write("l.csv",
+                            "# format: setae loop\n# version: 1\n# " + entry + "\nforce [N],displacement [m]\n1,2\n");
     };
     const auto radius = loop_quantity(read_loop(with("sphere_radius: 1.25 ± 0.01 mm")), "sphere_radius").value();
     EXPECT_DOUBLE_EQ(radius.value, 1.25e-3);

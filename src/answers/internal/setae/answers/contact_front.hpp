@@ -39,9 +39,9 @@ struct FrontRun {
     double stored_energy = 0.0;   ///< U_el/A of the waves that count [J/m²]
     double contact_radius = 0.0;  ///< √(A/π) where it turns [m]
     std::optional<crack_front::BranchWorks> works;
-    std::string reason;  ///< why there are none
-    contact_line::ContactLine edge;    ///< where it is kept, while there is contact: at up to 512 angles …
-    Array1D displacement, force;       ///< … and with these at each time [m], [N]
+    std::string reason;              ///< why there are none
+    contact_line::ContactLine edge;  ///< where it is kept, while there is contact: at up to 512 angles …
+    Array1D displacement, force;     ///< … and with these at each time [m], [N]
 
     /// k of W_ret − W_appr = 2k U_el/A; NaN without works.
     [[nodiscard]] double pinning_coefficient() const;
@@ -53,8 +53,8 @@ struct FrontAnswer {
     contact::AdhesiveContact contact;
     double shortest_wavelength = 0.0;  ///< [m]
     std::vector<FrontRun> runs;
-    Table steps;                       ///< crack_front::loop_table() of the first
-    Table edge;  ///< of the first, where it is kept: contact_line::as_table() with "displacement" and "force"
+    Table steps;  ///< crack_front::loop_table() of the first
+    Table edge;   ///< of the first, where it is kept: contact_line::as_table() with "displacement" and "force"
     std::vector<Quantity> quantities;  ///< means over the surfaces, ± of their mean where there are several
     std::vector<Alert> alerts;
 };

@@ -16,11 +16,11 @@ namespace setae::answers {
 
 /// How the edge of a contact is analysed, as `setae jkr line` is told.
 struct LineRequest : RadiusRequest {
-    std::optional<long> angles;                ///< of pictures; default a ray every 2 px
-    double smallest_void = 16.0;               ///< [px²]
-    std::string ring_width;                    ///< "2 um"; empty: the program's choice
-    double threshold = 3.0;                    ///< of jumps and arrests, against the mean speed
-    long smallest_mode = 3, largest_mode = 0;  ///< of the roughness
+    std::optional<long> angles;                  ///< of pictures; default a ray every 2 px
+    double smallest_void = 16.0;                 ///< [px²]
+    std::string ring_width;                      ///< "2 um"; empty: the program's choice
+    double threshold = 3.0;                      ///< of jumps and arrests, against the mean speed
+    long smallest_mode = 3, largest_mode = 0;    ///< of the roughness
     std::string sphere_radius, contact_modulus;  ///< "1 mm", "1 MPa": of the release rate, which takes both
     std::string displacement;                    ///< table of "time" and "displacement"; empty: the edge's own
 

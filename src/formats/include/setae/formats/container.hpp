@@ -44,8 +44,8 @@ struct ContainerLength {
     std::string text;  ///< "10 ± 2 nm", in place of value and unit
     bool operator==(const ContainerLength&) const = default;
 
-    /// [m]; nothing without value or unit. @throws InvalidArgument for a unit that is no length, and for a text that is no
-    /// length > 0 with its ± and unit.
+    /// [m]; nothing without value or unit. @throws InvalidArgument for a unit that is no length, and for a text that is
+    /// no length > 0 with its ± and unit.
     [[nodiscard]] std::optional<Estimate> estimate() const;
     [[nodiscard]] std::optional<double> metres() const;
 };
@@ -56,7 +56,7 @@ struct ContainerInstrument {
     struct Parameters {
         std::optional<ContainerLength> tip_radius, resolution;
         std::optional<ContainerLength> tip_radius_standard_error;  ///< setae's own
-        std::string height_calibration, lateral_calibration;  ///< setae's own: true over stated, "1.00 ± 0.02"
+        std::string height_calibration, lateral_calibration;       ///< setae's own: true over stated, "1.00 ± 0.02"
         std::string extra;
         bool operator==(const Parameters&) const = default;
     };

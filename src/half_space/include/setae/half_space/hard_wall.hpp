@@ -54,8 +54,8 @@ struct SolveOptions {
     Array2D start;  ///< pressures [Pa] to begin with, such as those of a load close by; empty: coarser grids find them
     parallel::Threads threads;
     const parallel::Ranks* ranks = nullptr;  ///< processes that solve it together, each with the rows of slab_of()
-    std::function<void(const SolveProgress&)> progress;  ///< now and then, from the calling thread; may throw to stop, in all
-                                                          ///< processes alike
+    std::function<void(const SolveProgress&)> progress;  ///< now and then, from the calling thread; may throw to stop,
+                                                         ///< in all processes alike
 };
 
 enum class SolveStatus {
@@ -113,6 +113,6 @@ struct HardWallContact {
 /// One linear solution on the set; infinite where a body whose mean displacement is undefined or blocked touches
 /// everywhere.
 [[nodiscard]] double contact_stiffness(const HardWall& problem, const HardWallContact& contact,
-                                           parallel::Threads threads = {});
+                                       parallel::Threads threads = {});
 
 }  // namespace setae::half_space

@@ -41,7 +41,7 @@ struct SphereLoop {
     [[nodiscard]] double energy_loss() const {
         return jump_in_loss + edge_loss + jump_out_loss + speed_loss + bulk_loss;
     }
-    [[nodiscard]] double largest_contact_area() const;                                             ///< π a_max² [m²]
+    [[nodiscard]] double largest_contact_area() const;  ///< π a_max² [m²]
 };
 
 /// What a loop goes through.

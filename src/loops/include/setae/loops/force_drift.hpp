@@ -42,12 +42,12 @@ struct ForceStep {
 /// half of the largest change that a cubic would make, for a cubic, which free flight cannot test, a quarter of the
 /// largest change from the line.
 struct ForceDrift {
-    int degree = 0;                      ///< of the polynomial taken off; 0: a constant
-    Estimate change;                     ///< of the zero from the first sample to the last [N]
-    double largest_in_contact = 0.0;     ///< |zero less that at the first sample|, largest between the stretches [N]
-    double bend = 0.0;                   ///< |zero − line|, largest between the stretches [N]; 0 for degree <= 1
-    bool irregular = false;              ///< no curve of degree 3 or less fits the free flight; the line was taken
-    Index stretches = 0;                 ///< of free flight that it is known from: 0, 1, 2
+    int degree = 0;                   ///< of the polynomial taken off; 0: a constant
+    Estimate change;                  ///< of the zero from the first sample to the last [N]
+    double largest_in_contact = 0.0;  ///< |zero less that at the first sample|, largest between the stretches [N]
+    double bend = 0.0;                ///< |zero − line|, largest between the stretches [N]; 0 for degree <= 1
+    bool irregular = false;           ///< no curve of degree 3 or less fits the free flight; the line was taken
+    Index stretches = 0;              ///< of free flight that it is known from: 0, 1, 2
 };
 
 /// The zero of force along a record.

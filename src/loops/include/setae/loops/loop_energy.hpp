@@ -36,8 +36,8 @@ struct LoopEnergy {
     }
 };
 
-/// Loss of one contact, ∮F dδ by the trapezoid rule from the last sample of free flight before it to the first after it;
-/// in free flight the force is zero.
+/// Loss of one contact, ∮F dδ by the trapezoid rule from the last sample of free flight before it to the first after
+/// it; in free flight the force is zero.
 ///
 /// The rule is exact along a jump that follows the machine's straight unloading line, and for a vertical jump sampled
 /// at both ends; between, it is of second order in the step for a curve sampled evenly in contact radius, and of order

@@ -42,17 +42,18 @@ struct ContactSegments {
 };
 
 struct Segments {
-    Baseline before;                ///< without a range where the record begins in contact; then the noise is that after
+    Baseline before;  ///< without a range where the record begins in contact; then the noise is that after
     std::optional<Baseline> after;  ///< none where the record ends in contact
     std::vector<ContactSegments> contacts;
     std::vector<Cycle> cycles;
-    std::vector<IndexRange> ignored;    ///< samples no fit uses: those of the edits, and those of a saturated force
-    std::vector<ForceStep> steps;  ///< at which free flight was cut; the part next to contact is the baseline
+    std::vector<IndexRange> ignored;  ///< samples no fit uses: those of the edits, and those of a saturated force
+    std::vector<ForceStep> steps;     ///< at which free flight was cut; the part next to contact is the baseline
 };
 
 struct SegmentOptions {
-    std::optional<double> baseline_share;  ///< share of the record, from its start, that is free flight; else it is found
-    std::optional<double> force_baseline;  ///< zero of force [N] where known; no drift is then taken off
+    std::optional<double>
+        baseline_share;  ///< share of the record, from its start, that is free flight; else it is found
+    std::optional<double> force_baseline;      ///< zero of force [N] where known; no drift is then taken off
     DriftModel drift = DriftModel::automatic;  ///< of the zero of force; contact is found without it
     double feature_factor = 6.0;               ///< a feature deeper than this many scatters of free flight is real
     double turning_share = 0.01;               ///< a reversal smaller than this share of the force range is noise
@@ -67,8 +68,8 @@ struct SegmentOptions {
 /// neighbours for that.
 ///
 /// Without contact radius a contact is known by its adhesion: a force below zero after approach (jump-in) or before
-/// separation (pull-off). With it, by a > 0. A reversal of force counts as a cycle only where the displacement (else the
-/// contact radius) turns with it, so that a slip is no cycle.
+/// separation (pull-off). With it, by a > 0. A reversal of force counts as a cycle only where the displacement (else
+/// the contact radius) turns with it, so that a slip is no cycle.
 /// @throws InvalidArgument for series of different length, an undefined force or displacement, or fewer than 20
 /// samples.
 /// @throws ChannelFaultError for a record that makes sense with another sign of force or displacement, or with both

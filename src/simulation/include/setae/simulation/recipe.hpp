@@ -114,8 +114,8 @@ enum class NonconformingPairs {
     skip,    ///< left out
 };
 
-/// What W_app departs from its balance by: standard deviations of normal numbers, one for each pair, one for all pairs of
-/// a surface, one for all pairs of an elastomer [J/m²].
+/// What W_app departs from its balance by: standard deviations of normal numbers, one for each pair, one for all pairs
+/// of a surface, one for all pairs of an elastomer [J/m²].
 struct WorkScatter {
     double pair = 0.0, surface = 0.0, elastomer = 0.0;
 };
@@ -131,9 +131,9 @@ struct LoopRecipe {
     double opening_work = 0.0;  ///< W_x of the law `opening` [J/m²]
     WorkScatter work_scatter;
     NonconformingPairs nonconforming = NonconformingPairs::refuse;
-    std::vector<SpecimenPair> unmeasured;  ///< whose loop is planted, but not recorded: the study only predicts it
-    std::vector<SpecimenPair> further;     ///< with one more loop, once for each time that a pair is named
-    std::optional<double> reference_work;  ///< W of both branches on the standard [J/m²]; none: no references
+    std::vector<SpecimenPair> unmeasured;   ///< whose loop is planted, but not recorded: the study only predicts it
+    std::vector<SpecimenPair> further;      ///< with one more loop, once for each time that a pair is named
+    std::optional<double> reference_work;   ///< W of both branches on the standard [J/m²]; none: no references
     std::optional<double> reference_speed;  ///< of the motor there [m/s]; none: that of all loops
 
     /// How loops on a surface are made; without a name, on the standard.

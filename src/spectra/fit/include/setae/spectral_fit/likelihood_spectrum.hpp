@@ -112,8 +112,8 @@ struct LikelihoodSpectrum {
         stretch;                ///< empty: isotropic as far as is seen; C_iso is the mean over directions else
     Array1D C_along, C_across;  ///< of a stretched surface: C_iso that lines along and across its long direction show
     int rounds = 0;
-    int iterations = 0;      ///< of the last fit
-    bool converged = false;  ///< else the numbers are those of the step it stopped at
+    int iterations = 0;         ///< of the last fit
+    bool converged = false;     ///< else the numbers are those of the step it stopped at
     std::vector<Alert> alerts;  ///< INSTRUMENTS_DISAGREE, MEASUREMENTS_SCATTER, ROLLOFF_NOT_SEEN
 
     /// Of theta, with what every input does: covariance + Σ θ_i θ_iᵀ.
@@ -133,7 +133,8 @@ struct LikelihoodSpectrum {
 [[nodiscard]] LikelihoodSpectrum likelihood_spectrum(std::span<const ObservedSurface> observed,
                                                      const LikelihoodOptions& options = {});
 
-/// Spectra drawn from the normal distribution of theta without its inputs' errors: row r is C_iso [m⁴] at the spectrum's wavevectors.
+/// Spectra drawn from the normal distribution of theta without its inputs' errors: row r is C_iso [m⁴] at the
+/// spectrum's wavevectors.
 [[nodiscard]] Array2D drawn_spectra(const LikelihoodSpectrum& spectrum, Index count, std::uint64_t seed);
 
 }  // namespace setae::spectral_fit
