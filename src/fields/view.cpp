@@ -63,6 +63,8 @@ bool holds_words(const Column& column) {
     return kind == Kind::text || kind == Kind::choice || kind == Kind::flag;
 }
 
-bool has_error(const Column& column) { return column.row->kind == Kind::quantity && column.errors == Errors::beside; }
+bool has_error(const Column& column) {
+    return column.row->kind == Kind::quantity && column.row->has_error && column.errors == Errors::beside;
+}
 
 }  // namespace setae::fields

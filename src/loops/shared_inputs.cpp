@@ -63,16 +63,12 @@ void add_error(Estimate& estimate, double change) {
     estimate.interval.reset();
 }
 
-using Route = Outcome<JkrFit> BranchAnalysis::*;
-constexpr std::array<Route, 5> routes{&BranchAnalysis::radius_force, &BranchAnalysis::radius_force_effective_variance,
-                                      &BranchAnalysis::linear_form, &BranchAnalysis::force_displacement,
-                                      &BranchAnalysis::joint};
-
 /// branch_of: a branch of a contact, or nullptr where it has none.
 template <class BranchOf>
 void add_branch_error(BranchAnalysis& branch, const LensAndCounterBody& bodies, const InputDerivative& derivative,
                       double standard_error, const BranchOf& branch_of) {
-    for (const Route route : routes) {
+    for (const auto& way : fit_routes) {
+        const auto route = way.fit;
         auto& fit = branch.*route;
         if (!fit) continue;
         const auto shift = [&](Estimate JkrFit::*number) {

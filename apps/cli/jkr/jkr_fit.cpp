@@ -57,17 +57,13 @@ struct Arguments {
 /// The fits of a branch, a row each.
 tables::TidyTable branch_table(const char* branch, const loops::BranchAnalysis& analysis) {
     tables::TidyTable table{branch, {"fit", "E* [MPa]", "W [mJ/m²]", "χ²_red", "n", "rms residual"}, {}};
-    const auto add = [&](const auto& fit) {
-        if (!fit) return;
+    for (const auto& route : loops::fit_routes) {
+        const auto& fit = analysis.*route.fit;
+        if (!fit) continue;
         table.rows.push_back({fit->method, uncertain_number(fit->contact_modulus, 1e6),
                               uncertain_number(fit->work_of_adhesion, 1e-3), fmt::format("{:.3g}", fit->chi2_reduced),
                               fmt::format("{}", fit->n), format_value(fit->rms_residual, fit->residual_unit, 3)});
-    };
-    add(analysis.radius_force);
-    add(analysis.radius_force_effective_variance);
-    add(analysis.linear_form);
-    add(analysis.force_displacement);
-    add(analysis.joint);
+    }
     return table;
 }
 

@@ -10,6 +10,10 @@
 
 #include "schemas/schema_texts.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/loops/analysis.hpp"
+#include "setae/loops/crack_speed_fit.hpp"
+#include "setae/loops/global_fit.hpp"
+#include "setae/loops/model_fits.hpp"
 #include "setae/output/field_json.hpp"
 #include "setae/study/hysteresis.hpp"
 
@@ -63,6 +67,11 @@ Json shared_json_parts() {
     auto parts = parsed(shared);
     std::map<std::string, Json> described;
     output::add_named_schemas(fields::Described<study::Hysteresis>::description, described);
+    output::add_named_schemas(fields::Described<loops::LoopAnalysis>::description, described);
+    output::add_named_schemas(fields::Described<loops::ModelComparison>::description, described);
+    output::add_named_schemas(fields::Described<loops::ModelFit>::description, described);
+    output::add_named_schemas(fields::Described<loops::GlobalFit>::description, described);
+    output::add_named_schemas(fields::Described<loops::CrackSpeedFit>::description, described);
     for (auto& [name, schema] : described) parts[name] = std::move(schema);
     return parts;
 }

@@ -32,12 +32,14 @@ struct Point {
 struct Sample {
     bool flag = true;
     int whole = 3;
-    double number = 0.5, force = 2e-3;
+    double number = 0.5, force = 2e-3, stiffness = 5.0;
     Estimate energy{.value = 1.0, .standard_error = 0.1};
     TracedValue area{Estimate{.value = 4.0, .standard_error = 0.5}, "area"};
     std::string text = "words";
     std::vector<std::string> texts{"a", "b"};
-    std::vector<double> values{1.0, 2.0};
+    std::vector<double> values{1.0, 2.0}, numbers{3.0, 4.0};
+    Array1D column = Array1D::Constant(1, 5.0);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(2, 2);
     std::vector<int> wholes{1, 2};
     Point point{1.0, "first"};
     std::vector<Point> points{{2.0, "second"}, {3.0, "third"}};
@@ -67,19 +69,23 @@ struct Described<Sample> {
         field<&T::flag>("flag", "yes or no"),
         field<&T::whole>("whole", "a count"),
         field<&T::number>("number", "a ratio"),
-        quantity<&T::force>("force", "F", "N", "a force"),
+        value<&T::force>("force", "N", "a force"),
+        quantity<&T::stiffness>("stiffness", "k", "N/m", "a quantity without an error"),
         quantity<&T::energy>("energy", "E", "J", "an energy").as("energy_loss"),
         quantity<&T::area>("area", "A", "m2", "an area"),
         field<&T::text>("text", "words").one_of(words),
         part<T>("part", "texts in an object of their own", together),
-        quantity<&T::values>("values", "v", "J/m2", "two works"),
+        value<&T::values>("values", "J/m2", "two works"),
+        field<&T::numbers>("numbers", "two numbers"),
+        field<&T::column>("column", "an array"),
+        field<&T::matrix>("matrix", "rows of numbers"),
         field<&T::wholes>("wholes", "two counts"),
         field<&T::point>("point", "a point"),
         field<&T::points>("points", "points"),
         field<&T::left_out_if_empty>("left_out_if_empty", "none").with(Missing::left_out),
         field<&T::absent>("absent", "no field"),
         field<&T::no_value>("no_value", "null").or_null(),
-        quantity<&T::there>("there", "t", "s", "a time"),
+        value<&T::there>("there", "s", "a time"),
         field<&T::failed>("failed", "null and a reason"),
         field<&T::found>("found", "a point"),
         quantity<&T::by_name>("by_name", "W", "J/m2", "of each model"),
@@ -135,8 +141,9 @@ std::string recorded(const Sample& sample) {
 TEST(Fields, ComeInTheOrderOfTheirRowsWithUnitsAndReasons) {
     EXPECT_EQ(
         recorded({}),
-        "flag=true;whole=3;number=0.5;force=0.002 N;energy=1±0.1 J;area=4±0.5 m2;text=words;part={;texts=[;texts=a;texts=b;]}"
-        "values=[;values=1;values=2;]wholes=[;wholes=1;wholes=2;]point={;x=1;name=first;}"
+        "flag=true;whole=3;number=0.5;force=0.002 N;stiffness=5±nan N/m;energy=1±0.1 J;area=4±0.5 m2;text=words;part={;texts=[;texts=a;texts=b;]}"
+        "values=[;values=1;values=2;]numbers=[;numbers=3;numbers=4;]column=[;column=5;]"
+        "matrix=[;matrix=[;matrix=1;matrix=0;]matrix=[;matrix=0;matrix=1;]]wholes=[;wholes=1;wholes=2;]point={;x=1;name=first;}"
         "points=[;points={;x=2;name=second;}points={;x=3;name=third;}]no_value=null();there=7 s;failed=null(no data);"
         "found={;x=5;name=found;}by_name={;model:by_name=6±nan J/m2;}none_by_name=null();twice=1;of_its_own_unit=0.5 m/s;");
 }
@@ -165,6 +172,28 @@ TEST(Fields, KnowTheirKind) {
     EXPECT_EQ(kind("found"), Kind::object);
     EXPECT_EQ(kind("by_name"), Kind::quantity_of);
     EXPECT_EQ(kind("none_by_name"), Kind::number_of);
+}
+
+struct Whole : Point {
+    int more = 1;
+};
+
+}  // namespace
+
+template <>
+struct Described<Whole> {
+    static constexpr std::array rows{inherited<Point, Whole>(), field<&Whole::more>("more", "its own")};
+    static constexpr Description description{"", "a type with a base", rows};
+};
+static_assert(complete<Whole>);
+
+namespace {
+
+TEST(Fields, OfABaseStandAmongItsOwn) {
+    Recorded sink;
+    const Whole whole{{4.0, "base"}, 2};
+    put(&whole, Described<Whole>::description, sink);
+    EXPECT_EQ(sink.text_, "x=4;name=base;more=2;");
 }
 
 struct Grown {

@@ -153,6 +153,15 @@ ContactModel model_named(std::string_view name) {
                                       fmt::join(known, ", ")));
 }
 
+std::vector<std::string> names_of(Channels channels) {
+    switch (channels) {
+        case Channels::force_radius: return {"force", "contact_radius"};
+        case Channels::force_displacement: return {"force", "displacement"};
+        case Channels::force_displacement_radius: return {"force", "displacement", "contact_radius"};
+    }
+    return {};
+}
+
 std::string to_string(FitErrors errors) {
     switch (errors) {
         case FitErrors::force_only: return "force_only";

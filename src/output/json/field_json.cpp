@@ -12,6 +12,14 @@ using fields::Kind;
 using fields::Missing;
 using fields::Row;
 
+/// Whether a field NAME_reason says why the field has no value.
+bool has_reason(const Row& row) {
+    return row.if_missing == Missing::with_reason || row.if_missing == Missing::as_asked;
+}
+
+/// Whether every result has the field, with a value or without.
+bool is_required(const Row& row) { return row.if_missing != Missing::left_out && row.if_missing != Missing::as_asked; }
+
 class JsonSink final : public fields::Sink {
 public:
     explicit JsonSink(Json& json) : open_{&json} {}
@@ -22,11 +30,18 @@ public:
     void value(const Row& row, double value) override {
         add(row, {{"value", output::number(value)}, {"unit", row.unit}});
     }
-    void quantity(const Row& row, const Estimate& value) override {
-        add(row, to_json(output::quantity(std::string(row.term.empty() ? row.name : row.term), std::string(row.symbol),
-                                          value, std::string(row.unit))));
+    void quantity(const Row& row, const Estimate& value) override { quantity(row, Quantity{.estimate = value}); }
+    void quantity(const Row& row, const Quantity& value) override {
+        auto whole = value;
+        const auto fill = [](std::string& text, std::string_view of_row) {
+            if (text.empty()) text = of_row;
+        };
+        fill(whole.quantity, row.term.empty() ? row.name : row.term);
+        fill(whole.symbol, row.symbol);
+        fill(whole.unit, row.unit);
+        fill(whole.source, row.source);
+        add(row, to_json(whole));
     }
-    void quantity(const Row& row, const Quantity& value) override { add(row, to_json(value)); }
     void text(const Row& row, std::string_view value) override { add(row, value); }
     void begin_list(const Row& row) override {
         if (row.kind != Kind::values) return open(row, Json::array());
@@ -42,7 +57,7 @@ public:
     void key(std::string_view name) override { key_ = name; }
     void missing(const Row& row, std::string_view reason) override {
         add(row, nullptr);
-        if (row.if_missing == Missing::with_reason) (*open_.back())[std::string(row.name) + "_reason"] = reason;
+        if (has_reason(row)) (*open_.back())[std::string(row.name) + "_reason"] = reason;
     }
 
 private:
@@ -80,6 +95,8 @@ Json type_of(const Row& row) {
         case Kind::quantity: return reference("quantity");
         case Kind::text: return type("string");
         case Kind::choice: return {{"enum", row.choices}};
+        case Kind::numbers: return list_of(reference("number"));
+        case Kind::matrix: return list_of(list_of(reference("number")));
         case Kind::texts: return list_of(type("string"));
         case Kind::wholes: return list_of(type("integer"));
         case Kind::object: return inner_type(row);
@@ -93,7 +110,7 @@ Json type_of(const Row& row) {
 Json property_of(const Row& row) {
     Json property{{"description", row.meaning}};
     if (!row.unit.empty()) property["unit"] = row.unit;
-    const bool may_be_null = row.if_missing == Missing::null || row.if_missing == Missing::with_reason;
+    const bool may_be_null = row.if_missing != Missing::never && row.if_missing != Missing::left_out;
     if (may_be_null) property["anyOf"] = {type_of(row), type("null")};
     else property.update(type_of(row));
     return property;
@@ -102,12 +119,17 @@ Json property_of(const Row& row) {
 Json object_of(const fields::Description& description) {
     Json required = Json::array(), properties = Json::object();
     for (const auto& row : description.rows) {
+        if (row.among) {
+            auto base = object_of(*row.inner);
+            if (is_required(row))
+                for (auto& name : base["required"]) required.push_back(std::move(name));
+            properties.update(base["properties"]);
+        }
         if (row.name.empty()) continue;
         const std::string name(row.name);
-        if (row.if_missing != Missing::left_out) required.push_back(name);
+        if (is_required(row)) required.push_back(name);
         properties[name] = property_of(row);
-        if (row.if_missing == Missing::with_reason)
-            properties[name + "_reason"] = {{"description", "why it is missing"}, {"type", "string"}};
+        if (has_reason(row)) properties[name + "_reason"] = {{"description", "why it is missing"}, {"type", "string"}};
     }
     return {{"type", "object"}, {"required", std::move(required)}, {"properties", std::move(properties)}};
 }
@@ -126,7 +148,8 @@ Json schema_of(const fields::Description& description) {
 }
 
 void add_named_schemas(const fields::Description& description, std::map<std::string, Json>& schemas) {
-    if (!description.name.empty()) schemas[std::string(description.name)] = schema_of(description);
+    if (!description.name.empty() && !description.rows.empty())
+        schemas[std::string(description.name)] = schema_of(description);
     for (const auto& row : description.rows)
         if (row.inner) add_named_schemas(*row.inner, schemas);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_support.hpp"
 #include "json_writer.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/processing/processed.hpp"
 
 #include <cmath>
@@ -86,7 +87,9 @@ Json matrix(const Eigen::MatrixXd& values) {
 }
 
 Json to_json(const loops::RunsTest& test) {
-    return {{"runs", test.runs}, {"above", test.above}, {"below", test.below}, {"p_value", number(test.p_value)}};
+    Json json;
+    add_fields(json, test);
+    return json;
 }
 
 }  // namespace setae::output

@@ -220,11 +220,7 @@ Panel residual_panel(const BranchLook& branch, const char* title, const Units& u
                                 .dash = 0,
                                 .line_width = 0.8});
     };
-    add(branch.branch->radius_force, "a(F)");
-    add(branch.branch->radius_force_effective_variance, "a(F), errors in both");
-    add(branch.branch->linear_form, "linear form");
-    add(branch.branch->force_displacement, "F(δ)");
-    add(branch.branch->joint, "joint");
+    for (const auto& route : loops::fit_routes) add((*branch.branch).*route.fit, route.title);
     panel.horizontal_lines = {0.0};
     return panel;
 }

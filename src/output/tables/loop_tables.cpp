@@ -87,11 +87,7 @@ void add_branch(tables::TidyTable& table, const Part& part, const Outcome<Branch
         end_row(table, beginning(part, ""), {"", "no", branch.reason});
         return;
     }
-    add_fit(table, part, *branch, "radius_force", branch->radius_force);
-    add_fit(table, part, *branch, "radius_force_effective_variance", branch->radius_force_effective_variance);
-    add_fit(table, part, *branch, "linear_form", branch->linear_form);
-    add_fit(table, part, *branch, "force_displacement", branch->force_displacement);
-    add_fit(table, part, *branch, "joint", branch->joint);
+    for (const auto& route : loops::fit_routes) add_fit(table, part, *branch, route.name, (*branch).*route.fit);
 }
 
 std::vector<tables::TidyTable::Cell> energies_beginning(const LoopLabels& labels, std::size_t contact, double cycle) {

@@ -14,12 +14,14 @@ enum class Kind {
     whole,        ///< a whole number
     number,       ///< a number without unit
     value,        ///< a number with unit
-    values,       ///< numbers with unit
-    quantity,     ///< a number with unit and what is known of its error
+    quantity,     ///< a number with symbol, unit and what is known of its error
     text,         ///< words
     choice,       ///< one of a few words, Row::choices
-    texts,        ///< a list of words
+    numbers,      ///< a list of numbers
+    values,       ///< numbers with unit
     wholes,       ///< a list of whole numbers
+    texts,        ///< a list of words
+    matrix,       ///< rows of numbers
     object,       ///< fields of its own, Row::inner
     objects,      ///< a list of those
     quantity_of,  ///< quantities by name
@@ -28,10 +30,11 @@ enum class Kind {
 
 /// What stands where a result lacks the field.
 enum class Missing {
-    never,       ///< every result has it
-    left_out,    ///< no field at all
-    null,        ///< the field without a value
-    with_reason  ///< the same, and why in a field NAME_reason
+    never,        ///< every result has it
+    left_out,     ///< no field at all
+    null,         ///< the field without a value
+    with_reason,  ///< the same, and why in a field NAME_reason
+    as_asked,     ///< no field where it was not asked for; without a value and with the reason where that failed
 };
 
 struct Row;
@@ -59,7 +62,7 @@ public:
     /// The same with name, symbol and unit that the result itself has.
     virtual void quantity(const Row& row, const Quantity& value) = 0;
     virtual void text(const Row& row, std::string_view value) = 0;
-    /// Kind::values, texts, wholes: begin, each as above, end.
+    /// Lists of numbers, words and objects: begin, each as above, end; rows of a matrix are lists within.
     virtual void begin_list(const Row& row) = 0;
     virtual void end_list(const Row& row) = 0;
     /// An object, an element of objects, or what is held by name.
@@ -78,12 +81,15 @@ struct Row {
     std::string_view symbol{};   ///< in formulas, such as "W_app"; empty where it has none
     std::string_view unit{};     ///< SI; empty for what has none
     std::string_view meaning{};  ///< one sentence or less
+    std::string_view source{};   ///< of a quantity: formula and where it comes from
     Kind kind = Kind::text;
     Missing if_missing = Missing::never;
     const Description* inner = nullptr;           ///< of objects
     std::span<const std::string_view> choices{};  ///< of Kind::choice
     const void* member = nullptr;                 ///< one address a member; nullptr for what is computed
-    bool is_part = false;                         ///< an object of further fields of the same result
+    bool is_part = false;                         ///< `inner` has further fields of the same result
+    bool among = false;                           ///< the fields of `inner` stand among the others, without a name
+    bool has_error = false;                       ///< of a quantity: its type holds one
     void (*put)(const void* result, const Row& row, Sink& sink) = nullptr;  ///< nullptr: in no output, or by other code
 
     /// The field stays, without a value, where the result lacks it.
@@ -97,6 +103,12 @@ struct Row {
     [[nodiscard]] consteval Row as(std::string_view quantity) const {
         Row row = *this;
         row.term = quantity;
+        return row;
+    }
+    /// A quantity by this formula.
+    [[nodiscard]] consteval Row from(std::string_view formula) const {
+        Row row = *this;
+        row.source = formula;
         return row;
     }
     /// The words it may be.

@@ -139,8 +139,7 @@ struct Described<hysteresis::BranchPinning> {
                     return Estimate{.value = of.coefficient.value, .standard_error = of.coefficient.standard_error};
                 }),
         inner<&T::coefficient>(),
-        quantity<&T::contact_radius>("contact_radius", "a", "m", "of the edge, by JKR; null without a sphere")
-            .or_null(),
+        value<&T::contact_radius>("contact_radius", "m", "of the edge, by JKR; null without a sphere").or_null(),
     };
     static constexpr Description description{"branch_pinning", "how roughness pins the edge on one branch", rows};
 };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "setae/contact/relaxation.hpp"
 #include "setae/core/quantity.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/loops/contact_point.hpp"
 #include "setae/loops/crack_speed_fit.hpp"
 #include "setae/loops/energy_ledger.hpp"
@@ -92,6 +94,19 @@ struct BranchAnalysis {
     /// Eq. (1) where the contact radius was measured, else force against displacement.
     [[nodiscard]] const JkrFit& primary() const;
 };
+
+/// A route from the samples of a branch to E* and W.
+struct FitRoute {
+    Outcome<JkrFit> BranchAnalysis::*fit;
+    const char* name;   ///< JkrFit::method
+    const char* title;  ///< in figures
+};
+inline constexpr std::array<FitRoute, 5> fit_routes{
+    {{&BranchAnalysis::radius_force, "radius_force", "a(F)"},
+     {&BranchAnalysis::radius_force_effective_variance, "radius_force_effective_variance", "a(F), errors in both"},
+     {&BranchAnalysis::linear_form, "linear_form", "linear form"},
+     {&BranchAnalysis::force_displacement, "force_displacement", "F(δ)"},
+     {&BranchAnalysis::joint, "joint", "joint"}}};
 
 /// The size of the contact at the largest force, and what a smooth ideal sphere would lose.
 struct LoopContext {
@@ -203,3 +218,288 @@ struct BranchSamples {
 [[nodiscard]] RecedingEdge receding_edge(const LoopAnalysis& analysis, const AnalysisOptions& options);
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::FitRange> {
+    using T = loops::FitRange;
+    static constexpr std::array rows{
+        field<&T::name>("name", "as the file or the user says"),
+        field<&T::first>("first", "index of the first sample"),
+        field<&T::last>("last", "index of the last sample"),
+        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
+        quantity<&T::force_first>("force_first", "F", "N", "at the first sample").as("force"),
+        quantity<&T::force_last>("force_last", "F", "N", "at the last sample").as("force"),
+    };
+    static constexpr Description description{"", "samples that were fitted", rows};
+};
+static_assert(complete<loops::FitRange>);
+
+template <>
+struct Described<loops::RangeSensitivity> {
+    using T = loops::RangeSensitivity;
+    static std::optional<Quantity> fitted(const T& of, Estimate loops::JkrFit::*quantity) {
+        if (!of.fit) return {};
+        return resting_on(of.fit->n, (*of.fit).*quantity);
+    }
+    static constexpr std::array rows{
+        field<&T::dropped>("samples_dropped", "how many"),
+        made<T>("contact_modulus", "E*", "Pa", "E*",
+                [](const T& of) { return fitted(of, &loops::JkrFit::contact_modulus); }),
+        made<T>("youngs_modulus", "E", "Pa", "E",
+                [](const T& of) { return fitted(of, &loops::JkrFit::youngs_modulus); }),
+        made<T>("work_of_adhesion", "W", "J/m2", "W",
+                [](const T& of) { return fitted(of, &loops::JkrFit::work_of_adhesion); }),
+        made<T>("reason", "why it is missing, or left out",
+                [](const T& of) { return of.fit ? std::nullopt : std::optional(of.fit.reason); }),
+        inner<&T::fit>(),
+    };
+    static constexpr Description description{"", "the fit with samples dropped at the end of low loads", rows};
+};
+static_assert(complete<loops::RangeSensitivity>);
+
+template <>
+struct Described<loops::BranchAnalysis> {
+    using T = loops::BranchAnalysis;
+    static constexpr std::array route_rows{
+        field<&T::radius_force>("radius_force", "from contact radius and force"),
+        field<&T::radius_force_effective_variance>("radius_force_effective_variance", "the same with errors of both"),
+        field<&T::linear_form>("linear_form", "from the linear form of the same"),
+        field<&T::force_displacement>("force_displacement", "from force and displacement"),
+        field<&T::joint>("joint", "from force, displacement and contact radius together"),
+        field<&T::pointwise>("pointwise", "from each point alone"),
+    };
+    static constexpr Description routes{"", "fits by each route", route_rows};
+    static constexpr std::array rows{
+        made<T>("contact_modulus", "E*", "Pa", "E*",
+                [](const T& of) { return resting_on(of.primary().n, of.primary().contact_modulus); }),
+        made<T>("youngs_modulus", "E", "Pa", "E",
+                [](const T& of) { return resting_on(of.primary().n, of.primary().youngs_modulus); }),
+        made<T>("work_of_adhesion", "W", "J/m2", "W",
+                [](const T& of) { return resting_on(of.primary().n, of.primary().work_of_adhesion); }),
+        made<T>("method", "the route that counts", [](const T& of) { return of.primary().method; }),
+        field<&T::range>("range", "samples that were fitted"),
+        part<T>("fits", "by each route", routes),
+        field<&T::energy_release_rate>("energy_release_rate", "G at each point"),
+        field<&T::sensitivity>("sensitivity_to_range", "with samples dropped at the end of low loads"),
+        inner<&T::effective_variance_first>(),
+    };
+    static constexpr Description description{"branch", "loading or unloading of a loop", rows};
+};
+static_assert(complete<loops::BranchAnalysis>);
+
+template <>
+struct Described<loops::ComplianceEffect> {
+    using T = loops::ComplianceEffect;
+    static constexpr std::array rows{
+        quantity<&T::stiffness>("machine_stiffness", "k", "N/m", "k of the machine"),
+        quantity<&T::modulus_change>("modulus_change", "E*(k + SE) - E*(k)", "Pa", "of E*"),
+        quantity<&T::work_change>("work_change", "W(k + SE) - W(k)", "J/m2", "of W"),
+        quantity<&T::energy_change>("energy_change", "of the approach", "J", "of the energy"),
+    };
+    static constexpr Description description{"compliance", "what the machine's stiffness, one standard error off, does",
+                                             rows};
+};
+static_assert(complete<loops::ComplianceEffect>);
+
+template <>
+struct Described<loops::HoldGrowth> {
+    using T = loops::HoldGrowth;
+    using Changed = std::optional<loops::Change> T::*;
+    /// An end of what may not be measured.
+    static std::optional<Estimate> end(const T& of, Changed changed, Estimate loops::Change::*which) {
+        if (!(of.*changed)) return {};
+        return (*(of.*changed)).*which;
+    }
+    static constexpr auto first = &loops::Change::first, last = &loops::Change::last;
+    static constexpr std::string_view at_first = "at the first sample", at_last = "at the last sample";
+    static constexpr std::array rows{
+        field<&T::samples>("samples", "first and last sample"),
+        quantity<&T::duration>("duration", "t", "s", "of the hold"),
+        made<T>("force_first", "F", "N", at_first, [](const T& of) { return of.force.first; }),
+        made<T>("force_last", "F", "N", at_last, [](const T& of) { return of.force.last; }),
+        made<T>("displacement_first", "delta", "m", at_first,
+                [](const T& of) { return end(of, &T::displacement, first); }),
+        made<T>("displacement_last", "delta", "m", at_last,
+                [](const T& of) { return end(of, &T::displacement, last); }),
+        made<T>("contact_radius_first", "a", "m", at_first,
+                [](const T& of) { return end(of, &T::contact_radius, first); }),
+        made<T>("contact_radius_last", "a", "m", at_last,
+                [](const T& of) { return end(of, &T::contact_radius, last); }),
+        made<T>("work_of_adhesion_first", "W", "J/m2", at_first,
+                [](const T& of) { return end(of, &T::work_of_adhesion, first); }),
+        made<T>("work_of_adhesion_last", "W", "J/m2", at_last,
+                [](const T& of) { return end(of, &T::work_of_adhesion, last); }),
+        inner<&T::force>(),
+        inner<&T::displacement>(),
+        inner<&T::contact_radius>(),
+        inner<&T::work_of_adhesion>(),
+    };
+    static constexpr Description description{"hold", "what changed while the load was held", rows};
+};
+static_assert(complete<loops::HoldGrowth>);
+
+/// The energy of a closed loop beside that of an ideal sphere.
+struct ClosedLoop {
+    loops::LoopEnergy loop;
+    double ideal_smooth_sphere = 0.0;  ///< LoopContext::ideal_smooth_sphere_loss [J]
+};
+
+template <>
+struct Described<ClosedLoop> {
+    using T = ClosedLoop;
+    static constexpr std::array rows{
+        made<T>("energy", "E_loss", "J", "of the closed loop, drift removed",
+                [](const T& of) { return of.loop.estimate(); })
+            .from("closed integral of F d(delta), baseline and linear drift removed"),
+        made<T>("energy_without_drift", "E_loss", "J", "with no drift removed",
+                [](const T& of) { return of.loop.without_drift; }),
+        made<T>("standard_error_budget", "parts of the ±", [](const T& of) { return of.loop.standard_error; }),
+        quantity<&T::ideal_smooth_sphere>("ideal_smooth_sphere_loss", "E_ideal", "J",
+                                          "jumps of the ideal smooth JKR sphere under fixed grips")
+            .from("jumps of the ideal smooth JKR sphere under fixed grips, E* and W of loading"),
+        inner<&T::loop>(),
+    };
+    static constexpr Description description{"loop_energy", "energy of a closed loop", rows};
+};
+static_assert(complete<ClosedLoop>);
+
+template <>
+struct Described<loops::ContactAnalysis> {
+    using T = loops::ContactAnalysis;
+    static loops::Outcome<ClosedLoop> closed_loop(const T& of) {
+        if (!of.loop) return loops::Outcome<ClosedLoop>::missing(of.loop.reason);
+        return ClosedLoop{*of.loop, of.context.ideal_smooth_sphere_loss};
+    }
+    static constexpr Row loop =
+        made<T>("loop", "energy of the closed loop", [](const T& of) { return closed_loop(of); });
+    static constexpr Row ledger = field<&T::ledger>("ledger", "where the energy of the loop goes");
+    static constexpr std::array rows{
+        field<&T::loading>("loading", "branch of loading"),
+        field<&T::hold>("hold", "what changed while the load was held"),
+        field<&T::unloading>("unloading", "branch of unloading; null where there is none"),
+        field<&T::retraction>("retraction", "W_ret at pull-off, of the last points, [D19] (S2)"),
+        field<&T::work_along_retraction>(
+            "work_along_retraction",
+            "W_ret along the retraction, a line in the contact radius; null where only the pull-off is known"),
+        field<&T::pull_off>("pull_off", "the smallest force"),
+        loop,
+        ledger,
+        field<&T::contact_points>("contact_points", "estimates of the displacement at first touch"),
+        field<&T::compliance>("compliance", "what the machine's stiffness, one standard error off, does"),
+        made<T>("largest_contact_radius", "a_max", "m", "a_max",
+                [](const T& of) {
+                    return Quantity{
+                        .estimate = {.value = of.context.largest_contact_radius},
+                        .source = of.context.radius_measured ? "measured" : "JKR at the largest force, loading fit"};
+                }),
+        made<T>("largest_contact_area", "pi a_max^2", "m2", "π a_max²",
+                [](const T& of) { return of.context.largest_contact_area; }),
+        made<T>("tabor_parameter", "mu", "1", "μ, JKR holds for large ones",
+                [](const T& of) { return of.context.tabor_parameter; }),
+        made<T>("applicable_model", "which contact model μ says",
+                [](const T& of) { return of.context.applicable_model; }),
+        inner<&T::pinned>(),
+        inner<&T::loop>(),
+        inner<&T::context>(),
+    };
+    static constexpr Description description{"contact", "everything fitted to one touch", rows};
+    static constexpr std::array energy_rows{loop, ledger};
+    static constexpr Description energies{"", "the energies of one touch", energy_rows};
+};
+static_assert(complete<loops::ContactAnalysis>);
+
+template <>
+struct Described<loops::CycleAnalysis> {
+    using T = loops::CycleAnalysis;
+    static loops::Outcome<Estimate> lost(const T& of) {
+        if (!of.energy) return loops::Outcome<Estimate>::missing(of.energy.reason);
+        return Estimate{.value = *of.energy, .standard_error = of.energy_standard_error, .method = "error budget"};
+    }
+    static constexpr Row contact =
+        made<T>("contact", "number of the touch, from 0", [](const T& of) { return of.cycle.contact; });
+    static constexpr Row energy =
+        made<T>("energy", "E_loss", "J", "of the closed loop", [](const T& of) { return lost(of); });
+    static constexpr std::array rows{
+        field<&T::loading>("loading", "branch of loading"),
+        field<&T::unloading>("unloading", "branch of unloading; null where there is none"),
+        made<T>("loading_samples", "first and last sample", [](const T& of) { return of.cycle.loading; }),
+        made<T>("unloading_samples", "first and last sample", [](const T& of) { return of.cycle.unloading; }),
+        contact,
+        energy,
+        inner<&T::cycle>(),
+        inner<&T::energy>(),
+        inner<&T::energy_standard_error>(),
+    };
+    static constexpr Description description{"", "one press and release within a touch", rows};
+    static constexpr std::array energy_rows{contact, energy};
+    static constexpr Description energies{"", "the energy of one press and release", energy_rows};
+};
+static_assert(complete<loops::CycleAnalysis>);
+
+template <>
+struct Described<loops::BulkRelaxation> {
+    using T = loops::BulkRelaxation;
+    static constexpr std::array rows{quantity<&T::energy_loss>("energy_loss", "E_bulk", "J", "∮ F₁ dδ"),
+                                     quantity<&T::largest_force>("largest_force", "F_1", "N", "largest |F₁|")};
+    static constexpr Description description{"", "what relaxes in the bulk", rows};
+};
+static_assert(complete<loops::BulkRelaxation>);
+
+/// A later touch of a record, without a copy of it.
+struct FurtherContact {
+    const loops::Outcome<loops::ContactAnalysis>* contact;
+};
+
+template <>
+struct Described<FurtherContact> {
+    using T = FurtherContact;
+    static constexpr std::array rows{
+        made<T>("contact", "number of the touch, from 0",
+                [](const T& of) -> const loops::Outcome<loops::ContactAnalysis>& { return *of.contact; }),
+        inner<&T::contact>(),
+    };
+    static constexpr Description description{"", "a later touch of a record", rows};
+};
+static_assert(complete<FurtherContact>);
+
+template <>
+struct Described<loops::LoopAnalysis> {
+    using T = loops::LoopAnalysis;
+    static constexpr std::array force_zero_rows{
+        fields_of<T>([](const T& of) -> const loops::ForceDrift& { return of.force_zero.drift; }),
+        made<T>("steps", "in free flight, where it was cut",
+                [](const T& of) -> const std::vector<loops::ForceStep>& { return of.segments.steps; }),
+        field<&T::steps_in_contact>("steps_in_contact", "within contact"),
+    };
+    static constexpr Description force_zero{"force_zero", "the zero of force and its drift, which were removed",
+                                            force_zero_rows};
+    static constexpr Description loop_models{"loop_models", "fits that a schema of its own describes", {}};
+    static constexpr std::array rows{
+        inherited<loops::ContactAnalysis, T>(),
+        field<&T::bulk>("bulk_relaxation",
+                        "what relaxes in the bulk, where its relaxation is stated: taken off the force "
+                        "first, in the loop's energy again"),
+        made<T>("further_contacts", "later touches in the same record",
+                [](const T& of) {
+                    std::vector<FurtherContact> contacts;
+                    for (const auto& contact : of.further_contacts) contacts.push_back({&contact});
+                    return contacts;
+                }),
+        field<&T::segments>("segments", "how the record was divided"),
+        part<T>("force_zero", "the zero of force and its drift, which were removed", force_zero),
+        field<&T::cycles>("cycles", "further loading and unloading within one touch"),
+        field<&T::alerts>("alerts", "what the reader must know"),
+        written_apart("file", "as it was named").with(Missing::left_out),
+        written_apart("models", "contact models fitted beside JKR", &loop_models).with(Missing::left_out),
+        inner<&T::corrected>(),
+        inner<&T::force_zero>(),
+        inner<&T::further_contacts>(),
+        inner<&T::faults>(),
+    };
+    static constexpr Description description{"loop", "everything fitted to a loop", rows};
+};
+static_assert(complete<loops::LoopAnalysis>);
+
+}  // namespace setae::fields

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "setae/fields/describe.hpp"
 #include "setae/loops/jkr_fits.hpp"
 #include "setae/loops/outcome.hpp"
 #include "setae/loops/segments.hpp"
@@ -98,3 +99,54 @@ struct ContactPointInputs {
                                             double contact_point);
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::ContactPointEstimate> {
+    using T = loops::ContactPointEstimate;
+    /// A quantity of the fit with the contact point held, where there is one.
+    static std::optional<Quantity> fitted(const T& of, Estimate loops::JkrFit::*quantity) {
+        if (!of.fit) return {};
+        return resting_on(of.fit->n, (*of.fit).*quantity);
+    }
+    static constexpr std::array rows{
+        made<T>("method", "how it was found", [](const T& of) { return loops::contact_point_name(of.method); }),
+        made<T>("contact_point", "delta0", "m", "δ0", [](const T& of) { return of.contact_point.value; }),
+        made<T>("reason", "why it is missing, or left out",
+                [](const T& of) { return of.contact_point ? std::nullopt : std::optional(of.contact_point.reason); }),
+        made<T>("contact_modulus", "E*", "Pa", "E*",
+                [](const T& of) { return fitted(of, &loops::JkrFit::contact_modulus); }),
+        made<T>("youngs_modulus", "E", "Pa", "E",
+                [](const T& of) { return fitted(of, &loops::JkrFit::youngs_modulus); }),
+        made<T>("work_of_adhesion", "W", "J/m2", "W",
+                [](const T& of) { return fitted(of, &loops::JkrFit::work_of_adhesion); }),
+        inner<&T::method>(),
+        inner<&T::contact_point>(),
+        inner<&T::fit>(),
+    };
+    static constexpr Description description{"", "one estimate of the contact point", rows};
+};
+static_assert(complete<loops::ContactPointEstimate>);
+
+template <>
+struct Described<loops::ContactPoints> {
+    using T = loops::ContactPoints;
+    static constexpr std::array rows{
+        made<T>("chosen", "which of them counts, or `given`",
+                [](const T& of) { return of.chosen ? loops::contact_point_name(*of.chosen) : std::string("given"); }),
+        quantity<&T::contact_point>("contact_point", "delta0", "m", "δ0"),
+        field<&T::estimates>("estimates", "one entry a method"),
+        quantity<&T::spread>("spread", "spread", "m", "of the estimates"),
+        quantity<&T::spread_share>("spread_share", "spread", "1", "of the spread in the largest indentation"),
+        field<&T::chi2>("chi_squared", "χ²"),
+        field<&T::degrees_of_freedom>("degrees_of_freedom", "of the estimates"),
+        quantity<&T::work_by_contact_point>("work_by_contact_point", "dW/d(delta0)", "J/m3", "dW/dδ0"),
+        quantity<&T::modulus_by_contact_point>("modulus_by_contact_point", "dE*/d(delta0)", "Pa/m", "dE*/dδ0"),
+        inner<&T::chosen>(),
+    };
+    static constexpr Description description{"contact_points", "displacements at first touch", rows};
+};
+static_assert(complete<loops::ContactPoints>);
+
+}  // namespace setae::fields

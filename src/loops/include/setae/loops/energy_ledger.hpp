@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "setae/contact/elasticity.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/loops/loop_energy.hpp"
 
 namespace setae::loops {
@@ -81,3 +82,55 @@ struct CourseInputs {
 [[nodiscard]] EnergyCourse energy_course(const Loop& loop, const ContactSegments& contact, const CourseInputs& inputs);
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::WorkEntry> {
+    using T = loops::WorkEntry;
+    static constexpr std::array rows{
+        made<T>("first", "index of the first sample", [](const T& of) { return of.range.first; }),
+        made<T>("last", "index of the last sample", [](const T& of) { return of.range.last; }),
+        made<T>("work", "int F d(delta)", "J", "∫F dδ",
+                [](const T& of) {
+                    return Estimate{
+                        .value = of.energy, .standard_error = of.standard_error.total, .method = "error budget"};
+                }),
+        field<&T::standard_error>("standard_error_budget", "parts of the ±"),
+        inner<&T::range>(),
+        inner<&T::energy>(),
+    };
+    static constexpr Description description{"work", "work between two samples", rows};
+};
+static_assert(complete<loops::WorkEntry>);
+
+template <>
+struct Described<loops::EnergyLedger> {
+    using T = loops::EnergyLedger;
+    static constexpr std::array rows{
+        field<&T::before_contact>("before_contact", "work before contact"),
+        field<&T::jump_in>("jump_in", "work in the jump into contact").or_null(),
+        field<&T::approach>("approach", "work of the approach"),
+        field<&T::retraction>("retraction", "work of the retraction"),
+        field<&T::jump_out>("jump_out", "work in the jump out of contact").or_null(),
+        field<&T::after_contact>("after_contact", "work after contact"),
+        quantity<&T::recovered_share>("recovered_share", "recovered", "1", "share of the work that came back"),
+        quantity<&T::ideal_fixed_grips>("ideal_loss_fixed_grips", "E_ideal", "J",
+                                        "jumps of the ideal smooth sphere, fixed grips"),
+        quantity<&T::ideal_this_machine>("ideal_loss_this_machine", "E_ideal", "J",
+                                         "the same at the machine's stiffness"),
+        quantity<&T::machine_stiffness>("machine_stiffness", "k", "N/m", "k of the machine"),
+        quantity<&T::true_area_ratio>("true_area_ratio", "r", "1", "A_true/A_app"),
+        made<T>("largest_true_area", "r pi a_max^2", "m2", "r π a_max²",
+                [](const T& of) { return of.largest_true_area(); }),
+        quantity<&T::loss_per_apparent_area>("loss_per_apparent_area", "E_loss/A", "J/m2", "E_loss/A"),
+        quantity<&T::loss_per_true_area>("loss_per_true_area", "E_loss/A_true", "J/m2", "E_loss/A_true"),
+        inner<&T::contact>(),
+        inner<&T::loop>(),
+        inner<&T::largest_contact_area>(),
+    };
+    static constexpr Description description{"energy_ledger", "where the energy of a loop goes", rows};
+};
+static_assert(complete<loops::EnergyLedger>);
+
+}  // namespace setae::fields

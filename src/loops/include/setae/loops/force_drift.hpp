@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setae/core/estimate.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/loops/loop.hpp"
 
 namespace setae::loops {
@@ -58,3 +59,32 @@ struct ForceZero {
 };
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::ForceStep> {
+    using T = loops::ForceStep;
+    static constexpr std::array rows{field<&T::sample>("sample", "last sample before it"),
+                                     quantity<&T::size>("size", "dF", "N", "change of the force")};
+    static constexpr Description description{"", "a sudden change of the force", rows};
+};
+static_assert(complete<loops::ForceStep>);
+
+template <>
+struct Described<loops::ForceDrift> {
+    using T = loops::ForceDrift;
+    static constexpr std::array rows{
+        field<&T::degree>("degree", "of the polynomial in time that was removed; 0 is a constant"),
+        field<&T::stretches>("stretches", "of free flight that the zero is known from: 0, 1 or 2"),
+        field<&T::irregular>("irregular", "whether no curve fits the free flight; a line was then removed"),
+        quantity<&T::change>("change", "dF0", "N", "of the zero from the first sample to the last"),
+        quantity<&T::largest_in_contact>("largest_in_contact", "dF0", "N",
+                                         "largest change of the zero since the first sample within contact"),
+        quantity<&T::bend>("bend", "dF0", "N", "largest distance of the zero from a line within contact"),
+    };
+    static constexpr Description description{"", "the drift of the zero of force", rows};
+};
+static_assert(complete<loops::ForceDrift>);
+
+}  // namespace setae::fields

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "setae/fields/describe.hpp"
 #include "setae/loops/model_fits.hpp"
 
 namespace setae::loops {
@@ -71,3 +72,61 @@ struct GlobalFit {
 [[nodiscard]] GlobalFit fit_globally(const std::vector<GlobalBranch>& branches, const GlobalOptions& options = {});
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::GlobalBranchFit> {
+    using T = loops::GlobalBranchFit;
+    static constexpr std::array rows{
+        field<&T::name>("name", "as the file or the user says"),
+        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
+        field<&T::chi2>("chi_squared", "χ²"),
+        quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
+        quantity<&T::youngs_modulus>("youngs_modulus", "E", "Pa", "E"),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W", "J/m2", "W"),
+        field<&T::separate>("separate", "the same loop on its own"),
+        inner<&T::transition_parameter>(),
+        inner<&T::contact_point>(),
+    };
+    static constexpr Description description{"", "a loop of a fit that shares parameters", rows};
+};
+static_assert(complete<loops::GlobalBranchFit>);
+
+template <>
+struct Described<loops::SharingTest> {
+    using T = loops::SharingTest;
+    static constexpr std::array rows{
+        field<&T::f_ratio>("f_ratio", "of the fits with and without sharing"),
+        field<&T::extra_parameters>("extra_parameters", "of separate fits"),
+        field<&T::degrees_of_freedom>("degrees_of_freedom", "of Student's t, or of χ²"),
+        field<&T::p_value>("p_value", "of so large a ratio by chance"),
+    };
+    static constexpr Description description{"", "whether one value does for all", rows};
+};
+static_assert(complete<loops::SharingTest>);
+
+template <>
+struct Described<loops::GlobalFit> {
+    using T = loops::GlobalFit;
+    static constexpr std::array rows{
+        made<T>("model", "name of the contact model", [](const T& of) { return to_string(of.options.fit.model); }),
+        field<&T::converged>("converged", "whether it was found"),
+        quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W", "J/m2", "W"),
+        field<&T::branches>("loops", "one entry a loop"),
+        field<&T::parameters>("parameters", "names of the fitted parameters, in the order of the covariance"),
+        field<&T::covariance>("covariance", "of the parameters"),
+        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
+        field<&T::chi2_reduced>("chi_squared_reduced", "χ² over degrees of freedom"),
+        field<&T::sharing>("sharing_test", "whether one value does for all"),
+        inner<&T::options>(),
+        inner<&T::iterations>(),
+        inner<&T::chi2>(),
+        inner<&T::correlated_samples>(),
+    };
+    static constexpr Description description{"shared_fit", "a fit whose parameters loops share", rows};
+};
+static_assert(complete<loops::GlobalFit>);
+
+}  // namespace setae::fields

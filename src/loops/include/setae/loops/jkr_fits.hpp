@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include "setae/core/units.hpp"
+#include "setae/fields/describe.hpp"
+#include "setae/fields/thinned.hpp"
 #include "setae/loops/loop.hpp"
 #include "setae/loops/runs_test.hpp"
 
@@ -170,3 +173,95 @@ struct EnergyReleaseRate {
 [[nodiscard]] Estimate youngs_modulus(const Estimate& contact_modulus, const LensAndCounterBody& bodies);
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::JkrFit> {
+    using T = loops::JkrFit;
+    static constexpr std::array rows{
+        field<&T::method>("method", "the route"),
+        field<&T::converged>("converged", "whether it was found"),
+        made<T>("contact_modulus", "E*", "Pa", "E*", [](const T& of) { return resting_on(of.n, of.contact_modulus); }),
+        made<T>("youngs_modulus", "E", "Pa", "E", [](const T& of) { return resting_on(of.n, of.youngs_modulus); }),
+        made<T>("work_of_adhesion", "W", "J/m2", "W",
+                [](const T& of) { return resting_on(of.n, of.work_of_adhesion); }),
+        made<T>("contact_point", "delta0", "m", "δ0",
+                [](const T& of) {
+                    return std::isnan(of.contact_point.value) ? std::nullopt : std::optional(of.contact_point);
+                }),
+        field<&T::correlation>("correlation", "of the two parameters"),
+        field<&T::correlated_samples>("correlated_samples",
+                                      "samples that count as one, since residuals follow their neighbours"),
+        field<&T::covariance>("covariance", "of the parameters"),
+        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
+        field<&T::within_noise>("within_noise",
+                                "whether noise makes the residuals: not where χ²_red > 4 and neighbours follow each "
+                                "other; null where the noise is not known")
+            .or_null(),
+        quantity<&T::unbounded_work>("unbounded_work_of_adhesion", "W", "J/m2",
+                                     "W below 0 at which the sum of squares is least, where it is; W is then 0"),
+        field<&T::chi2_reduced>("chi_squared_reduced", "χ² over degrees of freedom"),
+        made<T>("rms_residual", "rms", "", "root mean square residual",
+                [](const T& of) { return Quantity{.estimate = {.value = of.rms_residual}, .unit = of.residual_unit}; }),
+        field<&T::relative_residual>("relative_residual", "rms residual over the rms of what was fitted"),
+        made<T>("residuals", "measured minus fitted", [](const T& of) { return thinned(of.residuals); }),
+        made<T>("depth_residuals", "of the displacement", [](const T& of) { return thinned(of.depth_residuals); })
+            .with(Missing::left_out),
+        made<T>("residuals_every",
+                "of more than 20 000 samples the residuals are those of every so many; absent where they are of all",
+                [](const T& of) { return step_of(of.residuals.size()); }),
+        field<&T::runs>("runs", "test of the signs of residuals"),
+        inner<&T::iterations>(),
+        inner<&T::contact_modulus>(),
+        inner<&T::youngs_modulus>(),
+        inner<&T::work_of_adhesion>(),
+        inner<&T::contact_point>(),
+        inner<&T::residuals>(),
+        inner<&T::residual_unit>(),
+        inner<&T::depth_residuals>(),
+        inner<&T::rms_residual>(),
+    };
+    static constexpr Description description{"jkr_fit", "a fit of JKR to a branch", rows};
+};
+static_assert(complete<loops::JkrFit>);
+
+template <>
+struct Described<loops::PointwiseModulus> {
+    using T = loops::PointwiseModulus;
+    static constexpr std::array rows{
+        quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
+        quantity<&T::youngs_modulus>("youngs_modulus", "E", "Pa", "E"),
+        quantity<&T::contact_point>("contact_point", "delta0", "m", "δ0"),
+        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
+        field<&T::relative_residual>("relative_residual", "rms residual over the rms of what was fitted"),
+        inner<&T::pointwise>(),
+        inner<&T::rms_residual>(),
+    };
+    static constexpr Description description{"", "E* from each point alone", rows};
+};
+static_assert(complete<loops::PointwiseModulus>);
+
+template <>
+struct Described<loops::EnergyReleaseRate> {
+    using T = loops::EnergyReleaseRate;
+    static constexpr std::array rows{
+        made<T>("contact_radius", "a", [](const T& of) { return thinned(of.contact_radius); }),
+        made<T>("contact_radius_unit", "of the radii", [](const T&) { return "m"; }),
+        made<T>("energy_release_rate", "G at each point", [](const T& of) { return thinned(of.energy_release_rate); }),
+        made<T>("standard_error", "one standard deviation", [](const T& of) { return thinned(of.standard_error); }),
+        made<T>("systematic", "what an error of E* does to it", [](const T& of) { return thinned(of.systematic); }),
+        made<T>("energy_release_rate_unit", "of G", [](const T&) { return "J/m2"; }),
+        field<&T::radius_measured>("contact_radius_measured", "whether the radius was measured, or follows from JKR"),
+        made<T>("every", "of more than 20 000 points the columns hold every so many; absent where they hold all",
+                [](const T& of) { return step_of(of.contact_radius.size()); }),
+        inner<&T::contact_radius>(),
+        inner<&T::energy_release_rate>(),
+        inner<&T::standard_error>(),
+        inner<&T::systematic>(),
+    };
+    static constexpr Description description{"", "G at each point", rows};
+};
+static_assert(complete<loops::EnergyReleaseRate>);
+
+}  // namespace setae::fields

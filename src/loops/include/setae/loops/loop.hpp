@@ -6,6 +6,7 @@
 #include "setae/contact/elasticity.hpp"
 #include "setae/core/arrays.hpp"
 #include "setae/core/table.hpp"
+#include "setae/fields/describe.hpp"
 
 namespace setae::loops {
 
@@ -53,3 +54,16 @@ struct LensAndCounterBody {
 };
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::IndexRange> {
+    using T = loops::IndexRange;
+    static constexpr std::array rows{field<&T::first>("first", "index of the first sample"),
+                                     field<&T::last>("last", "index of the last sample")};
+    static constexpr Description description{"samples", "a range of samples", rows};
+};
+static_assert(complete<loops::IndexRange>);
+
+}  // namespace setae::fields

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "setae/core/estimate.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/loops/segments.hpp"
 
 namespace setae::loops {
@@ -52,3 +53,23 @@ struct LoopEnergy {
                                                           DriftModel drift = DriftModel::automatic);
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::LoopErrorBudget> {
+    using T = loops::LoopErrorBudget;
+    static constexpr std::array rows{
+        field<&T::noise>("noise", "of the signals"),
+        field<&T::drift>("drift", "of the force"),
+        field<&T::compliance>("compliance", "of the machine"),
+        field<&T::sampling>("sampling", "of the points"),
+        field<&T::discretisation>("discretisation", "of the integral"),
+        made<T>("unit", "of the numbers beside it", [](const T&) { return "J"; }),
+        inner<&T::total>(),
+    };
+    static constexpr Description description{"energy_error_budget", "parts of the ± of an energy", rows};
+};
+static_assert(complete<loops::LoopErrorBudget>);
+
+}  // namespace setae::fields

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "setae/contact/tabor.hpp"
+#include "setae/fields/describe.hpp"
 #include "setae/loops/jkr_fits.hpp"
 #include "setae/loops/outcome.hpp"
 
@@ -37,6 +39,9 @@ enum class Channels {
     force_displacement,         ///< (F, δ)
     force_displacement_radius,  ///< (F, δ, a)
 };
+
+/// "force", "displacement", "contact_radius": those of them that are fitted.
+[[nodiscard]] std::vector<std::string> names_of(Channels channels);
 
 /// Those that a branch has. @throws UndefinedDataError for neither displacement nor contact radius.
 [[nodiscard]] Channels channels_of(const BranchData& data);
@@ -154,3 +159,162 @@ struct ModelComparison {
                                              const ModelFitOptions& options = {});
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+/// Residuals of one channel, in its unit.
+struct ResidualsInUnit {
+    const loops::ChannelResiduals* of;
+    const char* unit;
+};
+
+template <>
+struct Described<ResidualsInUnit> {
+    using T = ResidualsInUnit;
+    static constexpr std::array rows{
+        made<T>("rms", "root mean square", [](const T& of) { return of.of->rms; }),
+        field<&T::unit>("unit", "of the numbers beside it"),
+        made<T>("values", "a point", [](const T& of) -> const Array1D& { return of.of->values; }),
+        inner<&T::of>(),
+    };
+    static constexpr Description description{"channel_residuals", "measured minus fitted", rows};
+};
+static_assert(complete<ResidualsInUnit>);
+
+/// Which model of contact applies.
+struct ApplicableModel {
+    const contact::tabor::Verdict* verdict;
+};
+
+template <>
+struct Described<ApplicableModel> {
+    using T = ApplicableModel;
+    static constexpr std::array rows{
+        made<T>("sentence", "the same in words", [](const T& of) { return of.verdict->sentence; }),
+        made<T>("tabor_parameter", "μ, JKR holds for large ones",
+                [](const T& of) { return of.verdict->tabor_parameter; }),
+        made<T>("transition_parameter", "λ of Maugis", [](const T& of) { return of.verdict->transition_parameter; }),
+        inner<&T::verdict>(),
+    };
+    static constexpr Description description{"", "whether the model is that of the Tabor parameter", rows};
+};
+static_assert(complete<ApplicableModel>);
+
+template <>
+struct Described<loops::ModelFit> {
+    using T = loops::ModelFit;
+    using Number = loops::Outcome<Estimate> T::*;
+    /// A number that some models have: as it was found where the fit's model is one of these.
+    static std::optional<loops::Outcome<Estimate>> number_of(const T& of, Number number, bool with_maugis_dugdale) {
+        const bool has_it = of.model == loops::ContactModel::transition ||
+                            (with_maugis_dugdale && of.model == loops::ContactModel::maugis_dugdale);
+        if (!has_it) return {};
+        return of.*number;
+    }
+    static std::optional<ResidualsInUnit> residuals(const loops::ChannelResiduals& of, const char* unit) {
+        if (of.values.size() == 0) return {};
+        return ResidualsInUnit{&of, unit};
+    }
+    static constexpr std::string_view signed_distance = "measured minus fitted";
+    static constexpr std::array rows{
+        made<T>("model", "name of the contact model", [](const T& of) { return to_string(of.model); }),
+        made<T>("channels", "what was fitted: force, displacement, contact radius",
+                [](const T& of) { return loops::names_of(of.channels); }),
+        made<T>("errors", "whose errors were minimised", [](const T& of) { return to_string(of.errors); }),
+        field<&T::converged>("converged", "whether it was found"),
+        quantity<&T::contact_modulus>("contact_modulus", "E*", "Pa", "E*"),
+        quantity<&T::youngs_modulus>("youngs_modulus", "E", "Pa", "E"),
+        quantity<&T::work_of_adhesion>("work_of_adhesion", "W", "J/m2", "W"),
+        made<T>("cohesive_stress", "sigma0", "Pa", "σ0 of Maugis",
+                [](const T& of) { return number_of(of, &T::cohesive_stress, true); }),
+        made<T>("transition_parameter", "lambda", "1", "λ of Maugis",
+                [](const T& of) { return number_of(of, &T::transition_parameter, true); }),
+        made<T>("transition_share", "alpha", "1", "α between DMT and JKR",
+                [](const T& of) { return number_of(of, &T::transition_share, false); }),
+        made<T>("zero_load_radius", "a0", "m", "a0",
+                [](const T& of) { return number_of(of, &T::zero_load_radius, false); }),
+        made<T>("pull_off_force", "F_c", "N", "of the model",
+                [](const T& of) { return number_of(of, &T::pull_off_force, false); }),
+        made<T>("contact_point", "delta0", "m", "δ0",
+                [](const T& of) {
+                    return std::isnan(of.contact_point.value) ? std::nullopt : std::optional(of.contact_point);
+                }),
+        field<&T::parameters>("parameters", "names of the fitted parameters, in the order of the covariance"),
+        field<&T::covariance>("covariance", "of the parameters"),
+        field<&T::correlations>("correlations", "of the parameters"),
+        field<&T::undetermined>("undetermined", "parameters that the data do not determine").with(Missing::left_out),
+        field<&T::n>("n", "how many points, measurements or pairs it rests on"),
+        field<&T::degrees_of_freedom>("degrees_of_freedom", "of Student's t, or of χ²"),
+        field<&T::chi2_reduced>("chi_squared_reduced", "χ² over degrees of freedom"),
+        made<T>("noise_known", "whether the errors of all channels were stated",
+                [](const T& of) { return of.noise.all_known; }),
+        field<&T::akaike>("akaike", "Akaike's criterion"),
+        field<&T::correlated_samples>("correlated_samples",
+                                      "samples that count as one, since residuals follow their neighbours"),
+        field<&T::runs>("runs", "test of the signs of residuals"),
+        made<T>("force_residuals", signed_distance, [](const T& of) { return residuals(of.force_residuals, "N"); }),
+        made<T>("displacement_residuals", signed_distance,
+                [](const T& of) { return residuals(of.displacement_residuals, "m"); }),
+        made<T>("contact_radius_residuals", signed_distance,
+                [](const T& of) { return residuals(of.contact_radius_residuals, "m"); }),
+        made<T>("applies", "whether the model is that of the Tabor parameter",
+                [](const T& of) { return of.verdict ? std::optional(ApplicableModel{&*of.verdict}) : std::nullopt; }),
+        inner<&T::model>(),
+        inner<&T::channels>(),
+        inner<&T::errors>(),
+        inner<&T::iterations>(),
+        inner<&T::cohesive_stress>(),
+        inner<&T::transition_parameter>(),
+        inner<&T::transition_share>(),
+        inner<&T::zero_load_radius>(),
+        inner<&T::pull_off_force>(),
+        inner<&T::contact_point>(),
+        inner<&T::chi2>(),
+        inner<&T::noise>(),
+        inner<&T::fitted_radius>(),
+        inner<&T::force_residuals>(),
+        inner<&T::displacement_residuals>(),
+        inner<&T::contact_radius_residuals>(),
+        inner<&T::verdict>(),
+    };
+    static constexpr Description description{"model_fit", "a contact model fitted to a branch", rows};
+};
+static_assert(complete<loops::ModelFit>);
+
+template <>
+struct Described<loops::ComparedModel> {
+    using T = loops::ComparedModel;
+    static constexpr std::array rows{
+        fields_of<T>([](const T& of) -> const loops::Outcome<loops::ModelFit>& { return of.fit; }),
+        made<T>("model", "name of the contact model",
+                [](const T& of) { return of.fit ? std::nullopt : std::optional(to_string(of.model)); }),
+        made<T>("reason", "why it is missing, or left out",
+                [](const T& of) { return of.fit ? std::nullopt : std::optional(of.fit.reason); }),
+        field<&T::akaike_difference>("akaike_difference", "from the best model"),
+        field<&T::akaike_weight>("akaike_weight", "share of the evidence"),
+        inner<&T::model>(),
+        inner<&T::fit>(),
+    };
+    static constexpr Description description{"compared_model", "a contact model beside others", rows};
+};
+static_assert(complete<loops::ComparedModel>);
+
+template <>
+struct Described<loops::ModelComparison> {
+    using T = loops::ModelComparison;
+    static constexpr std::array rows{
+        made<T>("channels", "what was fitted: force, displacement, contact radius",
+                [](const T& of) { return loops::names_of(of.channels); }),
+        field<&T::models>("models", "one entry a model"),
+        made<T>("best", "name of the best",
+                [](const T& of) { return of.best ? std::optional(to_string(*of.best)) : std::nullopt; })
+            .or_null(),
+        field<&T::sentence>("sentence", "the same in words"),
+        inner<&T::channels>(),
+        inner<&T::best>(),
+    };
+    static constexpr Description description{"model_comparison", "models compared by Akaike's criterion", rows};
+};
+static_assert(complete<loops::ModelComparison>);
+
+}  // namespace setae::fields

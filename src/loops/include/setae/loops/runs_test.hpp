@@ -3,6 +3,7 @@
 
 #include "setae/core/arrays.hpp"
 #include "setae/core/constants.hpp"
+#include "setae/fields/describe.hpp"
 
 namespace setae::loops {
 
@@ -23,3 +24,20 @@ struct RunsTest {
 [[nodiscard]] RunsTest runs_test(const ArrayView1D& residuals);
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::RunsTest> {
+    using T = loops::RunsTest;
+    static constexpr std::array rows{
+        field<&T::runs>("runs", "runs of residuals of one sign"),
+        field<&T::above>("above", "residuals above 0"),
+        field<&T::below>("below", "residuals below 0"),
+        field<&T::p_value>("p_value", "of so few or many runs by chance"),
+    };
+    static constexpr Description description{"runs_test", "test of the signs of residuals (Wald and Wolfowitz)", rows};
+};
+static_assert(complete<loops::RunsTest>);
+
+}  // namespace setae::fields

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "setae/fields/describe.hpp"
 #include "setae/loops/force_drift.hpp"
 #include "setae/loops/loop.hpp"
 #include "setae/loops/segment_edits.hpp"
@@ -78,3 +79,42 @@ struct SegmentOptions {
 [[nodiscard]] Segments find_segments(const Loop& loop, const SegmentOptions& options = {});
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::ContactSegments> {
+    using T = loops::ContactSegments;
+    static constexpr std::array rows{
+        field<&T::extent>("extent", "samples in contact"),
+        field<&T::jump_in>("jump_in", "samples of the jump into contact").or_null(),
+        field<&T::loading>("loading", "branch of loading"),
+        field<&T::hold>("hold", "what changed while the load was held").or_null(),
+        field<&T::unloading>("unloading", "branch of unloading; null where there is none").or_null(),
+        field<&T::pull_off>("pull_off", "the smallest force").or_null(),
+        inner<&T::cycles>(),
+    };
+    static constexpr Description description{"", "how one touch was divided", rows};
+};
+static_assert(complete<loops::ContactSegments>);
+
+template <>
+struct Described<loops::Segments> {
+    using T = loops::Segments;
+    static constexpr std::array rows{
+        made<T>("baseline_before", "samples before contact", [](const T& of) { return of.before.range; }).or_null(),
+        made<T>("baseline_after", "samples after contact",
+                [](const T& of) { return of.after ? of.after->range : std::nullopt; })
+            .or_null(),
+        field<&T::contacts>("contacts", "one entry a touch"),
+        field<&T::ignored>("ignored", "samples that were left out"),
+        inner<&T::before>(),
+        inner<&T::after>(),
+        inner<&T::cycles>(),
+        inner<&T::steps>(),
+    };
+    static constexpr Description description{"segments", "how a record was divided", rows};
+};
+static_assert(complete<loops::Segments>);
+
+}  // namespace setae::fields

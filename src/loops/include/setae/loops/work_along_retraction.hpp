@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "setae/fields/describe.hpp"
 #include "setae/loops/jkr_fits.hpp"
 
 namespace setae::loops {
@@ -50,3 +51,33 @@ struct RetractionCourse {
                                                             const RetractionCourse& course);
 
 }  // namespace setae::loops
+
+namespace setae::fields {
+
+template <>
+struct Described<loops::WorkAlongRetraction> {
+    using T = loops::WorkAlongRetraction;
+    static constexpr std::array rows{
+        quantity<&T::at_pull_off>("work_at_pull_off", "W_ret(a_po)", "J/m2", "W_ret at the smallest contact radius"),
+        quantity<&T::at_largest_contact>("work_at_largest_contact", "W_ret(a_max)", "J/m2",
+                                         "W_ret at the largest contact radius"),
+        made<T>("slope", "dW_ret/da", "J/m3", "dW_ret/da; above 0, W_ret falls as the contact shrinks",
+                [](const T& of) { return resting_on(of.n, of.slope); })
+            .from("line through G(a) = (4E*a^3/3R - F)^2/(8 pi E* a^3) of the receding edge"),
+        quantity<&T::smallest_radius>("smallest_contact_radius", "a_po", "m", "a_po"),
+        quantity<&T::largest_radius>("largest_contact_radius", "a_max", "m", "a_max"),
+        quantity<&T::rms_residual>("rms_residual", "rms", "J/m2", "G measured less the line"),
+        field<&T::chi2_reduced>("chi_squared_reduced", "χ² per degree of freedom; null where the noise is unknown"),
+        quantity<&T::energy_loss>("energy_loss", "E_loss", "J",
+                                  "∮F dδ of a loop with W_app on approach and this W_ret on retraction"),
+        quantity<&T::energy_loss_constant>("energy_loss_constant_work", "E_loss", "J",
+                                           "the same with W_ret at pull-off during the whole retraction"),
+        inner<&T::slope>(),
+        inner<&T::n>(),
+    };
+    static constexpr Description description{"work_along_retraction",
+                                             "W_ret(a), a line from the largest contact to pull-off", rows};
+};
+static_assert(complete<loops::WorkAlongRetraction>);
+
+}  // namespace setae::fields

@@ -202,8 +202,8 @@ struct Described<study::JointLossFit> {
         field<&T::energies>("energies", "E_loss of loops in it"),
         field<&T::works>("works", "W_ret of pairs in it"),
         field<&T::chi2>("chi2", "of both"),
-        quantity<&T::unexplained_per_area>("unexplained_per_area", "", "J/m2",
-                                           "what energies scatter by beyond what their inputs leave open"),
+        value<&T::unexplained_per_area>("unexplained_per_area", "J/m2",
+                                        "what energies scatter by beyond what their inputs leave open"),
         field<&T::inputs>("inputs", "what loops rest on, before and after"),
     };
     static constexpr Description description{"", "one fit of all loops", rows};
@@ -215,8 +215,8 @@ struct Described<study::LoopResiduals> {
     using T = study::LoopResiduals;
     static constexpr std::array rows{
         field<&T::loops>("loops", "records behind it"),
-        quantity<&T::approach>("approach", "", "N", "while it is pressed"),
-        quantity<&T::retraction>("retraction", "", "N", "while it is pulled off"),
+        value<&T::approach>("approach", "N", "while it is pressed"),
+        value<&T::retraction>("retraction", "N", "while it is pulled off"),
         inner<&T::largest_force>(),
     };
     static constexpr Description description{
@@ -348,10 +348,10 @@ struct Described<study::DecidingPair> {
                 [](const T& of) {
                     return std::vector{of.first, of.second};
                 }),
-        made<T>("work_of_adhesion_retraction", "W_ret", "J/m2", "by each of them",
-                [](const T& of) {
-                    return std::vector{of.first_work, of.second_work};
-                }),
+        made_value<T>("work_of_adhesion_retraction", "J/m2", "by each of them",
+                      [](const T& of) {
+                          return std::vector{of.first_work, of.second_work};
+                      }),
         field<&T::largest_input>("largest_input", "what most of the ± of their difference rests on"),
         field<&T::standard_errors>("standard_errors_apart", "of what is predicted"),
         inner<&T::first>(),
