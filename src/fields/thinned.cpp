@@ -4,8 +4,8 @@
 namespace setae::fields {
 
 std::optional<Index> step_of(Index samples) {
-    if (samples <= most_samples) return {};
-    return (samples + most_samples - 1) / most_samples;
+    if (samples <= max_samples) return {};
+    return (samples + max_samples - 1) / max_samples;
 }
 
 Array1D thinned(const Array1D& values) {

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import time
 
-from laws import digest, digests, done, found, lawful, no_leftovers, refused, require, run
+from laws import DATE, digest, digests, done, found, lawful, no_leftovers, refused, require, run, started
 
 
 def overwriting(samples, work, draw):
@@ -163,13 +163,12 @@ def killed(samples, work, draw):
 def stopped(samples, work, draw):
     """SIGTERM at any moment, the conclusions included: the first one ends the run, and the next run goes on to the same bytes."""
     loops = [p for p in samples.loops if p.parent.name == "loops"][:4]
-    words, date = ("study", samples.loop_study(work, loops), "--output", work / "out"), {"SOURCE_DATE_EPOCH": "1700000000"}
-    alone = done(run(samples.program, *words, "--no-cache", cwd=work, env=date, seconds=120))
+    words = ("study", samples.loop_study(work, loops), "--output", work / "out", "--no-cache")
+    alone = done(run(samples.program, *words, cwd=work, env=DATE, seconds=120))
     whole = digests(work / "out")
     for part in (0.2, 0.5, 0.8, 0.95):
         shutil.rmtree(work / "out", ignore_errors=True)
-        child = subprocess.Popen([str(samples.program), *map(str, words), "--no-cache"], cwd=work, stdout=subprocess.DEVNULL,
-                                 stderr=subprocess.PIPE, env={"PATH": os.environ["PATH"], **date})
+        child = started(samples, work, *words)
         time.sleep(alone.seconds * part * draw.uniform(0.9, 1.05))
         child.send_signal(signal.SIGTERM)
         try:
@@ -181,16 +180,14 @@ def stopped(samples, work, draw):
         if child.returncode not in (0, -signal.SIGTERM):
             found.add(f"SIGTERM after {part:.2f} of a run: exit code {child.returncode}, {errors[-300:]!r}")
         no_leftovers(work / "out", alone)
-        outcome = done(run(samples.program, *words, "--no-cache", cwd=work, env=date, seconds=120))
+        outcome = done(run(samples.program, *words, cwd=work, env=DATE, seconds=120))
         require(digests(work / "out") == whole, outcome, "after a stop the next run gives other results")
 
 
 def at_once(samples, work, draw):
     """Four runs of one study on one cache and one folder."""
     study = samples.surface_study(work, names=["A", "B"])
-    variables = {"PATH": os.environ["PATH"], "SETAE_CACHE": str(work / ".cache"), "SOURCE_DATE_EPOCH": "1700000000"}
-    children = [subprocess.Popen([str(samples.program), "study", str(study), "--no-figures"], cwd=work, env=variables,
-                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE) for _ in range(4)]
+    children = [started(samples, work, "study", study, "--no-figures") for _ in range(4)]
     outputs = [child.communicate() for child in children]
     if any(child.returncode != 0 for child in children) or len({out for out, _ in outputs}) != 1:
         found.add(f"four runs at once: {[c.returncode for c in children]}, {[errors[-300:] for _, errors in outputs]!r}")

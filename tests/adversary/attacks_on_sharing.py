@@ -8,16 +8,7 @@ import threading
 import time
 from pathlib import Path
 
-from laws import digests, done, found, lawful, no_leftovers, refused, require, run
-
-DATE = {"SOURCE_DATE_EPOCH": "1700000000"}
-
-
-def started(samples, work, *words):
-    """A run that goes on beside others."""
-    variables = {"PATH": os.environ["PATH"], "SETAE_CACHE": str(work / ".cache"), **DATE}
-    return subprocess.Popen([str(samples.program), *map(str, words)], cwd=work, env=variables, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-
+from laws import DATE, digests, done, found, lawful, no_leftovers, refused, require, run, started
 
 def two_studies(samples, work):
     """a.toml and b.toml in one folder, of other surfaces."""
@@ -216,9 +207,9 @@ def figures_at_once(samples, work, draw):
     for name, runs in orders.items():
         alone = set()
         for words in runs:
-            done(run(samples.program, *words, cwd=work, env=DATE, seconds=120))
+            outcome = done(run(samples.program, *words, cwd=work, env=DATE, seconds=120))
             alone.add(digests(work)[name.encode()])
-        require(len(alone) == 2, run(samples.program, "--version"), f"{name}: the two runs write the same, which tests nothing")
+        require(len(alone) == 2, outcome, f"{name}: the two runs write the same, which tests nothing")
         for _ in range(5):
             (work / name).unlink()
             children = [started(samples, work, *words) for words in runs]
@@ -227,7 +218,7 @@ def figures_at_once(samples, work, draw):
                 found.add(f"two runs that write {name} at once: {[c.returncode for c in children]}, {errors!r}")
             elif digests(work)[name.encode()] not in alone:
                 found.add(f"two runs that write {name} at once leave a file that neither writes alone")
-    no_leftovers(work, run(samples.program, "--version"))
+    no_leftovers(work, outcome)
 
 
 def power_failures(samples, work, draw):

@@ -193,7 +193,7 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     output::ResultFolder results(study);
     const auto result = study::run_study(study, run_options(arguments.common.workers(), store, display));
     study_figures::GalleryOptions gallery{.threads = arguments.common.workers(), .store = &store};
-    if (arguments.no_figures) gallery.most_of_a_kind = study_figures::most_of_a_kind_in_reports;
+    if (arguments.no_figures) gallery.max_of_a_kind = study_figures::max_of_a_kind_in_reports;
     const auto figures = study_figures::study_figures(result, gallery);
     results.begin();
     const int failed_figures =

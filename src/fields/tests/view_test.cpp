@@ -38,6 +38,16 @@ struct Described<Contact> {
     static constexpr Description description{"", "a contact", rows};
 };
 
+struct Marked : Contact {
+    std::string mark = "own";
+};
+template <>
+struct Described<Marked> {
+    using T = Marked;
+    static constexpr std::array rows{inherited<Contact, T>(), field<&T::mark>("mark", "its own")};
+    static constexpr Description description{"", "a contact with a mark", rows};
+};
+
 namespace {
 
 constexpr auto view = view_of<Contact>({{"full"},
@@ -62,6 +72,16 @@ TEST(View, OfWhatIsMissingHasEmptyWordsAndNumbersThatAreNone) {
     EXPECT_EQ(std::get<std::string>(picked[2].value), "");
     EXPECT_TRUE(std::isnan(std::get<double>(picked[3].value)));
     EXPECT_TRUE(std::isnan(picked[3].standard_error));
+}
+
+TEST(View, FindsFieldsThatStandAmongOthers) {
+    static constexpr auto of_marked = view_of<Marked>({{"mark"}, {"in contact", "share"}, {"edge", "edge.name"}});
+    Marked marked;
+    marked.edge = Edge{};
+    const auto picked = cells(marked, of_marked);
+    EXPECT_EQ(std::get<std::string>(picked[0].value), "own");
+    EXPECT_EQ(std::get<double>(picked[1].value), 0.25);
+    EXPECT_EQ(std::get<std::string>(picked[2].value), "receding");
 }
 
 TEST(View, KnowsWhichColumnsHaveErrors) {

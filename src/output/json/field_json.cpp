@@ -141,6 +141,12 @@ void add_fields(Json& json, const void* result, const fields::Description& descr
     fields::put(result, description, sink);
 }
 
+Json described(const void* result, const fields::Description& description) {
+    Json json = Json::object();
+    add_fields(json, result, description);
+    return json;
+}
+
 Json schema_of(const fields::Description& description) {
     Json schema{{"description", description.meaning}};
     schema.update(object_of(description));

@@ -72,29 +72,13 @@ Json json_of(const loops::ForceCurveFit& fit) {
 
 }  // namespace
 
-Json to_json(const loops::ModelFit& fit) {
-    Json json;
-    add_fields(json, fit);
-    return json;
-}
+Json to_json(const loops::ModelFit& fit) { return described(fit); }
 
-Json to_json(const loops::ModelComparison& comparison) {
-    Json json;
-    add_fields(json, comparison);
-    return json;
-}
+Json to_json(const loops::ModelComparison& comparison) { return described(comparison); }
 
-Json to_json(const loops::GlobalFit& fit) {
-    Json json;
-    add_fields(json, fit);
-    return json;
-}
+Json to_json(const loops::GlobalFit& fit) { return described(fit); }
 
-Json to_json(const loops::CrackSpeedFit& fit) {
-    Json json;
-    add_fields(json, fit);
-    return json;
-}
+Json to_json(const loops::CrackSpeedFit& fit) { return described(fit); }
 
 Json to_json(const std::vector<loops::NamedCurveFit>& segments) {
     Json json = Json::array();

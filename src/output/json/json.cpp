@@ -30,9 +30,7 @@ Json numbers(const ArrayView1D& values) {
 
 Json to_json(const std::vector<Alert>& alerts) {
     Json list = Json::array();
-    for (const auto& alert : alerts)
-        list.push_back(
-            {{"code", alert.code}, {"subject", alert.subject}, {"message", alert.message}, {"action", alert.action}});
+    for (const auto& alert : alerts) list.push_back(described(alert));
     return list;
 }
 
@@ -84,12 +82,6 @@ Json matrix(const Eigen::MatrixXd& values) {
     Json rows = Json::array();
     for (Index i = 0; i < values.rows(); ++i) rows.push_back(numbers(values.row(i).array()));
     return rows;
-}
-
-Json to_json(const loops::RunsTest& test) {
-    Json json;
-    add_fields(json, test);
-    return json;
 }
 
 }  // namespace setae::output

@@ -28,8 +28,6 @@ void add_outcome(Json& json, const std::string& key, const loops::Outcome<T>& ou
 /// Rows of numbers.
 [[nodiscard]] Json matrix(const Eigen::MatrixXd& values);
 
-[[nodiscard]] Json to_json(const loops::RunsTest& test);
-
 /// "band", "rounds", "converged", "agreement", "tip_factors" and "spectrum", the curves in columns.
 [[nodiscard]] Json to_json(const study::FittedSpectrum& fitted);
 

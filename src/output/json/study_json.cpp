@@ -15,6 +15,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/output/budget.hpp"
 #include "setae/output/contact_answers.hpp"
+#include "setae/output/field_json.hpp"
 #include "setae/output/fit_json.hpp"
 #include "setae/output/hysteresis_output.hpp"
 #include "setae/output/predicted_quantities.hpp"
@@ -720,8 +721,7 @@ std::map<std::string, List> lists_of(const study::StudyResult& result) {
     return {{"pairs", {result.pairs.size(), [&](std::size_t i) { return pair_json(result.pairs[i], result.draws); }}},
             {"experiments",
              {result.experiments.size(), [&](std::size_t i) { return experiment_json(result.experiments[i]); }}},
-            {"alerts",
-             {result.alerts.size(), [&](std::size_t i) { return to_json(std::vector{result.alerts[i]}).front(); }}}};
+            {"alerts", {result.alerts.size(), [&](std::size_t i) { return described(result.alerts[i]); }}}};
 }
 
 /// A surface as a study has it, without measurements: `stem` names the file of its spectrum.
@@ -820,8 +820,8 @@ Json to_json(const study::SurfaceResult& surface, const study::SurfaceAnalysisOp
 
 Json to_json(const study::StudyResult& result) { return study_json(result, {}); }
 
-Json json_without_curves(const study::StudyResult& result, std::size_t most_entries, std::size_t most_experiments) {
-    return without_curves(study_json(result, {most_entries, most_experiments}), most_entries);
+Json json_without_curves(const study::StudyResult& result, std::size_t max_entries, std::size_t max_experiments) {
+    return without_curves(study_json(result, {max_entries, max_experiments}), max_entries);
 }
 
 void write_json(const study::StudyResult& result, const std::function<void(std::string_view)>& write) {

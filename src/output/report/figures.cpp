@@ -256,7 +256,7 @@ std::string folded_html(const Figures& figures, const FigurePage& page, int leve
     const auto family = std::string(figures.empty() ? "" : family_of(*figures.front()));
     for (const auto* figure : figures) {
         // one for each surface or loop: of many the first
-        if (!family.empty() && (html.size() > most_bytes || shown == study_figures::most_of_a_kind_in_reports)) break;
+        if (!family.empty() && (html.size() > most_bytes || shown == study_figures::max_of_a_kind_in_reports)) break;
         ++shown;
         html += as_html(Fold{.identifier = anchor_of(*figure),
                              .kind = "figure",

@@ -68,7 +68,7 @@ std::vector<Chapter> chapters_of(const study::StudyResult& result,
 
 std::string as_html(const study::StudyResult& result, const std::vector<study_figures::StudyFigure>& figures,
                     const RunRecord& run) {
-    const auto study = output::json_without_curves(result, most_rows, most_experiments);
+    const auto study = output::json_without_curves(result, max_rows, max_experiments);
     const auto chapters = chapters_of(result, figures, run, study);
     const auto title = escaped(result.study.title.empty() ? "Study" : result.study.title);
     std::string page =

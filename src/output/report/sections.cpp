@@ -131,12 +131,11 @@ std::string alerts_html(const StudyResult& result) {
             "<details class=\"alerts\"><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary><ul>",
             escaped(code), alerts.size() == 1 ? "once" : fmt::format("{} times", alerts.size()),
             one_action ? "What to do: " + prose(action) : "");
-        for (const auto& alert : std::span(alerts).first(std::min(alerts.size(), most_rows)))
+        for (const auto& alert : std::span(alerts).first(std::min(alerts.size(), max_rows)))
             html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(alert.subject), prose(alert.message),
                                 one_action ? "" : " — " + prose(alert.action));
-        if (alerts.size() > most_rows)
-            html +=
-                fmt::format("<li>{} more. The file alerts.csv contains all alerts.</li>", alerts.size() - most_rows);
+        if (alerts.size() > max_rows)
+            html += fmt::format("<li>{} more. The file alerts.csv contains all alerts.</li>", alerts.size() - max_rows);
         html += "</ul></details>\n";
     }
     return html.empty() ? "<p>No alert.</p>" : "<p>By kind, what misleads most first.</p>" + html;

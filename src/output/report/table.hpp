@@ -71,9 +71,9 @@ struct Column {
 };
 
 /// Rows of a table, entries of a list and alerts of a kind that a page holds; files of results hold all.
-inline constexpr std::size_t most_rows = 200;
+inline constexpr std::size_t max_rows = 200;
 /// Experiments whose numbers a page holds: each has about a hundred.
-inline constexpr std::size_t most_experiments = 40;
+inline constexpr std::size_t max_experiments = 40;
 
 /// A table of numbers of the study.
 struct DataTable {
@@ -84,7 +84,7 @@ struct DataTable {
     std::vector<std::vector<Cell>> rows;
     bool open = false;                ///< unfolded to begin with
     std::string file = "study.json";  ///< of the results, with every row
-    std::size_t most = most_rows;     ///< rows that are shown
+    std::size_t most = max_rows;      ///< rows that are shown
 };
 
 /// A fold "table-IDENTIFIER": a note, the table in a region that scrolls, with buttons that sort and copy. Of more

@@ -747,7 +747,7 @@ void name_files(std::vector<DataTable>& tables) {
         {"cutoff-scan", "cutoff_scan.csv"}};
     for (auto& table : tables) {
         if (const auto file = files.find(table.identifier); file != files.end()) table.file = file->second;
-        if (table.identifier.starts_with("loop")) table.most = most_experiments;
+        if (table.identifier.starts_with("loop")) table.most = max_experiments;
     }
 }
 

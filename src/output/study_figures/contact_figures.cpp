@@ -23,7 +23,7 @@ using study::StudyResult;
 
 constexpr double mN = 1e3, um = 1e6, nJ = 1e9;  ///< per SI unit
 constexpr Index few_symbols_a_branch = 24, few_points_a_loop = 400, few_points_a_fit = 120;
-constexpr std::size_t most_loops = 60;
+constexpr std::size_t max_loops = 60;
 
 using Loops = std::vector<const ExperimentResult*>;
 using Wanted = std::function<bool(const ExperimentResult&)>;
@@ -32,7 +32,7 @@ using Wanted = std::function<bool(const ExperimentResult&)>;
 Loops loops_that(const StudyResult& result, const Wanted& wanted) {
     Loops found;
     for (const auto& e : result.experiments) {
-        if (found.size() == most_loops) break;
+        if (found.size() == max_loops) break;
         if (e.analysis && wanted(e)) found.push_back(&e);
     }
     return found;
@@ -43,8 +43,8 @@ std::string left_out_loops(const StudyResult& result) {
     std::map<std::string_view, std::size_t> loops;
     for (const auto& e : result.experiments)
         if (e.analysis) ++loops[e.input.elastomer];
-    const bool cut = std::ranges::any_of(loops, [](const auto& entry) { return entry.second > most_loops; });
-    return cut ? fmt::format(" The figure shows the first {} loops on an elastomer.", most_loops) : "";
+    const bool cut = std::ranges::any_of(loops, [](const auto& entry) { return entry.second > max_loops; });
+    return cut ? fmt::format(" The figure shows the first {} loops on an elastomer.", max_loops) : "";
 }
 
 bool has_radius(const ExperimentResult& e) { return e.analysis->corrected.contact_radius.size() > 0; }

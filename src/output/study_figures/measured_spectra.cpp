@@ -13,7 +13,7 @@ namespace {
 using figures::Mark;
 
 constexpr Index points_a_measurement = 120;
-constexpr std::size_t most_measurements = 200;
+constexpr std::size_t max_measurements = 200;
 
 /// The part of a curve with from <= x <= to.
 DrawnCurve part(const DrawnCurve& curve, double from, double to) {
@@ -53,7 +53,7 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
         failed += m.failed() ? 1 : 0;
         if (!m.failed() && m.spectrum.wavevector.size() > 0) measured.push_back(&m);
     }
-    const auto n = measured.size(), shown = std::min(n, most_measurements);
+    const auto n = measured.size(), shown = std::min(n, max_measurements);
     for (std::size_t i = 0; i < shown; ++i) {
         const auto& m = *measured[i * n / shown];
         const int own = figures::instrument_look(instrument_of(m)).colour;

@@ -170,13 +170,13 @@ const std::vector<Kind>& kinds() {
 }
 
 std::vector<Entry> entries_of(const study::StudyResult& result,
-                              std::size_t most_of_a_kind = std::numeric_limits<std::size_t>::max()) {
+                              std::size_t max_of_a_kind = std::numeric_limits<std::size_t>::max()) {
     std::vector<Entry> entries;
     for (const auto& [shown, build, add] : kinds()) {
         if (add) {
             const auto before = entries.size();
             add(shown, result, entries);
-            if (entries.size() - before > most_of_a_kind) entries.resize(before + most_of_a_kind);
+            if (entries.size() - before > max_of_a_kind) entries.resize(before + max_of_a_kind);
         } else
             entries.push_back({shown.identifier,
                                (std::islower(shown.identifier[0]) ? "" : "figure_") + shown.identifier, shown.title,
@@ -205,7 +205,7 @@ std::vector<FigureKind> figure_kinds() {
 }
 
 std::vector<StudyFigure> study_figures(const study::StudyResult& result, const GalleryOptions& options) {
-    const auto entries = entries_of(result, options.most_of_a_kind);
+    const auto entries = entries_of(result, options.max_of_a_kind);
     const FigureRequest request{result, options};
     std::vector<StudyFigure> figures;
     for (const auto& entry : entries) figures.push_back(built(entry, request));

@@ -67,11 +67,11 @@ study::StudyResult of_missing_loops(std::size_t n) {
 }
 
 std::string page_of(const study::StudyResult& result) {
-    return as_html(result,
-                   study_figures::study_figures(result, {.threads = {1},
-                                                         .area_map_points = 128,
-                                                         .most_of_a_kind = study_figures::most_of_a_kind_in_reports}),
-                   run);
+    return as_html(
+        result,
+        study_figures::study_figures(
+            result, {.threads = {1}, .area_map_points = 128, .max_of_a_kind = study_figures::max_of_a_kind_in_reports}),
+        run);
 }
 
 std::size_t json_size(const study::StudyResult& result) {
@@ -127,10 +127,9 @@ TEST(JsonOfMany, IsThatOfTheDocumentAsAWhole) {
 
 TEST(ReportOfMany, SaysWhatItLeavesOutAndWhereThatIs) {
     const auto page = page_of(of_measurements(1000));
-    EXPECT_NE(
-        page.find(fmt::format("The table shows the first {} of 1000 rows. The file measurements.csv contains all rows.",
-                              most_rows)),
-        std::string::npos);
+    EXPECT_NE(page.find(fmt::format(
+                  "The table shows the first {} of 1000 rows. The file measurements.csv contains all rows.", max_rows)),
+              std::string::npos);
     EXPECT_NE(page.find("800 more. The file alerts.csv contains all alerts."), std::string::npos);
     EXPECT_NE(page.find("The figure shows 200 of them, at even steps through the list."), std::string::npos);
     const auto of_many_surfaces = page_of(of_surfaces(1000));

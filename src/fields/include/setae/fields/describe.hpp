@@ -310,19 +310,26 @@ consteval Row inherited() {
             }};
 }
 
-/// The fields of another result, which `from` has from this one, among its own; none where it is missing.
+/// Fields of another result, which `from` has from this one, among its own; none where it is missing.
 template <class T, class From>
-consteval Row fields_of(From) {
+consteval Row fields_of(const Description& of_other, From) {
     using Other = std::remove_cvref_t<std::invoke_result_t<From, const T&>>;
+    constexpr bool always = detail::otherwise<Other> == Missing::never;
     return {.kind = Kind::object,
-            .if_missing = detail::otherwise<Other> == Missing::never ? Missing::never : Missing::left_out,
-            .inner = &Described<typename detail::Bare<Other>::Type>::description,
+            .if_missing = always ? Missing::never : Missing::left_out,
+            .inner = &of_other,
             .among = true,
             .put = [](const void* result, const Row& row, Sink& sink) {
                 const auto& other = From{}(*static_cast<const T*>(result));
-                if constexpr (detail::otherwise<Other> == Missing::never) put(&other, *row.inner, sink);
+                if constexpr (always) put(&other, *row.inner, sink);
                 else if (other) put(&*other, *row.inner, sink);
             }};
+}
+/// All fields of it.
+template <class T, class From>
+consteval Row fields_of(From from) {
+    using Other = std::remove_cvref_t<std::invoke_result_t<From, const T&>>;
+    return fields_of<T>(Described<typename detail::Bare<Other>::Type>::description, from);
 }
 
 /// A field that other code writes: schemas know it. `inner` is the description of an object.

@@ -8,7 +8,7 @@
 namespace setae::fields {
 
 /// Values of a column in outputs at most: longer ones hold every so many samples of the record.
-inline constexpr Index most_samples = 20'000;
+inline constexpr Index max_samples = 20'000;
 
 /// Every how many samples a column of so many holds, where it does not hold all of them.
 [[nodiscard]] std::optional<Index> step_of(Index samples);

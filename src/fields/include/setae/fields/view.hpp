@@ -33,6 +33,9 @@ void this_type_has_no_field_of_that_name();
 consteval const Row* find(const Description& description, std::string_view path) {
     const auto dot = path.find('.');
     for (const auto& row : description.rows) {
+        if (row.among) {
+            if (const Row* found = find(*row.inner, path)) return found;
+        }
         if (row.name.empty() || row.name != path.substr(0, dot)) continue;
         if (dot == std::string_view::npos) return &row;
         return row.inner ? find(*row.inner, path.substr(dot + 1)) : nullptr;

@@ -166,7 +166,7 @@ struct Described<hysteresis::EnergyShares> {
         quantity<&T::jump_out>("jump_out", "E_out", "J", "in its jump out of contact"),
         quantity<&T::crack_tip>(
             "crack_tip", "E_tip", "J",
-            "what an edge on a smooth reference needs more on the way back, or the speed of the edge costs"),
+            "what an edge on a smooth reference needs more on retraction, or the speed of the edge costs"),
         quantity<&T::roughness>("roughness", "E_rough", "J", "what roughness adds, by the law"),
         quantity<&T::bulk>("bulk", "E_bulk", "J",
                            "what relaxes in the bulk of the elastomer, where its relaxation is stated"),

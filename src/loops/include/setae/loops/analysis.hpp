@@ -239,18 +239,10 @@ static_assert(complete<loops::FitRange>);
 template <>
 struct Described<loops::RangeSensitivity> {
     using T = loops::RangeSensitivity;
-    static std::optional<Quantity> fitted(const T& of, Estimate loops::JkrFit::*quantity) {
-        if (!of.fit) return {};
-        return resting_on(of.fit->n, (*of.fit).*quantity);
-    }
     static constexpr std::array rows{
         field<&T::dropped>("samples_dropped", "how many"),
-        made<T>("contact_modulus", "E*", "Pa", "E*",
-                [](const T& of) { return fitted(of, &loops::JkrFit::contact_modulus); }),
-        made<T>("youngs_modulus", "E", "Pa", "E",
-                [](const T& of) { return fitted(of, &loops::JkrFit::youngs_modulus); }),
-        made<T>("work_of_adhesion", "W", "J/m2", "W",
-                [](const T& of) { return fitted(of, &loops::JkrFit::work_of_adhesion); }),
+        fields_of<T>(Described<loops::JkrFit>::moduli,
+                     [](const T& of) -> const loops::Outcome<loops::JkrFit>& { return of.fit; }),
         made<T>("reason", "why it is missing, or left out",
                 [](const T& of) { return of.fit ? std::nullopt : std::optional(of.fit.reason); }),
         inner<&T::fit>(),
@@ -272,12 +264,8 @@ struct Described<loops::BranchAnalysis> {
     };
     static constexpr Description routes{"", "fits by each route", route_rows};
     static constexpr std::array rows{
-        made<T>("contact_modulus", "E*", "Pa", "E*",
-                [](const T& of) { return resting_on(of.primary().n, of.primary().contact_modulus); }),
-        made<T>("youngs_modulus", "E", "Pa", "E",
-                [](const T& of) { return resting_on(of.primary().n, of.primary().youngs_modulus); }),
-        made<T>("work_of_adhesion", "W", "J/m2", "W",
-                [](const T& of) { return resting_on(of.primary().n, of.primary().work_of_adhesion); }),
+        fields_of<T>(Described<loops::JkrFit>::moduli,
+                     [](const T& of) -> const loops::JkrFit& { return of.primary(); }),
         made<T>("method", "the route that counts", [](const T& of) { return of.primary().method; }),
         field<&T::range>("range", "samples that were fitted"),
         part<T>("fits", "by each route", routes),

@@ -105,22 +105,13 @@ namespace setae::fields {
 template <>
 struct Described<loops::ContactPointEstimate> {
     using T = loops::ContactPointEstimate;
-    /// A quantity of the fit with the contact point held, where there is one.
-    static std::optional<Quantity> fitted(const T& of, Estimate loops::JkrFit::*quantity) {
-        if (!of.fit) return {};
-        return resting_on(of.fit->n, (*of.fit).*quantity);
-    }
     static constexpr std::array rows{
         made<T>("method", "how it was found", [](const T& of) { return loops::contact_point_name(of.method); }),
         made<T>("contact_point", "delta0", "m", "δ0", [](const T& of) { return of.contact_point.value; }),
         made<T>("reason", "why it is missing, or left out",
                 [](const T& of) { return of.contact_point ? std::nullopt : std::optional(of.contact_point.reason); }),
-        made<T>("contact_modulus", "E*", "Pa", "E*",
-                [](const T& of) { return fitted(of, &loops::JkrFit::contact_modulus); }),
-        made<T>("youngs_modulus", "E", "Pa", "E",
-                [](const T& of) { return fitted(of, &loops::JkrFit::youngs_modulus); }),
-        made<T>("work_of_adhesion", "W", "J/m2", "W",
-                [](const T& of) { return fitted(of, &loops::JkrFit::work_of_adhesion); }),
+        fields_of<T>(Described<loops::JkrFit>::moduli,
+                     [](const T& of) -> const loops::Outcome<loops::JkrFit>& { return of.fit; }),
         inner<&T::method>(),
         inner<&T::contact_point>(),
         inner<&T::fit>(),

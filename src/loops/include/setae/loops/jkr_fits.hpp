@@ -179,13 +179,17 @@ namespace setae::fields {
 template <>
 struct Described<loops::JkrFit> {
     using T = loops::JkrFit;
-    static constexpr std::array rows{
-        field<&T::method>("method", "the route"),
-        field<&T::converged>("converged", "whether it was found"),
+    static constexpr std::array moduli_rows{
         made<T>("contact_modulus", "E*", "Pa", "E*", [](const T& of) { return resting_on(of.n, of.contact_modulus); }),
         made<T>("youngs_modulus", "E", "Pa", "E", [](const T& of) { return resting_on(of.n, of.youngs_modulus); }),
         made<T>("work_of_adhesion", "W", "J/m2", "W",
                 [](const T& of) { return resting_on(of.n, of.work_of_adhesion); }),
+    };
+    static constexpr Description moduli{"", "E*, E and W of a fit", moduli_rows};
+    static constexpr std::array rows{
+        field<&T::method>("method", "the route"),
+        field<&T::converged>("converged", "whether it was found"),
+        fields_of<T>(moduli, [](const T& of) -> const T& { return of; }),
         made<T>("contact_point", "delta0", "m", "δ0",
                 [](const T& of) {
                     return std::isnan(of.contact_point.value) ? std::nullopt : std::optional(of.contact_point);

@@ -77,8 +77,8 @@ using Json = nlohmann::ordered_json;
 void write_json(const study::StudyResult& result, const std::function<void(std::string_view)>& write);
 /// The same with null for columns of more than 16 numbers, and only the first entries of longer lists: surfaces, a
 /// surface's measurements, pairs, alerts, inputs; of experiments still fewer.
-[[nodiscard]] Json json_without_curves(const study::StudyResult& result, std::size_t most_entries,
-                                       std::size_t most_experiments);
+[[nodiscard]] Json json_without_curves(const study::StudyResult& result, std::size_t max_entries,
+                                       std::size_t max_experiments);
 
 /// Parameters of the heights of one measurement as quantities: Rq or Sq, slopes, curvature, triangulated area, tests.
 [[nodiscard]] std::vector<Quantity> measurement_quantities(const study::MeasurementResult& measurement);

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "setae/fields/describe.hpp"
 #include "setae/output/json.hpp"
 
@@ -15,6 +17,13 @@ void add_fields(Json& json, const void* result, const fields::Description& descr
 template <fields::HasRows T>
 void add_fields(Json& json, const T& result) {
     add_fields(json, &result, fields::Described<T>::description);
+}
+
+/// An object of these fields alone.
+[[nodiscard]] Json described(const void* result, const fields::Description& description);
+template <fields::HasRows T>
+[[nodiscard]] Json described(const T& result) {
+    return described(&result, fields::Described<T>::description);
 }
 
 /// JSON Schema of an object with these fields; described types that have a name are referred to in "#/$defs/NAME".

@@ -34,7 +34,7 @@ enum class FigureWidth {
 };
 
 /// Figures of one kind, one for each surface or loop, that a report contains at most.
-inline constexpr std::size_t most_of_a_kind_in_reports = 200;
+inline constexpr std::size_t max_of_a_kind_in_reports = 200;
 
 struct GalleryOptions {
     FigureWidth width = FigureWidth::double_column;
@@ -42,7 +42,7 @@ struct GalleryOptions {
     Index area_map_points = 1024;         ///< along a side of the maps of S7, >= 128
     const cache::Store* store = nullptr;  ///< keeps what takes long: the true area of the maps of S7
     /// Figures "spectra:NAME", and "loop:NAME", that are made: those of the first surfaces and loops.
-    std::size_t most_of_a_kind = std::numeric_limits<std::size_t>::max();
+    std::size_t max_of_a_kind = std::numeric_limits<std::size_t>::max();
 };
 
 /// Every figure of a study, in the order of the paper and then those of our own: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8 of
