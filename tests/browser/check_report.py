@@ -12,7 +12,6 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from devtools import Browser  # noqa: E402
@@ -49,7 +48,8 @@ def unfold(page):
 
 
 def tutorial_page(program, output):
-    """The report of the tutorial's study, made as the tutorial says."""
+    """The report of the tutorial's study, made where and as the tutorial says: a report names its study as it was called, so that the length
+    of this checkout's path would change its height."""
     folder = os.path.join(output, "mine")
     shutil.rmtree(folder, ignore_errors=True)
     subprocess.run([program, "lab", "make", "examples/tutorial/recipe.toml", "-o", folder], check=True, stdout=subprocess.DEVNULL)
@@ -57,7 +57,7 @@ def tutorial_page(program, output):
         study = re.search(r"```toml file=mine/adhesion.toml\n(.*?)```", file.read(), re.DOTALL).group(1)
     with open(os.path.join(folder, "adhesion.toml"), "w", encoding="utf-8") as file:
         file.write(study)
-    subprocess.run([program, "study", os.path.join(folder, "adhesion.toml"), "--no-figures", "--no-cache", "--progress", "none"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([os.path.abspath(program), "study", "mine/adhesion.toml", "--no-figures", "--no-cache", "--progress", "none"], cwd=output, check=True, stdout=subprocess.DEVNULL)
     return os.path.join(folder, "adhesion_results", "report.html")
 
 
@@ -148,7 +148,7 @@ def check_tables(page, study):
     check(names == sorted(names), f"names are not in order: {names}")
     page.run("document.querySelector('#table-surfaces button.copy').focus()")
     page.enter()
-    time.sleep(0.2)
+    page.until("document.querySelector('#table-surfaces .told').textContent !== ''")
     said = page.run("document.querySelector('#table-surfaces .told').textContent")
     check(said.startswith("Copied"), f"copying says '{said}'")
     lines = [line.split("\t") for line in page.run("navigator.clipboard.readText()").splitlines()]
@@ -160,8 +160,7 @@ def check_tables(page, study):
         check(float(row["h_rms [m]"]) == height["value"] and float(row["h_rms interval_high [m]"]) == height["interval"]["upper"], f"{row['surface']}: copied {row}")
     # without a clipboard the text is selected
     page.run("navigator.clipboard.writeText = () => Promise.reject(new Error('refused')); document.querySelector('#table-surfaces button.copy').click()")
-    time.sleep(0.1)
-    check("PUNCD" in page.run("getSelection().toString()"), "without a clipboard nothing is selected")
+    check(page.until("getSelection().toString().includes('PUNCD')"), "without a clipboard nothing is selected")
     page.run("getSelection().removeAllRanges()")
 
 

@@ -38,11 +38,13 @@ class Browser:
         self._number = 0
         self._session = None
         self.console, self.requests = [], []
+        self._loads = 0
         target = next(t for t in self.call("Target.getTargets")["targetInfos"] if t["type"] == "page")
         self._session = self.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network", "DOM"):
             self.call(domain + ".enable")
         self.resize(width, height)
+        self.call("Emulation.setFocusEmulationEnabled", enabled=True)  # keys and the clipboard need it
         self.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=self.downloads)
         self.call("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
 
@@ -69,6 +71,8 @@ class Browser:
             self.console.append(details.get("exception", {}).get("description", details["text"]))
         elif method == "Log.entryAdded" and said["entry"]["level"] in ("error", "warning"):
             self.console.append(said["entry"]["text"])
+        elif method == "Page.loadEventFired":
+            self._loads += 1
         elif method == "Network.requestWillBeSent":
             self.requests.append(said["request"]["url"])
 
@@ -109,9 +113,10 @@ class Browser:
         self.console.clear()
         self.requests.clear()
         start = time.monotonic()
+        loads = self._loads
         self.call("Page.navigate", url="file://" + os.path.abspath(path))
-        while self.run("document.readyState") != "complete":
-            time.sleep(0.01)
+        while self._loads == loads:  # until then an answer could be the former page's
+            self._note(self._message(start + 120))
         self.frames(2)
         return time.monotonic() - start
 
@@ -122,6 +127,15 @@ class Browser:
             details = answer["exceptionDetails"]
             raise RuntimeError(details.get("exception", {}).get("description", details["text"]))
         return answer["result"].get("value")
+
+    def until(self, expression, seconds=20):
+        """Waits until an expression is true; False where it never was."""
+        end = time.monotonic() + seconds
+        while not self.run(expression):
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.02)
+        return True
 
     def frames(self, n=2):
         self.run(f"new Promise(done => {{ let n = {n}; const step = () => (n-- > 0 ? requestAnimationFrame(step) : done(0)); step(); }})")
@@ -139,8 +153,8 @@ class Browser:
     def downloaded(self, name):
         """The content of a file the page saved."""
         path = os.path.join(self.downloads, name)
-        for _ in range(500):
-            if os.path.exists(path) and not os.path.exists(path + ".crdownload"):
+        for _ in range(1500):  # Chromium holds the name by an empty file until the whole one takes it
+            if os.path.exists(path) and os.path.getsize(path) and not os.path.exists(path + ".crdownload"):
                 with open(path, encoding="utf-8") as file:
                     return file.read()
             time.sleep(0.02)
