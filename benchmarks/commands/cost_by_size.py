@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How time and memory of a command grow with the data: maps and profiles of several sizes, made by this script.
 
-    benchmarks/commands/cost_by_size.py PROGRAM [--beside OTHER_PROGRAM] [--repeat 3] [--write docs/measured/performance.md]
+    benchmarks/commands/cost_by_size.py PROGRAM [--beside OTHER_PROGRAM] [--repeat 3] [--write docs/development/performance.md]
 
 Maps are self-affine .npy files of n² heights, profiles text files of n rows "x, z" of a random walk. Every command runs `repeat` times; the table
 holds the least time on the clock, the least processor time and the most memory. "Memory over data": the memory beyond that of
@@ -84,7 +84,7 @@ def main():
         lines = table(programs, pathlib.Path(name), arguments.repeat)
     if arguments.write:
         beside = " --beside BEFORE" if arguments.beside else ""
-        command = f"benchmarks/commands/cost_by_size.py build/bin/setae{beside} --write docs/measured/performance.md"
+        command = f"benchmarks/commands/cost_by_size.py build/bin/setae{beside} --write docs/development/performance.md"
         write_table(arguments.write, "sizes", f"with `{command}` ", lines)
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a user waits for: whole commands from the shell to their last line, on data they make themselves.
 
-    benchmarks/commands/time_commands.py PROGRAM [--beside OTHER_PROGRAM] [--repeat 5] [--write docs/measured/performance.md]
+    benchmarks/commands/time_commands.py PROGRAM [--beside OTHER_PROGRAM] [--repeat 5] [--write docs/development/performance.md]
 
 Every command runs `repeat` times after one run that is not counted; the median stands in the table, with the processor time of both cores and the
 most memory. The yardstick is `cat` of the same input. With --beside a second program (an older build) runs in turn with the first. The

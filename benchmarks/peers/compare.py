@@ -6,7 +6,7 @@
 
 or by hand, with a Python that has SurfaceTopography:
 
-    python benchmarks/peers/compare.py --program build-bench/bin/peer_tasks --write docs/measured/performance.md [--only TASK,...] [--sweep 16384]
+    python benchmarks/peers/compare.py --program build-bench/bin/peer_tasks --write docs/development/performance.md [--only TASK,...] [--sweep 16384]
 
 Every measurement is a process of its own, bound to one core or two; time is the best of several runs, memory what the process
 holds at most beside its input. The tables replace what stands between the lines "<!-- NAME: begin -->" and "<!-- NAME: end -->".

@@ -6,7 +6,7 @@
 
 or by hand, with a Python that has them:
 
-    PYTHONPATH=build-bench/python python benchmarks/peers/contact.py --write docs/measured/performance.md [--largest 2048]
+    PYTHONPATH=build-bench/python python benchmarks/peers/contact.py --write docs/development/performance.md [--largest 2048]
 
 The same periodic self-affine surfaces (H = 0.8, flat above a quarter of the side, waves down to 16 points, rms slope 0.1) under the same mean
 pressure. Every measurement is a process of its own, bound to one core or two: the solver's call alone, heights in memory; time is the best

@@ -8,7 +8,7 @@
 # # Coming from SurfaceTopography
 #
 # The same calls side by side on one map: the largest relative difference of their numbers and what each took. Where the two
-# mean different things, [parity](../measured/parity.md) says which and why; here every call is told to mean the same.
+# mean different things, [parity](../validation/parity.md) says which and why; here every call is told to mean the same.
 
 # %%
 import sys

@@ -18,16 +18,16 @@ sys.path.insert(0, str(TOP / "tests/browser"))
 from npm import IFRAME_WORKER, script
 
 SECTIONS = {  # in the order of the tabs, with their folders
-    "Tutorials": "docs/tutorials/",
+    "Start": "docs/start/",
     "Guides": "docs/guides/",
-    "Theory": "docs/theory/",
-    "Measured": "docs/measured/",
+    "Concepts": "docs/concepts/",
     "Reference": "docs/reference/",
+    "Validation": "docs/validation/",
     "Notebooks": "docs/notebooks/",
     "Python": "python/",
     "C++": "cpp/",
     "Gallery": "gallery/",
-    "Decisions": "docs/adr/",
+    "Development": "docs/development/",
 }
 FIRST = ["README.md", "docs/README.md"]
 

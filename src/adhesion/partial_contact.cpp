@@ -25,7 +25,7 @@
 namespace setae::adhesion {
 namespace {
 
-/// What docs/measured/conformity.md makes of patches at ρ/h_rms = 0.05.
+/// What docs/validation/conformity.md makes of patches at ρ/h_rms = 0.05.
 struct SimulatedPatches {
     double energy_share, area_fraction, area_error, gain, gain_error, closing_pressure;
 };

@@ -265,7 +265,7 @@ std::vector<Alert> alerts_of(const FrontAnswer& answer, const HeightMap& map) {
     const auto& file = answer.file;
     const auto& first = answer.runs.front();
     for (const auto& caution : first.validity.cautions)
-        alerts.push_back({"FRONT_THEORY", file, caution, "docs/theory/crack-front.md says what a front rests on"});
+        alerts.push_back({"FRONT_THEORY", file, caution, "docs/concepts/crack-front.md says what a front rests on"});
     if (const double across = 2.0 * first.contact_radius; map.periodic && across > std::min(map.size[0], map.size[1]))
         alerts.push_back(
             {"FRONT_THEORY", file,

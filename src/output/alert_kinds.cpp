@@ -219,7 +219,7 @@ std::vector<AlertKind> of_surfaces() {
         {"MODEL_MISSES_BEYOND", about,
          "reliable values outside the range of a self-affine fit are on average above 1.25 times the model or below 0.8, "
          "and more than four standard errors apart from it",
-         "1.25: a quarter of C1D changes the rms slope by 12 %; false alarms in docs/measured/spectra.md"},
+         "1.25: a quarter of C1D changes the rms slope by 12 %; false alarms in docs/validation/spectra.md"},
         {"FIT_AT_BOUND", about, "a parameter of a self-affine fit ended where it is not allowed to go further"},
         {"STEEP_SLOPES", about,
          "the rms slope is above 0.5: the stored energy U_el assumes small slopes, A_true/A_app does not",
@@ -344,10 +344,10 @@ std::vector<AlertKind> of_studies() {
              "roughness stores more than {:.2f} of what it gains: it closes under pressure alone and then stays "
              "closed",
              adhesion::closing_energy_share),
-         "simulated patches: 99 % of their area touch by themselves up to there, docs/measured/conformity.md"},
+         "simulated patches: 99 % of their area touch by themselves up to there, docs/validation/conformity.md"},
         {"PINNING_EXTRAPOLATED", about,
          "k of the pinning models lies outside the simulated fronts: U_el/AW 0.001 to 0.3, N 0.4 N0 to 0.6 … 62",
-         "docs/measured/crack-front.md has the range; N counts Larkin lengths along the edge of the contact"},
+         "docs/validation/crack-front.md has the range; N counts Larkin lengths along the edge of the contact"},
         {"REFERENCE_INCOMPLETE", about, "a reference's loop is not whole"},
         {"REFERENCE_HYSTERESIS", about,
          "a smooth reference's W_ret at pull-off is not shown to be within [comparison] margin of that of approach",

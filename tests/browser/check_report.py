@@ -53,7 +53,7 @@ def tutorial_page(program, output):
     folder = os.path.join(output, "mine")
     shutil.rmtree(folder, ignore_errors=True)
     subprocess.run([program, "lab", "make", "examples/tutorial/recipe.toml", "-o", folder], check=True, stdout=subprocess.DEVNULL)
-    with open("docs/tutorials/tutorial.md", encoding="utf-8") as file:
+    with open("docs/start/from-files-to-the-figure.md", encoding="utf-8") as file:
         study = re.search(r"```toml file=mine/adhesion.toml\n(.*?)```", file.read(), re.DOTALL).group(1)
     with open(os.path.join(folder, "adhesion.toml"), "w", encoding="utf-8") as file:
         file.write(study)

@@ -11,7 +11,7 @@
 #include "setae/core/resampling.hpp"
 #include "setae/core/statistics.hpp"
 
-/// Intervals that setae was measured against (docs/theory/uncertainty.md) and does not use: they hold too little with
+/// Intervals that setae was measured against (docs/concepts/uncertainty.md) and does not use: they hold too little with
 /// few measurements.
 namespace setae::tests {
 

@@ -27,11 +27,11 @@ constexpr const char* explanation =
     "Persson-Tosatti W_app = W_int (1 + h'^2/2) - U_el/A_app                                  [D19] (S13)\n"
     "without area change of the soft side W_app = W_int r - U_el/A_app                        [D19] (2)\n"
     "answer   W_app = W gain(U_el/AW), W = W_int r - gamma_1 (r - 1), of simulated patches; (7) where contact is full\n"
-    "         beside it: (7), and Persson's theory with W, without load                        docs/theory/conformity.md\n"
+    "         beside it: (7), and Persson's theory with W, without load                        docs/concepts/conformity.md\n"
     "loop     a_max by (1) with W_app; W_ret >= W_app, F >= 3/2 pi R W_app, E_loss >= the jumps of JKR   [D19] (1), (S1)\n"
     "         for comparison E_loss = W_int r pi a_max^2, without a smooth limit                [D19] (10)\n"
     "bridging wavevectors q above which the roughness stores more than it gains                THEORY 8\n"
-    "pressed  q above which it stores more than 0.25 of that: closes under pressure alone      docs/theory/conformity.md\n";
+    "pressed  q above which it stores more than 0.25 of that: closes under pressure alone      docs/concepts/conformity.md\n";
 
 struct Arguments {
     Common common;

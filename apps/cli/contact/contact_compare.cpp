@@ -27,7 +27,7 @@ constexpr const char* explanation =
     "area      with the perimeter's correction, pixel by pixel                          Yastrebov et al. (2017)\n"
     "±         standard error of the mean over surfaces, which differ by the places of their waves alone\n"
     "a cell has fewer long waves than the spectrum: rms_height_of_surfaces beside rms_height in the JSON\n"
-    "docs/theory/persson.md\n";
+    "docs/concepts/persson.md\n";
 
 struct Arguments {
     Common common;

@@ -32,7 +32,7 @@ constexpr const char* explanation =
     "  W_appr, W_ret  by JKR fits of a(F) on each branch, as an experimenter has them\n"
     "waves shorter than --shortest-wavelength are left out; the process zone's length, E* w/(pi tension^2), is the least that pins\n"
     "--to-force and --to-displacement say where the loop turns: of a smooth sphere, whose displacement is then held step by step\n"
-    "docs/theory/crack-front.md\n";
+    "docs/concepts/crack-front.md\n";
 
 struct Arguments : answers::FrontRequest {
     Common common;

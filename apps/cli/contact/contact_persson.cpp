@@ -28,7 +28,7 @@ constexpr const char* explanation =
     "--w      P(-s_a) = 0 with s_a = sqrt(k(q) w_eff(q)); A(q) w_eff(q) = w A(q_1) - int_q A dU      Persson (2002)\n"
     "         parting: of several solutions that with most contact; w per projected area\n"
     "--layer  k(q) of a layer on a rigid base                                       Carbone, Mangialardi (2008)\n"
-    "several pressures: a table against pressure; one: against q, waves up to q alone        docs/theory/persson.md\n";
+    "several pressures: a table against pressure; one: against q, waves up to q alone        docs/concepts/persson.md\n";
 
 struct Arguments {
     Common common;

@@ -30,10 +30,10 @@ constexpr const char* explanation =
     "--free          no pressure beyond the map's edges; without it the map repeats itself\n"
     "--displacement  from first touch, of the far field (--free), a layer's base, or the mean plane\n"
     "--hardness      the body flows where the pressure reaches it\n"
-    "--w, --range    attraction V(g), V(0) = -w, V'(0) = w/range; the equilibrium met coming from far         docs/theory/adhesive-cells.md\n"
+    "--w, --range    attraction V(g), V(0) = -w, V'(0) = w/range; the equilibrium met coming from far         docs/concepts/adhesive-cells.md\n"
     "area_fraction   pixels under pressure; corrected: less (pi - 1 + ln 2)/24 of a pixel for each of their outer edges   Yastrebov et al. 2017\n"
     "duality_gap     bound of the energy above the least, over twice the stored energy; converged: <= --tolerance\n"
-    "docs/theory/half-space.md\n";
+    "docs/concepts/half-space.md\n";
 
 struct Arguments : answers::HardWallRequest, answers::InteractionRequest {
     Common common;

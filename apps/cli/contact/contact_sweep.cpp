@@ -29,7 +29,7 @@ constexpr const char* explanation =
     "without --stage-stiffness the mean gap is moved; with it a stage z = gap + A T/k. A soft stage is a dead load in the limit\n"
     "steps     follow the tangent, so that no gap moves by more than the range, and halve where the cell jumps\n"
     "D_n       1/2 (T_(n-1) + T_n) d(gap) - dE, work of the machine that is stored nowhere; their sum is the area of the loop\n"
-    "a cell has a loss of its own, even a flat one: it jumps into contact and out of it as a whole   docs/theory/adhesive-cells.md\n";
+    "a cell has a loss of its own, even a flat one: it jumps into contact and out of it as a whole   docs/concepts/adhesive-cells.md\n";
 
 struct Arguments : answers::SweepRequest {
     Common common;

@@ -34,7 +34,7 @@ constexpr const char* explanation =
     "jumps        cells that hang together and are faster than --threshold times the mean speed; arrests: slower than 1/threshold\n"
     "tails        p(x) ~ x^-tau beyond where that fits best; distance: Kolmogorov's                 Clauset et al. (2009)\n"
     "release rate G = G_J(r, d) (1 + 1/r sum |n| r_n exp(in theta)), G_J = E*(d - r^2/R)^2/(2 pi r)        Gao, Rice (1987)\n"
-    "             roughness makes it scatter by 2 sqrt(U_el/AW) of itself                                    docs/theory/crack-front.md\n"
+    "             roughness makes it scatter by 2 sqrt(U_el/AW) of itself                                    docs/concepts/crack-front.md\n"
     "voids        pixels inside the edge that are as bright as the outside\n"
     "a table of --save-line, or of a simulation with columns time, radius_1 ... radius_N, is read in place of pictures\n"
     "docs/guides/contact-line.md\n";

@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* explanation =
     "Does a soft body conform to all waves of a rough one, as (7) supposes? Random patches in a periodic cell, an elastic half-space,\n"
-    "an attraction of finite range; nothing but their spectrum goes in.                                   docs/theory/conformity.md\n"
+    "an attraction of finite range; nothing but their spectrum goes in.                                   docs/concepts/conformity.md\n"
     "U_el/AW     e, what full contact stores over what it gains, W = W_int r - γ1 (r - 1); slopes count to first order, in W alone\n"
     "from far    let go above the highest point, no load: area in contact, and what that gained over W; (7) says 1 - e\n"
     "preload     pressed at h'E* first, then no load\n"

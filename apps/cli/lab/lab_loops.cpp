@@ -29,7 +29,7 @@ constexpr const char* explanation =
     "holds      share of 95 % intervals that hold the planted value, with Wilson's interval for that share\n"
     "a(F)       least squares in a alone, (1); a(F) both: errors in both; linear: the linear form. a(F) and linear are biased where noisy\n"
     "with --mechanism: the recipe's data set with another law of W_ret in its loops, studied from its files; which law is found\n"
-    "           reversible, pinning, conformal_loss, opening_work, each alone, times a crack tip (crack_tip_…) and times that of its speed (crack_speed_…); docs/theory/hysteresis.md\n";
+    "           reversible, pinning, conformal_loss, opening_work, each alone, times a crack tip (crack_tip_…) and times that of its speed (crack_speed_…); docs/concepts/hysteresis.md\n";
 
 struct Arguments {
     Common common;

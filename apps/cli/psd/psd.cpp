@@ -23,7 +23,7 @@ constexpr const char* explanation =
     "C2D(q) = |h(q)|^2/A [m4]; C_iso its mean over the circle |q|; h_rms^2 = (1/2 pi) int q C_iso dq                        [J17]\n"
     "one map: C_iso by transform; else C_iso = pi C1D/(q sqrt(1 - (q/q_s)^2)), q_s the end of the band                      [D19] (11)\n"
     "--abel: C_iso = -2 int_q^inf C1D'(p) dp/sqrt(p^2 - q^2), exact for isotropic surfaces; its ratio to pi C1D/q                Bracewell\n"
-    "--fit: C_iso = C_0 max(1, q/q_r)^(-2-2H) by the likelihood of the spectra, C1D by the exact Abel integral             docs/theory/self-affine-fit.md\n"
+    "--fit: C_iso = C_0 max(1, q/q_r)^(-2-2H) by the likelihood of the spectra, C1D by the exact Abel integral             docs/concepts/self-affine-fit.md\n"
     "one measurement: its own modes; several: arithmetic mean in bins of 0.1 decade, each in its reliable band              [D19]\n";
 
 struct Arguments {

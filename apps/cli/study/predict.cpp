@@ -41,7 +41,7 @@ constexpr const char* explanation =
     "E_loss            jumps of the sphere in its machine + (W_ret - W_app) π a_max²; needs sphere_radius and preload\n"
     "off               measured - law, rms; next surface, next elastomer: of those that the fit has not seen\n"
     "odds              for the best law against each, by how well the other surfaces say each surface\n"
-    "docs/theory/hysteresis.md\n";
+    "docs/concepts/hysteresis.md\n";
 
 struct PredictArguments {
     Common common;

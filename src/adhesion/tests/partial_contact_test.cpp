@@ -33,7 +33,7 @@ TEST(UnloadedContact, GainsNoLessThanTheBalanceAndLessTheMoreIsStored) {
     }
 }
 
-// `setae lab conform`, docs/measured/conformity.md
+// `setae lab conform`, docs/validation/conformity.md
 TEST(UnloadedContact, HasTheSimulatedNumbers) {
     EXPECT_NEAR(unloaded_contact(0.5).gain, 0.51, 0.01);
     EXPECT_NEAR(unloaded_contact(1.0).gain, 0.20, 0.01);

@@ -146,7 +146,7 @@ TEST(WorkPosterior, TracesWhatItRestsOn) {
     EXPECT_TRUE(traced.components.contains("gamma"));
 }
 
-// The suite's share of docs/measured/estimators.md: 95 of 100 within binomial limits
+// The suite's share of docs/validation/estimators.md: 95 of 100 within binomial limits
 TEST(WorkPosterior, HoldsTheTruthAsOftenAsItSays) {
     constexpr int sets = 60;
     int held = 0;

@@ -64,7 +64,7 @@ TEST(ContactFront, HoldsOnWhereTheSurfaceIsRough) {
     EXPECT_GT(value_of(answer, "work_of_adhesion_retraction"), 1.005 * W);
     EXPECT_LT(value_of(answer, "work_of_adhesion_approach"), 0.995 * W);
     const double k = value_of(answer, "pinning_coefficient");
-    EXPECT_GT(k, 0.1);  // of a front that is short, docs/measured/crack-front.md
+    EXPECT_GT(k, 0.1);  // of a front that is short, docs/validation/crack-front.md
     EXPECT_LT(k, 1.5);
     EXPECT_GT(value_of(answer, "energy_loss"), value_of(answer, "smooth_sphere_loss"));
     EXPECT_GT(value_of(answer, "jumps"), 10.0);

@@ -229,7 +229,7 @@ double retraction_by(Law law, double parameter, const RetractionPair& pair) {
     return predicted_retraction({.model = {law, Tip::none}, .parameter = parameter, .scatter = {}}, pair).value;
 }
 
-// At U_el = AW simulated patches touch on 0.56 of their area and gain 0.1985 W (docs/measured/conformity.md): the
+// At U_el = AW simulated patches touch on 0.56 of their area and gain 0.1985 W (docs/validation/conformity.md): the
 // contact stores the difference.
 TEST(RetractionPair, OfPartialContactIsThatOfTheContactThereIs) {
     const auto pair = with_energy_share(1.0);

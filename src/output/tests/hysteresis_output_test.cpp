@@ -49,7 +49,7 @@ TEST(HysteresisOfAStudy, RanksByPairsThatConformAndPredictsTheOthersApart) {
     EXPECT_NEAR(pair_of(h, "PUNCD", "E1.0").tip_factor->value, 52.5 / 36.8, 1e-12);
 }
 
-// W_ret of sixteen pairs against r α, α of docs/measured/conformity.md at their U_el/AW, by least squares in Python:
+// W_ret of sixteen pairs against r α, α of docs/validation/conformity.md at their U_el/AW, by least squares in Python:
 // 85.2 mJ/m², 13.6 mJ/m² rms off; against r alone 70.3 and 36.6. With the crack tip's factor or without cannot be
 // distinguished; every model that says less of the true area is clearly worse.
 TEST(HysteresisOfAStudy, OneWorkATrueAreaInContactSaysAllPairs) {
@@ -171,7 +171,7 @@ TEST(HysteresisText, BeginsWithTheAnswer) {
         EXPECT_NE(text.find(line), std::string::npos) << line;
 }
 
-// docs/measured/crack-front.md: from the maximum load of 1 mN to pull-off
+// docs/validation/crack-front.md: from the maximum load of 1 mN to pull-off
 TEST(HysteresisOfAStudy, CountsTheLarkinLengthsOfPublishedContacts) {
     const auto& h = published_hysteresis();
     struct Published {

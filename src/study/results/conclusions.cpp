@@ -397,7 +397,7 @@ void add_alerts(PairResult& pair) {
              fmt::format("(7) gives {:.3g} mJ/m2; contact on {:.0f} % of the area gains {:.2g}",
                          1e3 * pair.modified->work.raw, 100.0 * pair.contact.area_fraction,
                          1e3 * pair.partial_contact->value),
-             "(7) is floored at 0: area and energy of full contact do not apply; docs/theory/conformity.md"});
+             "(7) is floored at 0: area and energy of full contact do not apply; docs/concepts/conformity.md"});
     if (pair.closing() == adhesion::Closing::under_pressure) {
         const auto& band = *pair.scales->pressed;
         pair.alerts.push_back(

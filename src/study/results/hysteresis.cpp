@@ -62,7 +62,7 @@ std::vector<Alert> pinning_alerts(const std::vector<PairHysteresis>& pairs) {
     return {{"PINNING_EXTRAPOLATED", fmt::format("{}", fmt::join(beyond, ", ")),
              "k of the pinning models is extrapolated: no front of this U_el/AW and as many Larkin lengths N was "
              "simulated; the standard error of k counts the distance",
-             "take the pinning models for estimates there; docs/measured/crack-front.md has the range"}};
+             "take the pinning models for estimates there; docs/validation/crack-front.md has the range"}};
 }
 
 class HysteresisOf {

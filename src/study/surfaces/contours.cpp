@@ -59,7 +59,7 @@ Alert foil_alert(const std::string& subject, const std::optional<double>& thickn
     return {
         "FOIL_THICKNESS", subject,
         "the contour is the silhouette of a foil of unknown thickness: waves shorter than about ten times its thickness read low",
-        "give --foil-thickness; docs/theory/tem-projection.md says how much is hidden"};
+        "give --foil-thickness; docs/concepts/tem-projection.md says how much is hidden"};
 }
 
 void take(std::vector<Alert>& alerts, std::vector<Alert> more, const std::string& subject) {

@@ -12,7 +12,7 @@ Alert foil_projection_alert(const std::string& subject, double thickness) {
         fmt::format(
             "the contour is the silhouette of a foil {:.3g} nm thick, not a line scan: at wavelengths below {:.3g} nm C1D reads up to a third low, and the rms slope 1 to 7 %; the likelihood expects that, the average does not",
             thickness * 1e9, felt_below * thickness * 1e9),
-        "rest the numbers on the likelihood (several measurements), or take thinner foils; docs/theory/tem-projection.md"};
+        "rest the numbers on the likelihood (several measurements), or take thinner foils; docs/concepts/tem-projection.md"};
 }
 
 }  // namespace setae::study

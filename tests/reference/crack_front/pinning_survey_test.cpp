@@ -11,7 +11,7 @@
 
 namespace pinning_survey_test {
 
-// the long fronts are in docs/measured/crack-front.md
+// the long fronts are in docs/validation/crack-front.md
 TEST(PinningSurvey, AFrontBelowItsLarkinLengthHardlyLoses) {
     const auto weak = pinning_survey::run({.energy_share = 0.01, .way = 128, .width = 64}, 1.0);
     EXPECT_TRUE(weak.converged);

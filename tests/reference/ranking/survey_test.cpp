@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surveys of docs/measured/estimators.md and docs/measured/ranking.md, shortened.
+// The surveys of docs/validation/estimators.md and docs/validation/ranking.md, shortened.
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far fits of self-affine surfaces are from what the surfaces are, and how often their intervals hold it: the table
-// of docs/theory/self-affine-fit.md.  self_affine_survey [twins, default 100]
+// of docs/concepts/self-affine-fit.md.  self_affine_survey [twins, default 100]
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The survey of docs/theory/self-affine-fit.md, shortened.
+// The survey of docs/concepts/self-affine-fit.md, shortened.
 #include "survey.hpp"
 
 #include <gtest/gtest.h>

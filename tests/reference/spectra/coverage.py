@@ -5,7 +5,7 @@
     coverage.py SETAE [MAPS]
 
 Maps are made here, by numpy alone: Gaussian heights with a given C_iso on 512 x 512 points, of which 256 x 256 are kept,
-5 um wide; for fits also on 1024 x 1024 points, of which every second is kept. Prints the tables of docs/measured/spectra.md. SETAE: the program; MAPS: of each kind, 400 by default.
+5 um wide; for fits also on 1024 x 1024 points, of which every second is kept. Prints the tables of docs/validation/spectra.md. SETAE: the program; MAPS: of each kind, 400 by default.
 """
 
 import json

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How often 95 % intervals of a surface's parameters hold the truth, for a few measurements an instrument.
-// SETAE_COVERAGE_REPETITIONS=1000 prints the table of docs/theory/uncertainty.md.
+// SETAE_COVERAGE_REPETITIONS=1000 prints the table of docs/concepts/uncertainty.md.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -229,7 +229,7 @@ TEST(IntervalCoverage, OfThePercentileBootstrapIsLess) {
 }
 
 TEST(IntervalCoverage, OfEveryMethodIsTabulated) {
-    // SETAE_COVERAGE_REPETITIONS=500 prints the table of docs/theory/uncertainty.md; twenty sets tell no method from
+    // SETAE_COVERAGE_REPETITIONS=500 prints the table of docs/concepts/uncertainty.md; twenty sets tell no method from
     // another, but one that holds less than half of the true values is wrong
     const char* wanted = std::getenv("SETAE_COVERAGE_REPETITIONS");
     const int repetitions = wanted ? std::atoi(wanted) : 20;

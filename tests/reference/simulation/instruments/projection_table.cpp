@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints the table of docs/theory/tem-projection.md: projection_table > table.md
+// Prints the table of docs/concepts/tem-projection.md: projection_table > table.md
 #include "projection_table.hpp"
 
 #include <fmt/format.h>

@@ -9,7 +9,7 @@
 
 namespace setae::tests {
 
-/// One row of the table in docs/theory/tem-projection.md: a self-affine surface, waves down to 4 Å, seen through a
+/// One row of the table in docs/concepts/tem-projection.md: a self-affine surface, waves down to 4 Å, seen through a
 /// foil.
 struct ProjectionCase {
     double hurst_exponent = 0.8;

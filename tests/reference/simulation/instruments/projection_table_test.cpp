@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of docs/theory/tem-projection.md against other surfaces on another grid.
+// The table of docs/concepts/tem-projection.md against other surfaces on another grid.
 #include "projection_table.hpp"
 
 #include <fstream>
@@ -14,7 +14,7 @@ using namespace setae;
 
 /// The numbers of the table's row for a case: value and ± alternate from h_rms on.
 std::vector<double> documented(const tests::ProjectionCase& wanted) {
-    std::ifstream page("docs/theory/tem-projection.md");
+    std::ifstream page("docs/concepts/tem-projection.md");
     for (std::string line; std::getline(page, line);) {
         for (const std::string mark : {"|", "±"})
             for (auto at = line.find(mark); at != std::string::npos; at = line.find(mark))

@@ -28,7 +28,7 @@ inline constexpr double closing_energy_share = 0.25;
 /// Self-affine patches, H = 0.8, in bands of 4 to 16, gain linear in ρ/h_rms and taken at 0.05; gain_error: from there
 /// to the shortest range simulated, and of the mean; area_error: half the span of ranges below 0.35 h_rms. Beyond e = 3
 /// gain and area fall as e⁻³.
-/// Source: docs/measured/conformity.md, `setae lab conform`.
+/// Source: docs/validation/conformity.md, `setae lab conform`.
 [[nodiscard]] UnloadedContact unloaded_contact(double energy_share);
 
 /// W_app = W gain(U_el/(A W)): (7) where contact is full, and what contact gains where it is not.

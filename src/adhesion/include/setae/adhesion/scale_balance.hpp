@@ -36,7 +36,7 @@ struct ScaleBalance {
 /// in sum; formulas for full conformity then overstate both area and energy. Gained against stored tells whether closed
 /// gaps open; open ones close later. `closing_pressure` is that which closes 99 % of simulated patches of the same
 /// stored and gained energy and rms height, unloaded_contact(). contact_modulus [Pa] > 0; work_of_adhesion W_int and
-/// surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8; docs/measured/conformity.md.
+/// surface_energy γ1 [J/m²] >= 0.  Source: THEORY §8; docs/validation/conformity.md.
 [[nodiscard]] ScaleBalance scale_balance(const roughness::CumulativeParameters& below, double contact_modulus,
                                          double work_of_adhesion, double surface_energy, double area_shape = 1.0);
 

@@ -55,7 +55,7 @@ struct SurfaceEnergyLaw {
 /// Stretching from A_app to A_true costs ∫ Υ dA with the surface stress Υ = d(γ1s A)/dA, so that γ1s A_true − γ1 A_app
 /// is spent on the way and γ1s A_true gained back where the stretched side is covered: however γ1s depends on strain,
 /// it drops out. interface_change: γ1s2 − γ12 at this strain [J/m²].
-/// @throws InvalidArgument outside the domain.  Source: derived in docs/theory; [D19] (5) with ∫ Υ dA.
+/// @throws InvalidArgument outside the domain.  Source: derived in docs/concepts; [D19] (5) with ∫ Υ dA.
 [[nodiscard]] ApparentWork end_state_balance(double work_of_adhesion, double surface_energy, double interface_change,
                                              const ConformalState& state);
 

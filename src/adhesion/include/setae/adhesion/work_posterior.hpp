@@ -23,7 +23,7 @@ namespace setae::adhesion {
 /// W >= 0.
 ///
 /// prior of the scatter: half-Cauchy of 0.4 of the median measured work, or of twice the rms residual of least squares
-/// where that is less. Coverage of its 95 % intervals: docs/measured/estimators.md.
+/// where that is less. Coverage of its 95 % intervals: docs/validation/estimators.md.
 class WorkPosterior {
 public:
     /// @throws InvalidArgument for fewer than two pairs; UndefinedDataError where no W explains the pairs better than

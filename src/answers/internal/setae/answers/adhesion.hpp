@@ -11,7 +11,7 @@
 
 namespace setae::answers {
 
-/// What `setae adhesion` is told of a soft solid and its partner; see docs/theory/theory.md.
+/// What `setae adhesion` is told of a soft solid and its partner; see docs/concepts/theory.md.
 struct AdhesionRequest {
     std::string youngs_modulus, work, surface_energy;  ///< "0.7 ± 0.02 MPa", "37 mJ/m2", "25 mJ/m2"
     double poisson_ratio = 0.5;

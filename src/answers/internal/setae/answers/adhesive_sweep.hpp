@@ -12,7 +12,7 @@
 
 namespace setae::answers {
 
-/// What `setae contact sweep` is told beside the surface; see docs/theory/adhesive-cells.md.
+/// What `setae contact sweep` is told beside the surface; see docs/concepts/adhesive-cells.md.
 struct SweepRequest : BodyRequest, InteractionRequest {
     std::string stage_stiffness;  ///< "10 N/m"; empty: the mean gap is moved
     std::string to_gap;           ///< where it turns; empty: full contact

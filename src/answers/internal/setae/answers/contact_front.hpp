@@ -14,7 +14,7 @@
 
 namespace setae::answers {
 
-/// What `setae contact front` is told beside the surface; see docs/theory/crack-front.md.
+/// What `setae contact front` is told beside the surface; see docs/concepts/crack-front.md.
 struct FrontRequest {
     std::string radius, contact_modulus, work_of_adhesion;  ///< "1 mm", "1 MPa", "50 mJ/m2"
     std::string to_force, to_displacement;                  ///< where the loop turns: one of them

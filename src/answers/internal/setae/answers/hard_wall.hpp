@@ -10,7 +10,7 @@
 
 namespace setae::answers {
 
-/// What `setae contact solve` is told beside the surface; see docs/theory/half-space.md.
+/// What `setae contact solve` is told beside the surface; see docs/concepts/half-space.md.
 struct HardWallRequest : BodyRequest {
     std::string pressure, displacement, mean_gap;  ///< one of them
     std::string stage_stiffness;                   ///< "10 N/m" of a stage that is displaced; with adhesion

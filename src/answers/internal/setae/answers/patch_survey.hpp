@@ -16,7 +16,7 @@
 
 namespace setae::answers {
 
-/// What `setae lab conform` is told; see docs/theory/conformity.md.
+/// What `setae lab conform` is told; see docs/concepts/conformity.md.
 struct PatchSurveyRequest {
     std::vector<double> energy_shares{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.2};  ///< U_el/(A W)
     std::vector<Index> points{256};

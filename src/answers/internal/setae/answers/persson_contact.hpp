@@ -13,7 +13,7 @@
 
 namespace setae::answers {
 
-/// What Persson's theory is told beside the surface, as `setae contact persson`; see docs/theory/persson.md.
+/// What Persson's theory is told beside the surface, as `setae contact persson`; see docs/concepts/persson.md.
 struct PerssonRequest {
     std::string modulus, pressure;  ///< E* "1 GPa"; "10 MPa", "1MPa,10MPa" or "1MPa:100MPa"
     std::string work, layer;        ///< "50 mJ/m2", empty: none; thickness "20 um", empty: a half-space

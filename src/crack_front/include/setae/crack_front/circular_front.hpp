@@ -26,7 +26,7 @@ namespace setae::crack_front {
 /// (2022) 104781 (energies).
 enum class FrontModel { constant_toughness, variational, energy_release_rate, stress_intensity, mean_circle };
 
-/// How equilibria are found, see docs/theory/crack-front.md. Both follow a front that moves slowly and agree.
+/// How equilibria are found, see docs/concepts/crack-front.md. Both follow a front that moves slowly and agree.
 enum class EquilibriumMethod {
     rosso_krauth,  ///< points move one way: cannot pass an equilibrium, whatever the steps
     trust_region,  ///< Newton steps of limited length: some twenty times faster

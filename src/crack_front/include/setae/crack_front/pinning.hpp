@@ -32,7 +32,7 @@ namespace setae::crack_front {
 ///
 /// 2πa/10 at no load, 2πa/4 at pull-off under a dead load. A straight front has ℓ = L_z where its spring is π/L_z.
 /// contact_radius: a [m], > 0. contact: R, E*, W > 0. @throws InvalidArgument outside the domain.
-/// Source: G of a sphere, Maugis, Contact, Adhesion and Rupture (2000), ch. 4; docs/theory/crack-front.md.
+/// Source: G of a sphere, Maugis, Contact, Adhesion and Rupture (2000), ch. 4; docs/concepts/crack-front.md.
 [[nodiscard]] double free_length(double contact_radius, const contact::AdhesiveContact& contact);
 
 /// Number of Larkin lengths within free_length(): how far the edge of a contact of this radius is from a long front.

@@ -32,7 +32,7 @@ struct PinningConstants {
 /// N = 0.23 … 62, and meets each within its error. Fronts on bands of 16 and 32 have the k of 1.3 to 1.45 times as many
 /// Larkin lengths; the standard error counts this.
 /// Source of the law: Sanner, Kumar, Dhinojwala, Jacobs, Pastewka, Sci. Adv. 10 (2024) eadl1277; of k:
-/// docs/measured/crack-front.md.
+/// docs/validation/crack-front.md.
 /// @throws InvalidArgument outside the domain.
 [[nodiscard]] PinningConstants pinning_constants(double energy_share, double larkin_lengths);
 

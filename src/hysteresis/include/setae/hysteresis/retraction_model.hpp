@@ -95,7 +95,7 @@ struct RetractionLine {
 ///   W_app = g W − k U_el/A,   k at the largest load
 ///
 /// 0 of models without pinning. parameter: θ, of fitted_pinning k. Source: simulated fronts,
-/// docs/measured/crack-front.md.
+/// docs/validation/crack-front.md.
 [[nodiscard]] double pinned_on_approach(const RetractionModel& model, const PairState& state,
                                         const std::vector<PinningBand>& bands, double parameter);
 

@@ -134,7 +134,7 @@ struct ModelFit {
 /// the signed root of W), so that no sample and no start needs help.
 /// @throws UndefinedDataError for too few samples, a missing channel or data that are no elastic contact;
 /// InvalidArgument for options a model or channel set does not have, a layer without thickness, radii beyond the
-/// model's domain. Cost: measured in docs/theory/contact-models.md, below 0.2 s for 2000 samples.
+/// model's domain. Cost: measured in docs/concepts/contact-models.md, below 0.2 s for 2000 samples.
 [[nodiscard]] ModelFit fit_model(const BranchData& data, const LensAndCounterBody& bodies,
                                  const ModelFitOptions& options = {});
 

@@ -70,7 +70,7 @@ struct ParameterSpread {
     /// least: what f exceeds, 0 but for area ratios, 1. Where a value does not exceed it there is no interval of its
     /// own. Method: "likelihood" of draws; "jackknife t on ln" or "bootstrap on ln", with ", delta" where sources add
     /// to them, or "delta on ln" for sources alone; without " on ln" where there is no interval of its own. Source:
-    /// coverage measured in docs/theory/uncertainty.md.
+    /// coverage measured in docs/concepts/uncertainty.md.
     [[nodiscard]] Estimate estimate(double value, const Function& f, double least = 0.0) const;
     /// Changes every set of parameters held here.
     void each(const std::function<void(SpectralParameters&)>& change);

@@ -16,7 +16,7 @@ struct SpectrumInterval {
 ///
 /// n: independent lines of each mode. One line, n = 1, tells C1D of a mode to a factor of 40 either way.
 /// NaN where a correction leaves C1D <= 0. level: in (0, 1). @throws InvalidArgument outside it, and for a spectrum
-/// without independent lines. Source: Brillinger, Time Series (2001) ch. 5; coverage in docs/measured/spectra.md.
+/// without independent lines. Source: Brillinger, Time Series (2001) ch. 5; coverage in docs/validation/spectra.md.
 [[nodiscard]] SpectrumInterval interval_of(const MeasuredSpectrum& spectrum, double level = 0.95);
 
 }  // namespace setae::spectra

@@ -57,7 +57,7 @@ struct TracedPicture {
 ///
 ///   Rq² = (1/L) ∫ h² dx − rms_error²
 ///
-/// FOIL_PROJECTION: the contour is the silhouette of a foil; docs/theory/tem-projection.md says what it hides. Waves
+/// FOIL_PROJECTION: the contour is the silhouette of a foil; docs/concepts/tem-projection.md says what it hides. Waves
 /// shorter than about ten times its thickness read low; without a thickness FOIL_THICKNESS asks for it.
 /// @throws what read_micrograph, calibrate and trace_contour throw, with the file's name.
 [[nodiscard]] TracedPicture trace_picture(const std::string& path, const ContourOptions& options = {});

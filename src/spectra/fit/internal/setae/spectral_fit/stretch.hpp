@@ -58,7 +58,7 @@ struct ObservedStretch {
 /// mean power is twenty times the least of any annulus. The five lowest wavevectors along the lines are left out, which
 /// offsets and trends of lines leave their mark on. More scatter than exponential variates have widens the errors.
 /// Empty for maps with undefined heights or without waves left.
-/// Source: derived here; docs/theory/likelihood.md.
+/// Source: derived here; docs/concepts/likelihood.md.
 [[nodiscard]] std::vector<ObservedStretch> observed_stretch(const topography::HeightMap& map, const Band& band,
                                                             parallel::Threads threads = {});
 
