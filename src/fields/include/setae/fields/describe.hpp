@@ -51,11 +51,15 @@ struct MemberOf<Value Of::*> {
     using Type = Value;
 };
 
-/// An address for each member, or base.
+/// A spelling for each member, or base. (Addresses would do, but GCC compares none in constants under its sanitizers.)
 template <auto Member>
-inline constexpr char address_of_member{};
+consteval std::string_view spelling_of_member() {
+    return __PRETTY_FUNCTION__;
+}
 template <class Base>
-inline constexpr char address_of_base{};
+consteval std::string_view spelling_of_base() {
+    return __PRETTY_FUNCTION__;
+}
 
 template <class T>
 inline constexpr bool is_vector = false;
@@ -238,7 +242,7 @@ void put_made(const void* result, const Row& row, Sink& sink) {
 template <auto Member>
 consteval Row field(std::string_view name, std::string_view meaning) {
     auto row = detail::row_of<typename detail::MemberOf<decltype(Member)>::Type>(name, meaning);
-    row.member = &detail::address_of_member<Member>;
+    row.member = detail::spelling_of_member<Member>();
     row.put = detail::put_member<Member>;
     return row;
 }
@@ -302,7 +306,7 @@ template <class T, std::derived_from<T> Derived>
 consteval Row inherited() {
     return {.kind = Kind::object,
             .inner = &Described<T>::description,
-            .member = &detail::address_of_base<T>,
+            .member = detail::spelling_of_base<T>(),
             .among = true,
             .put = [](const void* result, const Row& row, Sink& sink) {
                 const T& base = *static_cast<const Derived*>(result);
@@ -332,15 +336,19 @@ consteval Row fields_of(From from) {
     return fields_of<T>(Described<typename detail::Bare<Other>::Type>::description, from);
 }
 
-/// A field that other code writes: schemas know it. `inner` is the description of an object.
-consteval Row written_apart(std::string_view name, std::string_view meaning, const Description* inner = nullptr) {
-    return {.name = name, .meaning = meaning, .kind = inner ? Kind::object : Kind::text, .inner = inner};
+/// A field that other code writes: schemas know it.
+consteval Row written_apart(std::string_view name, std::string_view meaning) {
+    return {.name = name, .meaning = meaning, .kind = Kind::text};
+}
+/// An object that other code writes.
+consteval Row written_apart(std::string_view name, std::string_view meaning, const Description& object) {
+    return {.name = name, .meaning = meaning, .kind = Kind::object, .inner = &object};
 }
 
 /// A member that stands in no output by itself: computed fields are made from it.
 template <auto Member>
 consteval Row inner() {
-    return {.member = &detail::address_of_member<Member>};
+    return {.member = detail::spelling_of_member<Member>()};
 }
 
 namespace detail {
@@ -363,7 +371,7 @@ constexpr std::size_t member_count() {
 }
 
 /// Whether rows name a member, those of parts included.
-constexpr bool names(std::span<const Row> rows, const void* member) {
+constexpr bool names(std::span<const Row> rows, std::string_view member) {
     for (const auto& row : rows)
         if (row.member == member || (row.is_part && names(row.inner->rows, member))) return true;
     return false;
@@ -374,9 +382,9 @@ constexpr std::size_t distinct_members(std::span<const Row> rows) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto later = rows.subspan(i + 1);
-        if (rows[i].member) count += !names(later, rows[i].member);
+        if (!rows[i].member.empty()) count += !names(later, rows[i].member);
         else if (rows[i].is_part)
-            for (const auto& row : rows[i].inner->rows) count += row.member && !names(later, row.member);
+            for (const auto& row : rows[i].inner->rows) count += !row.member.empty() && !names(later, row.member);
     }
     return count;
 }

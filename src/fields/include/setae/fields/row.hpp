@@ -86,7 +86,7 @@ struct Row {
     Missing if_missing = Missing::never;
     const Description* inner = nullptr;           ///< of objects
     std::span<const std::string_view> choices{};  ///< of Kind::choice
-    const void* member = nullptr;                 ///< one address a member; nullptr for what is computed
+    std::string_view member{};                    ///< spelling of the member or base; empty for what is computed
     bool is_part = false;                         ///< `inner` has further fields of the same result
     bool among = false;                           ///< the fields of `inner` stand among the others, without a name
     bool has_error = false;                       ///< of a quantity: its type holds one

@@ -480,7 +480,7 @@ struct Described<loops::LoopAnalysis> {
         field<&T::cycles>("cycles", "further loading and unloading within one touch"),
         field<&T::alerts>("alerts", "what the reader must know"),
         written_apart("file", "as it was named").with(Missing::left_out),
-        written_apart("models", "contact models fitted beside JKR", &loop_models).with(Missing::left_out),
+        written_apart("models", "contact models fitted beside JKR", loop_models).with(Missing::left_out),
         inner<&T::corrected>(),
         inner<&T::force_zero>(),
         inner<&T::further_contacts>(),
