@@ -187,8 +187,8 @@ imaging::LineOptions LineRequest::line_options(parallel::Threads threads) const 
     return options;
 }
 
-imaging::RecordedLine recorded_line(const Table& table) {
-    imaging::RecordedLine recorded;
+RecordedLine recorded_line(const Table& table) {
+    RecordedLine recorded;
     recorded.line = contact_line::line_of(table);
     const auto* numbers = table.find("frame");
     for (Index i = 0; i < recorded.line.frames(); ++i)
@@ -207,11 +207,18 @@ RecordedEdge recorded_edge(const std::vector<std::string>& files, const LineRequ
     const auto options = request.radius_options(threads);
     const imaging::FrameSource source(files, request.frame_options());
     auto radii = imaging::measure_contact_radii(source, options);
-    auto line = imaging::measure_contact_line(source, radii, request.line_options(threads));
+    auto traced = imaging::measure_contact_line(source, radii, request.line_options(threads));
+    RecordedLine line{.frames = std::move(traced.frames),
+                      .line = {std::move(traced.time), std::move(traced.radius), traced.place_error},
+                      .pixel_size = traced.pixel_size,
+                      .centre_x = traced.centre_x,
+                      .centre_y = traced.centre_y,
+                      .voids = std::move(traced.voids),
+                      .left_out = std::move(traced.left_out)};
     return {std::move(line), std::move(radii), {}};
 }
 
-std::string line_csv(const imaging::RecordedLine& recorded) {
+std::string line_csv(const RecordedLine& recorded) {
     return edge_csv(contact_line::as_table(recorded.line, recorded.frames));
 }
 

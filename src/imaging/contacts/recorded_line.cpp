@@ -70,7 +70,8 @@ RecordedLine measure_contact_line(const FrameSource& source, const ContactRadii&
                           angles, options.smallest_void);
     });
     const auto rows = std::count_if(lines.begin(), lines.end(), [](const Traced& t) { return t.failure.empty(); });
-    recorded.line = {Array1D(rows), Array2D(rows, angles)};
+    recorded.time.resize(rows);
+    recorded.radius.resize(rows, angles);
     double noise = 0.0;
     Index row = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -80,14 +81,14 @@ RecordedLine measure_contact_line(const FrameSource& source, const ContactRadii&
             continue;
         }
         recorded.frames.push_back(frame.number);
-        recorded.line.time[row] = frame.time;
-        recorded.line.radius.row(row++) = radii.pixel_size * lines[k].outline.radius.transpose();
+        recorded.time[row] = frame.time;
+        recorded.radius.row(row++) = radii.pixel_size * lines[k].outline.radius.transpose();
         noise += std::pow(radii.pixel_size * lines[k].outline.place_error, 2);
         recorded.voids.push_back(std::move(lines[k].outline.voids));
     }
     if (rows == 0)
         throw UndefinedDataError(fmt::format("no frame shows its edge whole; {}", recorded.left_out.front()));
-    recorded.line.place_error = std::sqrt(noise / static_cast<double>(rows));
+    recorded.place_error = std::sqrt(noise / static_cast<double>(rows));
     return recorded;
 }
 

@@ -42,8 +42,8 @@ TEST(Recording, ShowsTheEdgeItWasMadeOf) {
     const auto radii = imaging::measure_contact_radii(source, {});
     const auto found = imaging::measure_contact_line(source, radii, {.angles = 256});
     EXPECT_NEAR(found.pixel_size / pixel, 1.0, 1e-6);  // as the file states it
-    ASSERT_EQ(found.line.frames(), 11);
-    EXPECT_NEAR(found.line.time[10] - found.line.time[0], 2.0, 1e-9);
+    ASSERT_EQ(found.time.size(), 11);
+    EXPECT_NEAR(found.time[10] - found.time[0], 2.0, 1e-9);
     // places are told about the mean centre of the frames' ellipses
     const double dx = found.centre_x - 0.5 * static_cast<double>(shape.width - 1),
                  dy = found.centre_y - 0.5 * static_cast<double>(shape.height - 1);
@@ -53,11 +53,11 @@ TEST(Recording, ShowsTheEdgeItWasMadeOf) {
         const double angle = 2.0 * pi * static_cast<double>(j) / 256.0;
         expected.col(j) -= pixel * (dx * std::cos(angle) + dy * std::sin(angle));
     }
-    const double difference = std::sqrt((found.line.radius - expected).square().mean()) / pixel;
-    const double stated = found.line.place_error / pixel;
+    const double difference = std::sqrt((found.radius - expected).square().mean()) / pixel;
+    const double stated = found.place_error / pixel;
     EXPECT_LT(stated, 0.3);
     EXPECT_LT(difference, 1.2 * std::hypot(stated, 0.1));
-    EXPECT_LT(std::abs((found.line.radius - expected).mean()) / pixel, 0.03);
+    EXPECT_LT(std::abs((found.radius - expected).mean()) / pixel, 0.03);
 }
 
 TEST(Recording, HasTheSameBytesForAnyNumberOfThreads) {

@@ -46,10 +46,20 @@ struct ReleaseRate {
     [[nodiscard]] double energy_share() const { return 0.25 * (scatter / mean) * (scatter / mean); }
 };
 
+/// The edge in all frames of a recording that show it whole, or of a table.
+struct RecordedLine {
+    std::vector<long> frames;                              ///< numbers of the frames, one per row of the line
+    contact_line::ContactLine line;                        ///< [s], [m]; its error is of pixel noise
+    double pixel_size = 0;                                 ///< [m]
+    double centre_x = 0, centre_y = 0;                     ///< [px] of the whole frame: the mean of the frames'
+    std::vector<std::vector<imaging::ContactVoid>> voids;  ///< of every frame
+    std::vector<std::string> left_out;                     ///< frames that are left out, each with its reason
+};
+
 /// All that is found of an edge. No roughness, or no motion in either direction, has its reason in `notes`; a tail of
 /// too few numbers is left out.
 struct LineAnswer {
-    imaging::RecordedLine recorded;  ///< of a table: without voids
+    RecordedLine recorded;  ///< of a table: without voids
     contact_line::LineShape shape;
     std::optional<contact_line::LineRoughness> roughness;
     std::optional<LineMotion> advancing, receding;
@@ -59,11 +69,11 @@ struct LineAnswer {
 
 /// An edge that was simulated or measured before: a table of contact_line::as_table().
 /// @throws as contact_line::line_of.
-[[nodiscard]] imaging::RecordedLine recorded_line(const Table& table);
+[[nodiscard]] RecordedLine recorded_line(const Table& table);
 
 /// An edge, and the radii from whose centres its rays go out; a table has none.
 struct RecordedEdge {
-    imaging::RecordedLine line;
+    RecordedLine line;
     std::optional<imaging::ContactRadii> radii;
     std::optional<Array1D> displacement;  ///< at the line's times [m], where a table has it
 };
@@ -75,7 +85,7 @@ struct RecordedEdge {
 /// A table of contact_line::as_table() as CSV below "# place_error: …", which recorded_line() reads.
 [[nodiscard]] std::string edge_csv(const Table& table);
 /// The same of a recording.
-[[nodiscard]] std::string line_csv(const imaging::RecordedLine& recorded);
+[[nodiscard]] std::string line_csv(const RecordedLine& recorded);
 
 /// @throws InvalidArgument for a band of modes or a threshold outside their domain, and for a release rate without
 /// sphere, modulus or displacements.

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "setae/contact_line/contact_line.hpp"
 #include "setae/imaging/contact_radius.hpp"
 
 namespace setae::imaging {
@@ -44,7 +43,9 @@ struct ContactOutline {
 /// The edge in all frames of a recording that show it whole.
 struct RecordedLine {
     std::vector<long> frames;                     ///< numbers of the frames, one a row of the line
-    contact_line::ContactLine line;               ///< [s], [m]; its error is of pixel noise
+    Array1D time;                                 ///< M times [s]
+    Array2D radius;                               ///< r (M, N) at N equal angles [m]
+    double place_error = 0;                       ///< standard deviation of one place by pixel noise [m]
     double pixel_size = 0;                        ///< [m]
     double centre_x = 0, centre_y = 0;            ///< [px] of the whole frame: the mean of the frames'
     std::vector<std::vector<ContactVoid>> voids;  ///< of every frame
