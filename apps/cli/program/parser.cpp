@@ -296,7 +296,7 @@ std::string path_of(const CLI::App& verb) {
     return parent && parent->get_parent() ? path_of(*parent) + " " + verb.get_name() : verb.get_name();
 }
 
-/// Options of a command as they are typed, with a value or without.
+/// Options of a command as they are typed, with a value or without; a value with blanks in quotes.
 fields::Spelling spelling_of(const CLI::App& verb) {
     std::set<std::string, std::less<>> names;
     for (const auto* option : verb.get_options())
@@ -304,7 +304,8 @@ fields::Spelling spelling_of(const CLI::App& verb) {
     return [names = std::move(names)](std::string_view name, std::string_view value) {
         const auto option = dashed(name);
         if (!names.contains(option)) return std::string();
-        return value.empty() ? option : fmt::format("{} \"{}\"", option, value);
+        const auto* quote = value.find(' ') == value.npos ? "" : "\"";
+        return value.empty() ? option : fmt::format("{0} {1}{2}{1}", option, quote, value);
     };
 }
 
