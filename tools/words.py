@@ -36,7 +36,7 @@ def blank(text, fill=" "):
 
 def pages(text):
     """A page without its code, links' targets and what the program makes of it."""
-    text = re.sub(r"\A.*?<!-- what stands above is made by[^\n]*", lambda found: blank(found[0], GAP), text, flags=re.S)
+    text = re.sub(r"\A.*?<!--[^\n]*\babove\b[^\n]*made by[^\n]*-->", lambda found: blank(found[0], GAP), text, flags=re.S)
     text = CODE.sub(lambda found: blank(found[0], GAP), text)
     return re.sub(r"(?<=\n\n)(?: {4}[^\n]*\n)+", lambda found: blank(found[0], GAP), text)
 
