@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # setae_module(name [QUICK] LINKS targets... PRIVATE targets... TEST_LINKS targets...)
 #
-# A module is one folder and one library setae::<name>. Its sources are the *.cpp beside CMakeLists.txt and in its rooms, the folders
-# beside it without a CMakeLists.txt of their own. QUICK: it calls what computes and computes nothing itself. include/ holds what users of the library may name, internal/ what other modules may,
-# headers beside sources are the module's own.
-# Tests are tests/**/*_test.cpp, in one program a folder of src (label "unit"); files named *_property_test.cpp go into one program of
-# all modules (label "property"). Benchmarks are benchmarks/*_bench.cpp.
+# A module is one folder and one library setae::<name>. Its sources are the *.cpp beside CMakeLists.txt and in its rooms, the folders below it.
+# QUICK: it calls what computes and computes nothing itself. include/ holds what users of the library may name, internal/ what other modules
+# may, headers beside sources are the module's own: they are named from the module's folder ("fit/probe.hpp") or beside the source.
+# Tests are tests/**/*_test.cpp, in one program a module (label "unit"); files named *_property_test.cpp go into one program of all modules
+# (label "property"). Benchmarks are benchmarks/*_bench.cpp.
+set(SETAE_INSTALLED ON)
+
 function(setae_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
@@ -35,26 +37,17 @@ function(setae_compile_together target)
   endif()
 endfunction()
 
-# The rooms of a module: folders below the current one that hold sources of it.
-function(setae_rooms result)
-  file(GLOB folders RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*)
-  list(FILTER folders EXCLUDE REGEX "^(include|internal|tests|benchmarks)$")
-  set(rooms "")
-  foreach(folder ${folders})
-    set(place ${CMAKE_CURRENT_SOURCE_DIR}/${folder})
-    if(IS_DIRECTORY ${place} AND NOT EXISTS ${place}/CMakeLists.txt)
-      list(APPEND rooms ${place})
-    endif()
-  endforeach()
-  set(${result} ${rooms} PARENT_SCOPE)
+# The sources of a module: beside its CMakeLists.txt and in its rooms, folders at any depth without one of their own.
+function(setae_sources result)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/(tests|benchmarks|mpi)/")
+  set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
 function(setae_module name)
   cmake_parse_arguments(ARG "QUICK" "" "LINKS;PRIVATE;TEST_LINKS" ${ARGN})
   set(here ${CMAKE_CURRENT_SOURCE_DIR})
-  setae_rooms(rooms)
-  list(TRANSFORM rooms APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
-  file(GLOB sources CONFIGURE_DEPENDS ${here}/*.cpp ${patterns})
+  setae_sources(sources)
   add_library(setae_${name} ${sources})
   add_library(setae::${name} ALIAS setae_${name})
   set_target_properties(setae_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
@@ -77,9 +70,11 @@ function(setae_module name)
   if(TARGET ${precompiled} AND "fmt::fmt" IN_LIST ARG_PRIVATE)
     target_precompile_headers(setae_${name} REUSE_FROM ${precompiled})
   endif()
-  install(TARGETS setae_${name} EXPORT setae ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  if(IS_DIRECTORY ${here}/include)
-    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  if(SETAE_INSTALLED)
+    install(TARGETS setae_${name} EXPORT setae ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    if(IS_DIRECTORY ${here}/include)
+      install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    endif()
   endif()
 
   set(known ${ARG_PRIVATE}) # tests and benchmarks may name what the module may
@@ -90,10 +85,8 @@ function(setae_module name)
     set(property_tests ${tests})
     list(FILTER property_tests INCLUDE REGEX "_property_test\\.cpp$")
     list(FILTER tests EXCLUDE REGEX "_property_test\\.cpp$")
-    cmake_path(RELATIVE_PATH here BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/src OUTPUT_VARIABLE place)
-    string(REGEX REPLACE "/.*" "" room ${place})
     set(links ${known} ${ARG_TEST_LINKS})
-    setae_tests(${room}_tests unit SOURCES ${tests} LINKS ${links} INCLUDES ${here} ${here}/tests)
+    setae_tests(${name}_tests unit SOURCES ${tests} LINKS ${links} INCLUDES ${here} ${here}/tests)
     setae_tests(property_tests property SOURCES ${property_tests} LINKS ${links} rapidcheck INCLUDES ${here} ${here}/tests)
   endif()
   if(SETAE_BENCHMARKS)

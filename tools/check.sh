@@ -15,9 +15,9 @@ tools/include_graph.py order || failed=1
 tests/package/registries.py || failed=1
 
 if [ "$since" = all ]; then
-  mapfile -t tidy < <(git ls-files 'src/*.cpp' 'apps/*.cpp' ':!*/tests/*' ':!*/benchmarks/*')
+  mapfile -t tidy < <(git ls-files 'src/*.cpp' 'lab/*.cpp' 'apps/*.cpp' ':!*/tests/*' ':!*/benchmarks/*')
 else
-  mapfile -t tidy < <(git diff --name-only --diff-filter=d "$since" -- 'src/*.cpp' 'apps/*.cpp' ':!*/tests/*' ':!*/benchmarks/*')
+  mapfile -t tidy < <(git diff --name-only --diff-filter=d "$since" -- 'src/*.cpp' 'lab/*.cpp' 'apps/*.cpp' ':!*/tests/*' ':!*/benchmarks/*')
 fi
 if [ ${#tidy[@]} -gt 0 ]; then
   # clang cannot read what g++ compiled of headers, and reads each source by itself

@@ -16,7 +16,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 
 
 def sources():
-    for top in ("src", "apps"):
+    for top in ("src", "lab", "apps"):
         for path in (ROOT / top).rglob("*"):
             if path.suffix in (".cpp", ".hpp") and not {"tests", "benchmarks"} & set(path.parts):
                 yield path
@@ -31,8 +31,9 @@ MODULES = sorted(module_order(), key=len, reverse=True)
 
 
 def module_of(path):
+    """A module of src, as "part/module"; "lab" and "apps" use them all."""
     folder = path.relative_to(ROOT).as_posix()
-    return next((module for module in MODULES if folder.startswith(f"src/{module}/")), "apps")
+    return next((module for module in MODULES if folder.startswith(f"src/{module}/")), folder.partition("/")[0])
 
 
 def resolver(paths):
@@ -104,7 +105,7 @@ def edges():
 
 
 def order():
-    place = {module: i for i, module in enumerate(module_order() + ["apps"])}
+    place = {module: i for i, module in enumerate(module_order() + ["lab", "apps"])}
     graph, _ = edges()
     broken = [(path, header) for path, headers in graph.items() for header in headers
               if place[module_of(header)] > place[module_of(path)]]
@@ -124,7 +125,14 @@ def dot():
     def reach(module):
         return below[module].union(*(reach(lower) for lower in below[module]))
 
-    print('digraph modules {\n  rankdir=BT; ranksep=0.35; nodesep=0.2;\n  node [shape=box, style=rounded, fontname="Liberation Sans", height=0.3];')
+    print('digraph modules {\n  rankdir=BT; ranksep=0.35; nodesep=0.2; fontname="Liberation Sans"; bgcolor=white;\n'
+          '  node [shape=box, style="rounded,filled", fillcolor=white, fontname="Liberation Sans", height=0.3];')
+    for part in dict.fromkeys(module.partition("/")[0] for module in module_order()):
+        print(f'  subgraph "cluster_{part}" {{ label="{part}"; style="rounded,filled"; color="#c9ced6"; fillcolor="#f3f5f8";')
+        for module in module_order():
+            if module.startswith(part + "/"):
+                print(f'    "{module}" [label="{module.partition("/")[2]}"];')
+        print("  }")
     for upper in sorted(below):
         for lower in sorted(below[upper] - set().union(*(reach(other) for other in below[upper]))):
             print(f'  "{upper}" -> "{lower}" [tooltip="{found[upper, lower]} includes"];')

@@ -19,7 +19,7 @@ for file in "${changed[@]}"; do
   [ ! -L "$copy/$file" ] || continue
   texts+=("$file")
   case "$file" in *.cpp | *.hpp) sources+=("$file") ;; esac
-  case "$file" in src/*.[ch]pp | apps/*.[ch]pp | src/CMakeLists.txt) modules=yes ;; esac
+  case "$file" in src/*.[ch]pp | lab/*.[ch]pp | apps/*.[ch]pp | src/CMakeLists.txt) modules=yes ;; esac
 done
 
 failed=0
@@ -32,7 +32,7 @@ if [ ${#texts[@]} -gt 0 ] && ! (cd "$copy" && codespell --quiet-level 3 --ignore
   failed=1
 fi
 if [ $modules = yes ]; then
-  git ls-files -z 'src/*.[ch]pp' 'apps/*.[ch]pp' src/CMakeLists.txt tools/include_graph.py ':!*/tests/*' ':!*/benchmarks/*' |
+  git ls-files -z 'src/*.[ch]pp' 'lab/*.[ch]pp' 'apps/*.[ch]pp' src/CMakeLists.txt tools/include_graph.py ':!*/tests/*' ':!*/benchmarks/*' |
     git checkout-index -f -z --stdin --prefix="$copy/" || exit 2
   if ! python3 "$copy/tools/include_graph.py" order; then
     echo "pre-commit: order of modules; a module includes only what stands before it in src/CMakeLists.txt" >&2

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """source_sizes.py [CHECKOUT] [--built FOLDER SECONDS]: what there is to read, and what it takes to build.
 
-Lines and files of every folder of src, of the program and of the tests, public headers, the longest and the median file. With --built the
+Lines and files of every part of src, of the program and of the tests, public headers, the longest and the median file. With --built the
 processor seconds of a build, SECONDS in all (user and system, of `bash -c time`), are shared out by the times in FOLDER/.ninja_log.
 """
 import argparse
@@ -19,7 +19,7 @@ def group(path):
 
 
 def sources(root):
-    for top in ("src", "apps", "benchmarks", "tests"):
+    for top in ("src", "lab", "apps", "python", "benchmarks", "tests"):
         for path in sorted((root / top).rglob("*")):
             if path.suffix in (".cpp", ".hpp"):
                 yield path.relative_to(root)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import functools
 import html
 import itertools
 import pathlib
@@ -73,11 +74,12 @@ class Entity:
 
     @property
     def module(self) -> str:
-        return self.header.split("/include/setae/")[1].split("/")[0]
+        return module_of(pathlib.Path(self.header.split("/include/")[0]))
 
     @property
     def shown(self) -> str:
-        return self.name.removeprefix(self.module + "::")
+        namespace = self.header.split("/include/setae/")[1].split("/")[0]
+        return self.name.removeprefix(namespace + "::")
 
     def goes_with(self, other: Entity) -> bool:
         """An overload, or one more of several without a word."""
@@ -255,16 +257,23 @@ def table(what: str, rows: list[tuple[str, str]]) -> str:
     return f"<table>\n<thead><tr><th>{what}</th><th>what it is</th></tr></thead>\n<tbody>\n{lines}\n</tbody>\n</table>"
 
 
+@functools.cache
+def module_of(folder: pathlib.Path) -> str:
+    """Name of the module in a folder, as its CMakeLists.txt gives it; empty where there is none."""
+    name = re.search(r"^setae_module\((\w+)", (folder / "CMakeLists.txt").read_text(), re.M)
+    return name[1] if name else ""
+
+
 def modules() -> dict[str, str]:
-    """What each is, in the order of the method, by its name: the comment of its CMakeLists.txt."""
+    """Meaning of each module by its name, in their order: the comment of its CMakeLists.txt."""
     folders = re.search(r"foreach\(module(.*?)\)", pathlib.Path("src/CMakeLists.txt").read_text(), re.S)
     assert folders
     found = {}
-    for folder in folders[1].split():
-        lines = pathlib.Path("src", folder, "CMakeLists.txt").read_text()
-        name, said = re.search(r"^setae_module\((\w+)", lines, re.M), re.search(r"^# (?!SPDX)(.*)", lines, re.M)
-        if name and said:
-            found[name[1]] = said[1]
+    for folder in (pathlib.Path("src", name) for name in folders[1].split()):
+        comment = re.match(r"# SPDX.*\n((?:(?:#.*|include.*)\n)+)", (folder / "CMakeLists.txt").read_text())
+        assert comment
+        lines = [line.removeprefix("# ") for line in comment[1].splitlines() if line.startswith("#")]
+        found[module_of(folder)] = " ".join(lines)
     return found
 
 

@@ -13,7 +13,7 @@ import unicodedata
 
 LINK = re.compile(r"\[(?:[^\[\]]|\[[^\]]*\])*\]\(([^()\s]+(?:\([^()\s]*\))?)\)")
 TABLE_LINES = 5  # a fenced block that is a table has more than a command or two
-PAGES = ("*.md", "docs/**/*.md", "examples/**/*.md", "tests/**/*.md", "src/**/*.md")
+PAGES = ("*.md", "docs/**/*.md", "examples/**/*.md", "tests/**/*.md", "src/**/*.md", "lab/**/*.md")
 
 
 def without_code(text):

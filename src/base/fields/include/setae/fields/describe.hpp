@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// How a type is described. The rows stand below the type, in its header:
+//
+//   template <>
+//   struct fields::Described<Odds> {
+//       using T = Odds;
+//       static constexpr std::array rows{
+//           field<&T::value>("value", "of the data as they are"),
+//           made<T>("distinction", "by the lower end", [](const T& odds) { return name_of(odds.distinction()); }),
+//       };
+//       static constexpr Description description{"odds", "odds for one model against another", rows};
+//   };
+//   static_assert(fields::complete<Odds>);
+//
+// A forgotten member and a misspelled one do not compile.
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "setae/core/arrays.hpp"
+#include "setae/core/quantity.hpp"
+#include "setae/core/traced_value.hpp"
+#include "setae/fields/row.hpp"
+
+namespace setae::fields {
+
+template <class T>
+struct Described;
+
+template <>
+struct Described<Alert>;
+
+template <class T>
+concept HasRows = requires { Described<T>::description; };
+
+namespace detail {
+
+template <class T>
+struct MemberOf;
+template <class Of, class Value>
+struct MemberOf<Value Of::*> {
+    using Object = Of;
+    using Type = Value;
+};
+
+/// A spelling for each member, or base. (Addresses would do, but GCC compares none in constants under its sanitizers.)
+template <auto Member>
+consteval std::string_view spelling_of_member() {
+    return __PRETTY_FUNCTION__;
+}
+template <class Base>
+consteval std::string_view spelling_of_base() {
+    return __PRETTY_FUNCTION__;
+}
+
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_map = false;
+template <class T>
+inline constexpr bool is_map<std::vector<std::pair<std::string, T>>> = true;
+template <class T>
+inline constexpr bool is_column = std::is_same_v<T, Array1D> || std::is_same_v<T, std::vector<double>>;
+template <class T>
+inline constexpr bool holds_error =
+    std::is_same_v<T, Estimate> || std::is_same_v<T, TracedValue> || std::is_same_v<T, Quantity>;
+
+/// A value or the reason why there is none, such as loops::Outcome.
+template <class T>
+concept WithReason = requires(const T& outcome) {
+    static_cast<bool>(outcome);
+    *outcome;
+    { outcome.reason } -> std::convertible_to<std::string>;
+};
+
+/// The type of what may be missing.
+template <class T>
+struct Bare {
+    using Type = T;
+};
+template <class T>
+struct Bare<std::optional<T>> {
+    using Type = typename Bare<T>::Type;
+};
+template <WithReason T>
+struct Bare<T> {
+    using Type = std::remove_cvref_t<decltype(*std::declval<const T&>())>;
+};
+
+/// What stands in the place of a value that is missing, unless a row says otherwise.
+template <class T>
+inline constexpr Missing otherwise = Missing::never;
+template <class T>
+inline constexpr Missing otherwise<std::optional<T>> = WithReason<T> ? Missing::as_asked : Missing::left_out;
+template <WithReason T>
+inline constexpr Missing otherwise<T> = Missing::with_reason;
+
+/// What a type is in outputs, without a unit.
+template <class T>
+consteval Kind kind_of() {
+    if constexpr (std::is_same_v<T, bool>) return Kind::flag;
+    else if constexpr (std::is_integral_v<T>) return Kind::whole;
+    else if constexpr (std::is_floating_point_v<T>) return Kind::number;
+    else if constexpr (holds_error<T>) return Kind::quantity;
+    else if constexpr (std::is_convertible_v<T, std::string_view>) return Kind::text;
+    else if constexpr (std::is_same_v<T, Eigen::MatrixXd>) return Kind::matrix;
+    else if constexpr (is_column<T>) return Kind::numbers;
+    else if constexpr (is_map<T>)
+        return holds_error<typename T::value_type::second_type> ? Kind::quantity_of : Kind::number_of;
+    else if constexpr (is_vector<T>) {
+        using Element = typename T::value_type;
+        if constexpr (std::is_same_v<Element, std::string>) return Kind::texts;
+        else if constexpr (std::is_integral_v<Element>) return Kind::wholes;
+        else return Kind::objects;
+    } else return Kind::object;
+}
+
+/// The description of a type, or of what a list of it holds.
+template <class T>
+consteval const Description* inner_of() {
+    if constexpr (HasRows<T>) return &Described<T>::description;
+    else if constexpr (is_vector<T>) {
+        if constexpr (HasRows<typename T::value_type>) return &Described<typename T::value_type>::description;
+        else return nullptr;
+    } else return nullptr;
+}
+
+inline void put_number(double value, const Row& row, Sink& sink) {
+    if (row.kind == Kind::quantity) sink.quantity(row, Estimate{.value = value});
+    else if (row.kind == Kind::value) sink.value(row, value);
+    else sink.number(row, value);
+}
+
+template <class T>
+void put_value(const T& value, const Row& row, Sink& sink);
+
+template <class T>
+void put_list(const T& list, const Row& row, Sink& sink) {
+    sink.begin_list(row);
+    for (const auto& element : list) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(element)>, double>) sink.number(row, element);
+        else put_value(element, row, sink);
+    }
+    sink.end_list(row);
+}
+
+template <class T>
+void put_by_name(const T& held, const Row& row, Sink& sink) {
+    sink.begin(row);
+    for (const auto& [name, value] : held) {
+        sink.key(name);
+        put_value(value, row, sink);
+    }
+    sink.end(row);
+}
+
+inline void put_matrix(const Eigen::MatrixXd& matrix, const Row& row, Sink& sink) {
+    sink.begin_list(row);
+    for (Index i = 0; i < matrix.rows(); ++i) {
+        sink.begin_list(row);
+        for (Index k = 0; k < matrix.cols(); ++k) sink.number(row, matrix(i, k));
+        sink.end_list(row);
+    }
+    sink.end_list(row);
+}
+
+template <class T>
+void put_value(const T& value, const Row& row, Sink& sink) {
+    if constexpr (std::is_same_v<T, bool>) sink.flag(row, value);
+    else if constexpr (std::is_integral_v<T>) sink.whole(row, static_cast<long long>(value));
+    else if constexpr (std::is_floating_point_v<T>) put_number(value, row, sink);
+    else if constexpr (std::is_same_v<T, TracedValue>) sink.quantity(row, value.estimate());
+    else if constexpr (holds_error<T>) sink.quantity(row, value);
+    else if constexpr (std::is_convertible_v<T, std::string_view>) sink.text(row, value);
+    else if constexpr (is_optional<T> || WithReason<T>) {
+        if (value) return put_value(*value, row, sink);
+        if (row.if_missing == Missing::left_out) return;
+        if constexpr (WithReason<T>) sink.missing(row, value.reason);
+        else if (row.if_missing != Missing::as_asked) sink.missing(row, {});
+    } else if constexpr (std::is_same_v<T, Eigen::MatrixXd>) put_matrix(value, row, sink);
+    else if constexpr (is_map<T> || is_vector<T> || is_column<T>) {
+        if (value.size() == 0 && row.if_missing == Missing::left_out) return;
+        if (value.size() == 0 && row.if_missing == Missing::null) return sink.missing(row, {});
+        if constexpr (is_map<T>) put_by_name(value, row, sink);
+        else put_list(value, row, sink);
+    } else {
+        static_assert(HasRows<T>, "a type without rows: describe it where it is defined");
+        sink.begin(row);
+        put(&value, Described<T>::description, sink);
+        sink.end(row);
+    }
+}
+
+template <class T>
+consteval Row row_of(std::string_view name, std::string_view meaning) {
+    using Value = typename Bare<T>::Type;
+    return {.name = name,
+            .meaning = meaning,
+            .kind = kind_of<Value>(),
+            .if_missing = otherwise<T>,
+            .inner = inner_of<Value>(),
+            .has_error = holds_error<Value>};
+}
+
+/// The same with a unit: a number is then a quantity, or a value where it has no symbol and no error.
+consteval Row with_unit(Row row, Kind of_number, std::string_view symbol, std::string_view unit) {
+    row.symbol = symbol;
+    row.unit = unit;
+    if (row.kind == Kind::number) row.kind = of_number;
+    if (row.kind == Kind::numbers) row.kind = Kind::values;
+    return row;
+}
+
+template <auto Member>
+void put_member(const void* result, const Row& row, Sink& sink) {
+    using Object = typename MemberOf<decltype(Member)>::Object;
+    put_value(static_cast<const Object*>(result)->*Member, row, sink);
+}
+
+template <class T, class From>
+void put_made(const void* result, const Row& row, Sink& sink) {
+    put_value(From{}(*static_cast<const T*>(result)), row, sink);
+}
+
+}  // namespace detail
+
+/// A member that is a field.
+template <auto Member>
+consteval Row field(std::string_view name, std::string_view meaning) {
+    auto row = detail::row_of<typename detail::MemberOf<decltype(Member)>::Type>(name, meaning);
+    row.member = detail::spelling_of_member<Member>();
+    row.put = detail::put_member<Member>;
+    return row;
+}
+
+/// A member that is a number with symbol and unit, SI.
+template <auto Member>
+consteval Row quantity(std::string_view name, std::string_view symbol, std::string_view unit,
+                       std::string_view meaning) {
+    return detail::with_unit(field<Member>(name, meaning), Kind::quantity, symbol, unit);
+}
+
+/// A member that is a number, or numbers, with unit alone.
+template <auto Member>
+consteval Row value(std::string_view name, std::string_view unit, std::string_view meaning) {
+    return detail::with_unit(field<Member>(name, meaning), Kind::value, {}, unit);
+}
+
+/// A field that is computed from a result; `from` captures nothing.
+template <class T, class From>
+consteval Row made(std::string_view name, std::string_view meaning, From) {
+    auto row = detail::row_of<std::remove_cvref_t<std::invoke_result_t<From, const T&>>>(name, meaning);
+    row.put = detail::put_made<T, From>;
+    return row;
+}
+
+/// A quantity that is computed. One that is a setae::Quantity brings what the row does not say: its unit, its n.
+template <class T, class From>
+consteval Row made(std::string_view name, std::string_view symbol, std::string_view unit, std::string_view meaning,
+                   From from) {
+    return detail::with_unit(made<T>(name, meaning, from), Kind::quantity, symbol, unit);
+}
+
+/// A number, or numbers, with unit alone that are computed.
+template <class T, class From>
+consteval Row made_value(std::string_view name, std::string_view unit, std::string_view meaning, From from) {
+    return detail::with_unit(made<T>(name, meaning, from), Kind::value, {}, unit);
+}
+
+/// A quantity that rests on so many points.
+[[nodiscard]] inline Quantity resting_on(Index n, const Estimate& estimate) {
+    return {.estimate = estimate, .n = static_cast<int>(n)};
+}
+
+/// Fields of the same result that stand together under a name.
+template <class T>
+consteval Row part(std::string_view name, std::string_view meaning, const Description& inner) {
+    return {.name = name,
+            .meaning = meaning,
+            .kind = Kind::object,
+            .inner = &inner,
+            .is_part = true,
+            .put = [](const void* result, const Row& row, Sink& sink) {
+                sink.begin(row);
+                put(result, *row.inner, sink);
+                sink.end(row);
+            }};
+}
+
+/// The fields of a base, among its own.
+template <class T, std::derived_from<T> Derived>
+consteval Row inherited() {
+    return {.kind = Kind::object,
+            .inner = &Described<T>::description,
+            .member = detail::spelling_of_base<T>(),
+            .among = true,
+            .put = [](const void* result, const Row& row, Sink& sink) {
+                const T& base = *static_cast<const Derived*>(result);
+                put(&base, *row.inner, sink);
+            }};
+}
+
+/// Fields of another result, which `from` has from this one, among its own; none where it is missing.
+template <class T, class From>
+consteval Row fields_of(const Description& of_other, From) {
+    using Other = std::remove_cvref_t<std::invoke_result_t<From, const T&>>;
+    constexpr bool always = detail::otherwise<Other> == Missing::never;
+    return {.kind = Kind::object,
+            .if_missing = always ? Missing::never : Missing::left_out,
+            .inner = &of_other,
+            .among = true,
+            .put = [](const void* result, const Row& row, Sink& sink) {
+                const auto& other = From{}(*static_cast<const T*>(result));
+                if constexpr (always) put(&other, *row.inner, sink);
+                else if (other) put(&*other, *row.inner, sink);
+            }};
+}
+/// All fields of it.
+template <class T, class From>
+consteval Row fields_of(From from) {
+    using Other = std::remove_cvref_t<std::invoke_result_t<From, const T&>>;
+    return fields_of<T>(Described<typename detail::Bare<Other>::Type>::description, from);
+}
+
+/// A field that other code writes: schemas know it.
+consteval Row written_apart(std::string_view name, std::string_view meaning) {
+    return {.name = name, .meaning = meaning, .kind = Kind::text};
+}
+/// An object that other code writes.
+consteval Row written_apart(std::string_view name, std::string_view meaning, const Description& object) {
+    return {.name = name, .meaning = meaning, .kind = Kind::object, .inner = &object};
+}
+
+/// A member that stands in no output by itself: computed fields are made from it.
+template <auto Member>
+consteval Row inner() {
+    return {.member = detail::spelling_of_member<Member>()};
+}
+
+namespace detail {
+
+/// Takes the place of any member in the count of members.
+struct Anything {
+    template <class T>
+    operator T() const;
+};
+
+template <class T, std::size_t... I>
+constexpr bool takes(std::index_sequence<I...>) {
+    return requires { T{(static_cast<void>(I), Anything{})...}; };
+}
+
+template <class T, std::size_t N = 0>
+constexpr std::size_t member_count() {
+    if constexpr (takes<T>(std::make_index_sequence<N + 1>{})) return member_count<T, N + 1>();
+    else return N;
+}
+
+/// Whether rows name a member, those of parts included.
+constexpr bool names(std::span<const Row> rows, std::string_view member) {
+    for (const auto& row : rows)
+        if (row.member == member || (row.is_part && names(row.inner->rows, member))) return true;
+    return false;
+}
+
+/// Each member is counted where it is named last.
+constexpr std::size_t distinct_members(std::span<const Row> rows) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto later = rows.subspan(i + 1);
+        if (!rows[i].member.empty()) count += !names(later, rows[i].member);
+        else if (rows[i].is_part)
+            for (const auto& row : rows[i].inner->rows) count += !row.member.empty() && !names(later, row.member);
+    }
+    return count;
+}
+
+}  // namespace detail
+
+template <>
+struct Described<Alert> {
+    using T = Alert;
+    static constexpr std::array rows{
+        field<&T::code>("code", "which alert: docs/reference/alerts.md"),
+        field<&T::subject>("subject", "what it is about"),
+        field<&T::message>("message", "what is the case"),
+        field<&T::action>("action", "what to do about it; empty where that is nothing"),
+    };
+    static constexpr Description description{"alert", "something the reader of a number must know", rows};
+};
+
+/// Whether rows name every member of an aggregate; a base counts as one.
+template <class T>
+inline constexpr bool complete = detail::member_count<T>() == detail::distinct_members(Described<T>::rows);
+
+}  // namespace setae::fields

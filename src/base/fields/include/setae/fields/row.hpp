@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "setae/core/quantity.hpp"
+
+namespace setae::fields {
+
+/// What a field is: its form in every output follows from it.
+enum class Kind {
+    flag,         ///< yes or no
+    whole,        ///< a whole number
+    number,       ///< a number without unit
+    value,        ///< a number with unit
+    quantity,     ///< a number with symbol, unit and what is known of its error
+    text,         ///< words
+    choice,       ///< one of a few words, Row::choices
+    numbers,      ///< a list of numbers
+    values,       ///< numbers with unit
+    wholes,       ///< a list of whole numbers
+    texts,        ///< a list of words
+    matrix,       ///< rows of numbers
+    object,       ///< fields of its own, Row::inner
+    objects,      ///< a list of those
+    quantity_of,  ///< quantities by name
+    number_of,    ///< numbers by name
+};
+
+/// What stands where a result lacks the field.
+enum class Missing {
+    never,        ///< every result has it
+    left_out,     ///< no field at all
+    null,         ///< the field without a value
+    with_reason,  ///< the same, and why in a field NAME_reason
+    as_asked,     ///< no field where it was not asked for; without a value and with the reason where that failed
+};
+
+struct Row;
+
+/// A type whose results are described: every result of that type has these fields, in this order.
+struct Description {
+    std::string_view name;     ///< in schemas, such as "odds"; empty where it stands in one place only
+    std::string_view meaning;  ///< one sentence
+    std::span<const Row> rows;
+};
+
+/// One output of a result, filled field by field in the order of the rows.
+class Sink {
+public:
+    Sink() = default;
+    Sink(const Sink&) = delete;
+    Sink& operator=(const Sink&) = delete;
+    virtual ~Sink() = default;
+
+    virtual void flag(const Row& row, bool value) = 0;
+    virtual void whole(const Row& row, long long value) = 0;
+    virtual void number(const Row& row, double value) = 0;
+    virtual void value(const Row& row, double value) = 0;
+    virtual void quantity(const Row& row, const Estimate& value) = 0;
+    /// The same with name, symbol and unit that the result itself has.
+    virtual void quantity(const Row& row, const Quantity& value) = 0;
+    virtual void text(const Row& row, std::string_view value) = 0;
+    /// Lists of numbers, words and objects: begin, each as above, end; rows of a matrix are lists within.
+    virtual void begin_list(const Row& row) = 0;
+    virtual void end_list(const Row& row) = 0;
+    /// An object, an element of objects, or what is held by name.
+    virtual void begin(const Row& row) = 0;
+    virtual void end(const Row& row) = 0;
+    /// What comes next is held under this name, Kind::quantity_of and number_of.
+    virtual void key(std::string_view name) = 0;
+    /// Missing::null and with_reason; the reason is empty for the former.
+    virtual void missing(const Row& row, std::string_view reason) = 0;
+};
+
+/// A field of a type: what it is called, what it means, and how it is had from a result.
+struct Row {
+    std::string_view name{};     ///< snake_case: the name in JSON, Python and schemas; empty where it is in no output
+    std::string_view term{};     ///< the field's term for the quantity, where the name is another
+    std::string_view symbol{};   ///< in formulas, such as "W_app"; empty where it has none
+    std::string_view unit{};     ///< SI; empty for what has none
+    std::string_view meaning{};  ///< one sentence or less
+    std::string_view source{};   ///< of a quantity: formula and where it comes from
+    Kind kind = Kind::text;
+    Missing if_missing = Missing::never;
+    const Description* inner = nullptr;           ///< of objects
+    std::span<const std::string_view> choices{};  ///< of Kind::choice
+    std::string_view member{};                    ///< spelling of the member or base; empty for what is computed
+    bool is_part = false;                         ///< `inner` has further fields of the same result
+    bool among = false;                           ///< the fields of `inner` stand among the others, without a name
+    bool has_error = false;                       ///< of a quantity: its type holds one
+    void (*put)(const void* result, const Row& row, Sink& sink) = nullptr;  ///< nullptr: in no output, or by other code
+
+    /// The field stays, without a value, where the result lacks it.
+    [[nodiscard]] consteval Row or_null() const { return with(Missing::null); }
+    [[nodiscard]] consteval Row with(Missing otherwise) const {
+        Row row = *this;
+        row.if_missing = otherwise;
+        return row;
+    }
+    /// The quantity is known by this term.
+    [[nodiscard]] consteval Row as(std::string_view quantity) const {
+        Row row = *this;
+        row.term = quantity;
+        return row;
+    }
+    /// A quantity by this formula.
+    [[nodiscard]] consteval Row from(std::string_view formula) const {
+        Row row = *this;
+        row.source = formula;
+        return row;
+    }
+    /// The words it may be.
+    [[nodiscard]] consteval Row one_of(std::span<const std::string_view> words) const {
+        Row row = *this;
+        row.kind = Kind::choice;
+        row.choices = words;
+        return row;
+    }
+};
+
+/// Every field of a result, in order.
+void put(const void* result, const Description& description, Sink& sink);
+
+}  // namespace setae::fields

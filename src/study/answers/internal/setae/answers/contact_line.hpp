@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setae/answers/contact_radii.hpp"
+#include "setae/contact_line/line_motion.hpp"
+#include "setae/contact_line/line_roughness.hpp"
+#include "setae/core/table.hpp"
+#include "setae/imaging/contact_outline.hpp"
+#include "setae/output/json.hpp"
+
+namespace setae::answers {
+
+/// How the edge of a contact is analysed, as `setae jkr line` is told.
+struct LineRequest : RadiusRequest {
+    std::optional<long> angles;                  ///< of pictures; default a ray every 2 px
+    double smallest_void = 16.0;                 ///< [px²]
+    std::string ring_width;                      ///< "2 um"; empty: the program's choice
+    double threshold = 3.0;                      ///< of jumps and arrests, against the mean speed
+    long smallest_mode = 3, largest_mode = 0;    ///< of the roughness
+    std::string sphere_radius, contact_modulus;  ///< "1 mm", "1 MPa": of the release rate, which takes both
+    std::string displacement;                    ///< table of "time" and "displacement"; empty: the edge's own
+
+    [[nodiscard]] imaging::LineOptions line_options(parallel::Threads threads = {}) const;
+};
+
+/// How the edge moves in one direction.
+struct LineMotion {
+    contact_line::Passage passage;
+    std::vector<contact_line::Cluster> jumps, arrests;                ///< largest first
+    std::optional<contact_line::PowerLawTail> speed_tail, jump_tail;  ///< of v/⟨v⟩; of areas
+};
+
+/// What the edge works against on the way there or back: contact_line::local_release_rate() of the frames before or
+/// after the widest contact.
+struct ReleaseRate {
+    Index frames = 0;
+    double mean = 0.0;     ///< over frames and angles [J/m²]
+    double scatter = 0.0;  ///< root of the mean variance along the edge, less what the noise of places makes [J/m²]
+    double noise = 0.0;    ///< that [J/m²]
+
+    /// U_el/AW of roughness that makes such a scatter, (scatter/mean)²/4: std(w_R)/w = 2√(U_el/AW).
+    [[nodiscard]] double energy_share() const { return 0.25 * (scatter / mean) * (scatter / mean); }
+};
+
+/// The edge in all frames of a recording that show it whole, or of a table.
+struct RecordedLine {
+    std::vector<long> frames;                              ///< numbers of the frames, one per row of the line
+    contact_line::ContactLine line;                        ///< [s], [m]; its error is of pixel noise
+    double pixel_size = 0;                                 ///< [m]
+    double centre_x = 0, centre_y = 0;                     ///< [px] of the whole frame: the mean of the frames'
+    std::vector<std::vector<imaging::ContactVoid>> voids;  ///< of every frame
+    std::vector<std::string> left_out;                     ///< frames that are left out, each with its reason
+};
+
+/// All that is found of an edge. No roughness, or no motion in either direction, has its reason in `notes`; a tail of
+/// too few numbers is left out.
+struct LineAnswer {
+    RecordedLine recorded;  ///< of a table: without voids
+    contact_line::LineShape shape;
+    std::optional<contact_line::LineRoughness> roughness;
+    std::optional<LineMotion> advancing, receding;
+    std::optional<ReleaseRate> advancing_rate, receding_rate;
+    std::vector<std::string> notes;
+};
+
+/// An edge that was simulated or measured before: a table of contact_line::as_table().
+/// @throws as contact_line::line_of.
+[[nodiscard]] RecordedLine recorded_line(const Table& table);
+
+/// An edge, and the radii from whose centres its rays go out; a table has none.
+struct RecordedEdge {
+    RecordedLine line;
+    std::optional<imaging::ContactRadii> radii;
+    std::optional<Array1D> displacement;  ///< at the line's times [m], where a table has it
+};
+
+/// Of pictures, or of one table that recorded_line() reads, "….csv". @throws as reading them does.
+[[nodiscard]] RecordedEdge recorded_edge(const std::vector<std::string>& files, const LineRequest& request,
+                                         parallel::Threads threads = {});
+
+/// A table of contact_line::as_table() as CSV below "# place_error: …", which recorded_line() reads.
+[[nodiscard]] std::string edge_csv(const Table& table);
+/// The same of a recording.
+[[nodiscard]] std::string line_csv(const RecordedLine& recorded);
+
+/// @throws InvalidArgument for a band of modes or a threshold outside their domain, and for a release rate without
+/// sphere, modulus or displacements.
+[[nodiscard]] LineAnswer contact_line_answer(RecordedEdge recorded, const LineRequest& request);
+
+/// Areas of clusters [m²].
+[[nodiscard]] Array1D areas_of(const std::vector<contact_line::Cluster>& clusters);
+
+/// One row a frame: time, frame, mean_radius, area, perimeter, deviation, voids, void_area.
+[[nodiscard]] Table as_table(const LineAnswer& answer);
+[[nodiscard]] output::Json to_json(const LineAnswer& answer);
+
+}  // namespace setae::answers
