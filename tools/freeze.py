@@ -31,7 +31,7 @@ EXAMPLES = {
     "references": "mkdir $WORK/pages && $SETAE study --documentation $WORK/pages && $SETAE man --documentation $WORK/pages/verbs.md"
                   " && $SETAE schema --documentation $WORK/pages/json.md && $SETAE formats --documentation $WORK/pages/formats",
     "help": "for shell in bash zsh fish; do $SETAE completion $shell; done; $SETAE man; $SETAE --help;"
-            " sed -n 's/^## setae //p' docs/reference/verbs.md | while read verb; do $SETAE $verb --help; $SETAE $verb --explain; done",
+            " sed -n 's/^## setae //p' docs/reference/commands.md | while read verb; do $SETAE $verb --help; $SETAE $verb --explain; done",
 }
 
 

@@ -418,15 +418,15 @@ def test_surface_has_the_numbers_of_params():
         assert float(surface[name]) == float(parameters[f"{name}_from_spectrum"])
 
 
-def verbs() -> list[str]:
+def commands() -> list[str]:
     """Of the program, by its own page on them."""
-    page = (ROOT / "docs/reference/verbs.md").read_text()
+    page = (ROOT / "docs/reference/commands.md").read_text()
     return re.findall(r"^## setae ([a-z ]+)$", page, re.M)
 
 
 def table() -> str:
-    rows = [f"| `setae {verb}` | {FUNCTIONS.get(verb) or '– ' + GAPS[verb]} |" for verb in verbs()]
-    return "\n".join(["| verb | function |", "|---|---|", *rows]) + "\n"
+    rows = [f"| `setae {verb}` | {FUNCTIONS.get(verb) or '– ' + GAPS[verb]} |" for verb in commands()]
+    return "\n".join(["| command | function |", "|---|---|", *rows]) + "\n"
 
 
 def test_every_verb_has_a_function_or_a_reason():

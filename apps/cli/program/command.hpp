@@ -12,7 +12,7 @@
 
 namespace setae::cli {
 
-/// Options all verbs share.
+/// Options all commands share.
 struct Common {
     bool json = false;
     bool explain = false;
@@ -23,7 +23,7 @@ struct Common {
     [[nodiscard]] parallel::Threads workers() const { return {threads}; }
 };
 
-/// What a verb does when it was the one named.
+/// What a command does when it was the one named.
 using Action = std::function<ExitCode()>;
 
 /// What --explain prints: a text, or what makes it.
@@ -32,7 +32,7 @@ using Explanation = std::variant<const char*, std::string (*)()>;
 /// Prints an explanation; done.
 [[nodiscard]] ExitCode explained(const Explanation& explanation);
 
-/// Declares the options all verbs share behind those of the verb; what runs it with the values its options got.
+/// Declares the options all commands share behind those of the command; what runs it with the values its options got.
 template <class Arguments>
 [[nodiscard]] Action action(Options& options, std::shared_ptr<Arguments> arguments, Explanation explanation,
                             ExitCode (*run)(const Arguments&)) {
@@ -43,21 +43,22 @@ template <class Arguments>
     };
 }
 
-/// A verb of the program, or of one of its groups of verbs.
+/// A command of the program, or of one of its groups of commands.
 struct Command {
+    const char* topic;  ///< heading of the help under which it stands: "Inspect"
     const char* group;  ///< "jkr" of `setae jkr fit`; empty for most
     const char* name;
     const char* description;
     Action (*declare)(Options&);  ///< its options; what runs it
 };
 
-/// A group of verbs.
+/// A group of commands, in the topic of its first.
 struct CommandGroup {
     const char* name;
     const char* description;
 };
 
-/// All verbs in the order of the help, those of a group beside each other.
+/// All commands in the order of the help, those of a group beside each other.
 [[nodiscard]] std::span<const Command> commands();
 [[nodiscard]] std::span<const CommandGroup> command_groups();
 

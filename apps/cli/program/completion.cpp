@@ -17,7 +17,7 @@ constexpr const char* explanation =
     "bash   setae completion bash > ~/.local/share/bash-completion/completions/setae\n"
     "zsh    setae completion zsh > ~/.zfunc/_setae        (with ~/.zfunc in $fpath)\n"
     "fish   setae completion fish > ~/.config/fish/completions/setae.fish\n"
-    "made from the program's own verbs and options, so they are those of this version; `setae man` writes the manual page\n";
+    "made from the program's own commands and options, so they are those of this version; `setae man` writes the manual page\n";
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -36,32 +36,33 @@ std::string case_line(const std::string& word, const char* name, const std::stri
     return fmt::format("    {}) {}={} ;;\n", shell_word(word), name, shell_word(text));
 }
 
-/// The words of the argument a verb takes, where it takes no others.
-std::string argument_words(const ProgramVerb& verb) {
-    return verb.positionals.empty() ? std::string() : joined(verb.positionals.front().choices);
+/// The words of the argument a command takes, where it takes no others.
+std::string argument_words(const ProgramCommand& command) {
+    return command.positionals.empty() ? std::string() : joined(command.positionals.front().choices);
 }
 
-/// After an option with words of its own these, after a dash options, else verbs or the argument's words; files where
-/// nothing of it fits.
-std::string bash(const std::vector<ProgramVerb>& verbs) {
+/// After an option with words of its own these, after a dash options, else commands or the argument's words; files
+/// where nothing of it fits.
+std::string bash(const std::vector<ProgramCommand>& commands) {
     std::string options, words, values, groups;
-    for (const auto& verb : verbs) {
-        options += case_line(verb.path, "options", joined(names(verb.options)));
-        const auto next = verb.verbs.empty() ? argument_words(verb) : joined(verb.verbs);
-        if (!next.empty()) words += case_line(verb.path, "words", next);
-        if (!verb.verbs.empty())
-            groups += fmt::format("    {}) echo {} ;;\n", shell_word(verb.path), shell_word(joined(verb.verbs)));
-        for (const auto& option : verb.options)
+    for (const auto& command : commands) {
+        options += case_line(command.path, "options", joined(names(command.options)));
+        const auto next = command.subcommands.empty() ? argument_words(command) : joined(command.subcommands);
+        if (!next.empty()) words += case_line(command.path, "words", next);
+        if (!command.subcommands.empty())
+            groups +=
+                fmt::format("    {}) echo {} ;;\n", shell_word(command.path), shell_word(joined(command.subcommands)));
+        for (const auto& option : command.options)
             for (const auto& flag : option.flags)
                 if (!option.choices.empty())
-                    values += case_line(verb.path + " " + flag, "values", joined(option.choices));
+                    values += case_line(command.path + " " + flag, "values", joined(option.choices));
     }
     return fmt::format(R"(# bash completion of setae; written by `setae completion bash`
 _setae() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} last=${{COMP_WORDS[COMP_CWORD-1]}} path= word= options= words= values=
   if [ "$current" = = ]; then current=; elif [ "$last" = = ]; then last=${{COMP_WORDS[COMP_CWORD-2]}}; fi
   for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
-    case $word in -*) ;; *) case " $(_setae_verbs "$path") " in *" $word "*) path="${{path:+$path }}$word" ;; esac ;; esac
+    case $word in -*) ;; *) case " $(_setae_commands "$path") " in *" $word "*) path="${{path:+$path }}$word" ;; esac ;; esac
   done
   case "$path $last" in
 {}  esac
@@ -74,7 +75,7 @@ _setae() {{
   local IFS=$'\n'
   [ ${{#COMPREPLY[@]}} -gt 0 ] || COMPREPLY=($(compgen -f -- "$current"))
 }}
-_setae_verbs() {{
+_setae_commands() {{
   case $1 in
 {}  esac
 }}
@@ -83,33 +84,33 @@ complete -o filenames -F _setae setae
                        values, options, words, groups);
 }
 
-std::string zsh(const std::vector<ProgramVerb>& verbs) {
+std::string zsh(const std::vector<ProgramCommand>& commands) {
     // bash's function, which zsh's own layer understands
     return "#compdef setae\n# zsh completion of setae; written by `setae completion zsh`\nautoload -U +X bashcompinit && bashcompinit\n" +
-           bash(verbs);
+           bash(commands);
 }
 
-std::string fish(const std::vector<ProgramVerb>& verbs) {
+std::string fish(const std::vector<ProgramCommand>& commands) {
     std::string text = "# fish completion of setae; written by `setae completion fish`\n";
-    for (const auto& verb : verbs) {
-        // words that are there already: all of the verb's path, and none of what may follow
+    for (const auto& command : commands) {
+        // words that are there already: all of the command's path, and none of what may follow
         std::string condition;
-        for (std::size_t at = 0; at < verb.path.size();) {
-            const auto end = std::min(verb.path.find(' ', at), verb.path.size());
+        for (std::size_t at = 0; at < command.path.size();) {
+            const auto end = std::min(command.path.find(' ', at), command.path.size());
             condition += fmt::format("{}__fish_seen_subcommand_from {}", condition.empty() ? "" : "; and ",
-                                     verb.path.substr(at, end - at));
+                                     command.path.substr(at, end - at));
             at = end + 1;
         }
         const auto next = fmt::format("{}not __fish_seen_subcommand_from {}",
-                                      condition.empty() ? "" : condition + "; and ", joined(verb.verbs));
+                                      condition.empty() ? "" : condition + "; and ", joined(command.subcommands));
         const auto here = condition.empty() ? "" : " -n " + shell_word(condition);
-        for (std::size_t i = 0; i < verb.verbs.size(); ++i)
+        for (std::size_t i = 0; i < command.subcommands.size(); ++i)
             text += fmt::format("complete -c setae -n {}{} -a {} -d {}\n", shell_word(next),
-                                verb.positionals.empty() ? " -f" : "", shell_word(verb.verbs[i]),
-                                shell_word(verb.verb_descriptions[i]));
-        if (const auto words = argument_words(verb); !words.empty())
+                                command.positionals.empty() ? " -f" : "", shell_word(command.subcommands[i]),
+                                shell_word(command.subcommand_descriptions[i]));
+        if (const auto words = argument_words(command); !words.empty())
             text += fmt::format("complete -c setae{} -f -a {}\n", here, shell_word(words));
-        for (const auto& option : verb.options) {
+        for (const auto& option : command.options) {
             std::string flags;
             for (const auto& flag : option.flags)
                 flags += flag.starts_with("--") ? " -l " + flag.substr(2) : " -s " + flag.substr(1);
@@ -128,8 +129,8 @@ struct Arguments {
 };
 
 ExitCode run(const Arguments& arguments) {
-    const auto verbs = program_verbs();
-    print(arguments.shell == "bash" ? bash(verbs) : arguments.shell == "zsh" ? zsh(verbs) : fish(verbs));
+    const auto commands = program_commands();
+    print(arguments.shell == "bash" ? bash(commands) : arguments.shell == "zsh" ? zsh(commands) : fish(commands));
     return ExitCode::done;
 }
 

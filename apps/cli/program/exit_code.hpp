@@ -3,7 +3,7 @@
 
 namespace setae::cli {
 
-/// Exit codes of every verb.
+/// Exit codes of every command.
 enum class ExitCode : int {
     done = 0,          ///< all done, alerts included
     some_failed = 1,   ///< some items failed, the rest is done

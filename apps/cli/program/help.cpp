@@ -52,35 +52,56 @@ std::string name_of(const ProgramOption& option) {
     return fmt::format("{}{}", fmt::join(option.flags, ", "), option.takes_value ? " " + option.value : "");
 }
 
-std::string usage(const ProgramVerb& verb) {
-    if (verb.path.empty()) return "Usage: setae VERB [options] [files]\n";
-    std::string text = "Usage: setae " + verb.path;
-    if (!verb.verbs.empty()) text += " VERB";
+std::string usage(const ProgramCommand& command) {
+    if (command.path.empty()) return "Usage: setae COMMAND [options] [files]\n";
+    std::string text = "Usage: setae " + command.path;
+    if (!command.subcommands.empty()) text += " COMMAND";
     text += " [options]";
-    for (const auto& argument : verb.positionals) text += " " + argument.flags.front();
+    for (const auto& argument : command.positionals) text += " " + argument.flags.front();
     return text + "\n";
+}
+
+/// The first three steps of a newcomer.
+std::string start_here() {
+    return "\nStart here:\n"
+           "  setae info scan.ibw                      what a file contains\n"
+           "  setae psd scan.ibw -o spectrum.svg       its power spectral density as a figure\n"
+           "  setae study init data -o study.toml      a draft of a study; then: setae study study.toml\n";
+}
+
+/// Subcommands below the headings of their topics, in the order of their table.
+std::string subcommands_part(const ProgramCommand& command, std::size_t width) {
+    std::string text, topic;
+    for (std::size_t i = 0; i < command.subcommands.size(); ++i) {
+        const auto of_this = command.topics.empty() ? "Commands" : command.topics[i];
+        if (of_this != topic) text += "\n" + of_this + ":\n";
+        topic = of_this;
+        text += entry(command.subcommands[i], command.subcommand_descriptions[i], width);
+    }
+    return text;
 }
 
 }  // namespace
 
-std::string help_text(const ProgramVerb& verb, std::size_t width) {
-    auto text = wrapped("setae" + (verb.path.empty() ? "" : " " + verb.path) + ": " + verb.description, 0, width) +
-                "\n" + usage(verb);
-    if (!verb.positionals.empty()) text += "\nArguments:\n";
-    for (const auto& argument : verb.positionals)
+std::string help_text(const ProgramCommand& command, std::size_t width) {
+    auto text =
+        wrapped("setae" + (command.path.empty() ? "" : " " + command.path) + ": " + command.description, 0, width) +
+        "\n" + usage(command);
+    if (!command.positionals.empty()) text += "\nArguments:\n";
+    for (const auto& argument : command.positionals)
         text += entry(argument.flags.front() + " " + argument.value, argument.description, width);
-    if (!verb.verbs.empty()) text += "\nVerbs:\n";
-    for (std::size_t i = 0; i < verb.verbs.size(); ++i) text += entry(verb.verbs[i], verb.verb_descriptions[i], width);
+    if (command.path.empty()) text += start_here();
+    text += subcommands_part(command, width);
     text += "\nOptions:\n";
-    for (const auto& option : verb.options) text += entry(name_of(option), option.description, width);
-    if (!verb.examples.empty()) text += "\nExamples:\n";
-    for (const auto& example : verb.examples)
+    for (const auto& option : command.options) text += entry(name_of(option), option.description, width);
+    if (!command.examples.empty()) text += "\nExamples:\n";
+    for (const auto& example : command.examples)
         text += fmt::format("  {}\n      {}", example.command, wrapped(example.what, 6, width));
-    if (!verb.path.empty()) return text;
+    if (!command.path.empty()) return text;
     return text + "\n" +
            wrapped(
-               "`setae help VERB` says what a verb takes, with examples. Standard output carries data, standard "
-               "error messages. Exit code 0: done, 1: some items failed, 2: nothing done.",
+               "`setae help COMMAND` lists arguments, options and examples of a command. Data go to standard output, messages to "
+               "standard error. Exit code 0: done, 1: some items failed, 2: nothing done.",
                0, width);
 }
 

@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 
 #include "program/command.hpp"
+#include "program/command_page.hpp"
 #include "program/messages.hpp"
 #include "program/pages.hpp"
 #include "program/program_tree.hpp"
-#include "program/verb_page.hpp"
 
 namespace setae::cli::man_command {
 namespace {
 
 constexpr const char* explanation =
-    "setae man | man -l -            the manual page, from the program's own verbs and options\n";
+    "setae man | man -l -            the manual page, from the program's own commands and options\n";
 
 /// Text as roff takes it: backslashes and leading dots escaped, hyphens that copy as such.
 std::string roff(const std::string& text) {
@@ -41,13 +41,13 @@ std::string examples_part(const std::vector<Example>& examples) {
     return text;
 }
 
-std::string verb_part(const ProgramVerb& verb) {
-    std::string text = fmt::format(".SS setae {}", roff(verb.path));
-    for (const auto& argument : verb.positionals) text += fmt::format(" \\fI{}\\fR", roff(argument.flags.front()));
-    text += fmt::format("\n{}.\n", roff(verb.description));
-    for (const auto& argument : verb.positionals)
+std::string command_part(const ProgramCommand& command) {
+    std::string text = fmt::format(".SS setae {}", roff(command.path));
+    for (const auto& argument : command.positionals) text += fmt::format(" \\fI{}\\fR", roff(argument.flags.front()));
+    text += fmt::format("\n{}.\n", roff(command.description));
+    for (const auto& argument : command.positionals)
         text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", roff(argument.flags.front()), roff(argument.description));
-    return text + options_part(verb.options) + examples_part(verb.examples);
+    return text + options_part(command.options) + examples_part(command.examples);
 }
 
 struct Arguments {
@@ -57,7 +57,7 @@ struct Arguments {
 
 ExitCode run(const Arguments& arguments) {
     if (!arguments.documentation.empty()) {
-        write_page(arguments.documentation, verb_page());
+        write_page(arguments.documentation, command_page());
         return ExitCode::done;
     }
     std::string text =
@@ -66,9 +66,9 @@ ExitCode run(const Arguments& arguments) {
         ".SH SYNOPSIS\n\\fBsetae\\fR \\fIverb\\fR [\\fIfiles and options\\fR]\n.SH DESCRIPTION\n"
         "setae reads what stylus, AFM and TEM measured on a rough surface, combines it into one power spectral density, and predicts from it true "
         "area, stored elastic energy and the apparent work of adhesion of a soft solid; it analyses JKR loops and compares both. Arguments carry "
-        "their units: 0.7MPa, 37mJ/m2, \"8 nm\".\n.SH VERBS\n";
-    for (const auto& verb : program_verbs())
-        if (!verb.path.empty()) text += verb_part(verb);
+        "their units: 0.7MPa, 37mJ/m2, \"8 nm\".\n.SH COMMANDS\n";
+    for (const auto& command : program_commands())
+        if (!command.path.empty()) text += command_part(command);
     text +=
         ".SH ENVIRONMENT\n.TP\nSETAE_CACHE\nFolder of results kept between runs; default $XDG_CACHE_HOME/setae, else ~/.cache/setae.\n"
         ".TP\nSOURCE_DATE_EPOCH\nSeconds since 1970 that stand for now in reports, so that two runs give the same bytes.\n"
@@ -82,7 +82,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("--documentation", arguments->documentation, "write the page on all verbs to this file");
+    options.add("--documentation", arguments->documentation, "write the page on all commands to this file");
     options.example("setae man | man -l -", "read the manual page");
     return action(options, arguments, explanation, run);
 }

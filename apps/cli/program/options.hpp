@@ -22,7 +22,7 @@ struct Example {
     std::string command, what;
 };
 
-/// What verbs say of themselves beyond what CLI11 keeps.
+/// Declarations of commands beyond what CLI11 keeps.
 struct Declarations {
     std::map<const CLI::Option*, std::vector<std::string>> choices;  ///< words of options that take one of them
     std::map<const CLI::App*, std::vector<Example>> examples;
@@ -70,11 +70,11 @@ private:
     Declarations* declared_;
 };
 
-/// Options and positional arguments of a verb, in the order of its help. Values are written when the command line is
+/// Options and positional arguments of a command, in the order of its help. Values are written when the command line is
 /// parsed and must outlive that.
 class Options {
 public:
-    Options(CLI::App& verb, Declarations& declared) : verb_(verb), declared_(declared) {}
+    Options(CLI::App& command, Declarations& declared) : command_(command), declared_(declared) {}
 
     /// "--json"; true where it is named.
     Option flag(const std::string& names, bool& value, const std::string& description);
@@ -90,11 +90,11 @@ public:
     }
     void ask(std::span<const fields::Option> asked, void* request);
 
-    /// A command line for the verb's help and the manual, and what it does.
+    /// A command line for the command's help and the manual, and what it does.
     void example(const std::string& command, const std::string& what);
 
 private:
-    CLI::App& verb_;
+    CLI::App& command_;
     Declarations& declared_;
 };
 

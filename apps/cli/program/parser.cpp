@@ -135,16 +135,16 @@ Option& Option::default_shown() {
 }
 
 Option Options::flag(const std::string& names, bool& value, const std::string& description) {
-    return {*verb_.add_flag(names, value, description), declared_};
+    return {*command_.add_flag(names, value, description), declared_};
 }
 
-void Options::example(const std::string& command, const std::string& what) {
-    declared_.examples[&verb_].push_back({command, what});
+void Options::example(const std::string& typed, const std::string& what) {
+    declared_.examples[&command_].push_back({typed, what});
 }
 
 template <class Value>
 Option Options::add(const std::string& names, Value& value, const std::string& description) {
-    Option option(*verb_.add_option(names, value, description), declared_);
+    Option option(*command_.add_option(names, value, description), declared_);
     constexpr bool real = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>> ||
                           std::is_same_v<Value, std::vector<double>>;
     constexpr bool natural =
@@ -185,16 +185,16 @@ template Option Options::add(const std::string&, std::vector<double>&, const std
 
 namespace {
 
-bool any(const CLI::App* /*verb*/) { return true; }
+bool any(const CLI::App* /*command*/) { return true; }
 
-CLI::App& group_of(CLI::App& program, const Command& command) {
-    if (*command.group == '\0') return program;
+CLI::App& group_of(CLI::App& program, const Command& row) {
+    if (*row.group == '\0') return program;
     const auto added_before =
-        program.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == command.group; });
+        program.get_subcommands([&](const CLI::App* command) { return command->get_name() == row.group; });
     if (!added_before.empty()) return *added_before.front();
     const auto declared = command_groups();
     const auto group = std::find_if(declared.begin(), declared.end(),
-                                    [&](const CommandGroup& g) { return std::string_view(g.name) == command.group; });
+                                    [&](const CommandGroup& g) { return std::string_view(g.name) == row.group; });
     auto* added = program.add_subcommand(group->name, group->description);
     added->require_subcommand(1);
     return *added;
@@ -206,31 +206,31 @@ struct Program {
     Declarations declared;
 };
 
-/// The program with all its verbs; the one named when it parses leaves what runs it in `chosen`.
-Program program_with_verbs(Action& chosen) {
+/// The program with all its commands; the one named when it parses leaves what runs it in `chosen`.
+Program program_with_commands(Action& chosen) {
     Program program{std::make_unique<CLI::App>("from measured roughness to soft adhesion", "setae"), {}};
     program.app->set_version_flag("--version", "setae " + study::version());
     program.app->set_help_flag("-h,--help", "print this help, then stop");
     program.app->require_subcommand(1);
-    for (const auto& command : commands()) {
-        auto* verb = group_of(*program.app, command).add_subcommand(command.name, command.description);
-        Options options(*verb, program.declared);
-        // of a verb with verbs of its own, such as study, the last one named is meant
-        verb->callback([&chosen, verb, action = command.declare(options)] {
-            if (verb->get_subcommands().empty()) chosen = action;
+    for (const auto& row : commands()) {
+        auto* command = group_of(*program.app, row).add_subcommand(row.name, row.description);
+        Options options(*command, program.declared);
+        // of a command with commands of its own, such as study, the last one named is meant
+        command->callback([&chosen, command, action = row.declare(options)] {
+            if (command->get_subcommands().empty()) chosen = action;
         });
     }
     return program;
 }
 
-/// A first word that is no verb, with the nearest one; CLI11 itself would only say that a verb is missing.
-std::string unknown_verb(const CLI::App& program, const std::vector<std::string>& words) {
+/// A first word that is no command, with the nearest one; CLI11 itself would only say that a command is missing.
+std::string unknown_command(const CLI::App& program, const std::vector<std::string>& words) {
     if (words.empty() || words.front().starts_with('-')) return {};
-    std::vector<std::string> verbs;
-    for (const auto* verb : program.get_subcommands(any)) verbs.push_back(verb->get_name());
-    if (std::find(verbs.begin(), verbs.end(), words.front()) != verbs.end()) return {};
-    const auto nearest = nearest_match(words.front(), verbs);
-    return "unknown verb '" + words.front() + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+    std::vector<std::string> commands;
+    for (const auto* command : program.get_subcommands(any)) commands.push_back(command->get_name());
+    if (std::find(commands.begin(), commands.end(), words.front()) != commands.end()) return {};
+    const auto nearest = nearest_match(words.front(), commands);
+    return "unknown command '" + words.front() + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
 /// What an option takes, as a reader calls it.
@@ -256,50 +256,58 @@ ProgramOption described(const CLI::Option& option, const Declarations& declared)
     return result;
 }
 
-ProgramVerb described(const CLI::App& app, const std::string& path, const Declarations& declared) {
-    ProgramVerb verb;
-    verb.path = path;
-    verb.description = app.get_description();
+/// The topic of a command of the program, or of a group of commands.
+std::string topic_of(const std::string& name) {
+    for (const auto& row : commands())
+        if (row.group == name || (*row.group == '\0' && row.name == name)) return row.topic;
+    return {};
+}
+
+ProgramCommand described(const CLI::App& app, const std::string& path, const Declarations& declared) {
+    ProgramCommand command;
+    command.path = path;
+    command.description = app.get_description();
     for (const auto* option : app.get_options()) {
         auto described_option = described(*option, declared);
         if (option->get_positional()) {
-            verb.positionals.push_back(described_option);
-            verb.positionals.back().flags = {option->get_name(true)};
+            command.positionals.push_back(described_option);
+            command.positionals.back().flags = {option->get_name(true)};
         }
-        if (option->nonpositional()) verb.options.push_back(std::move(described_option));
+        if (option->nonpositional()) command.options.push_back(std::move(described_option));
     }
     for (const auto* child : app.get_subcommands(any)) {
-        verb.verbs.push_back(child->get_name());
-        verb.verb_descriptions.push_back(child->get_description());
+        command.subcommands.push_back(child->get_name());
+        command.subcommand_descriptions.push_back(child->get_description());
+        if (path.empty()) command.topics.push_back(topic_of(child->get_name()));
     }
     if (const auto examples = declared.examples.find(&app); examples != declared.examples.end())
-        verb.examples = examples->second;
-    return verb;
+        command.examples = examples->second;
+    return command;
 }
 
-void add_verbs(const CLI::App& app, const std::string& path, const Declarations& declared,
-               std::vector<ProgramVerb>& verbs) {
-    verbs.push_back(described(app, path, declared));
+void add_commands(const CLI::App& app, const std::string& path, const Declarations& declared,
+                  std::vector<ProgramCommand>& commands) {
+    commands.push_back(described(app, path, declared));
     for (const auto* child : app.get_subcommands(any))
-        add_verbs(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), declared, verbs);
+        add_commands(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), declared, commands);
 }
 
-/// The verb that a command line has named so far.
-const CLI::App& named_verb(const CLI::App& program) {
-    const auto* verb = &program;
-    while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
-    return *verb;
+/// The command that a command line has named so far.
+const CLI::App& named_command(const CLI::App& program) {
+    const auto* command = &program;
+    while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+    return *command;
 }
 
-std::string path_of(const CLI::App& verb) {
-    const auto* parent = verb.get_parent();
-    return parent && parent->get_parent() ? path_of(*parent) + " " + verb.get_name() : verb.get_name();
+std::string path_of(const CLI::App& command) {
+    const auto* parent = command.get_parent();
+    return parent && parent->get_parent() ? path_of(*parent) + " " + command.get_name() : command.get_name();
 }
 
 /// Options of a command as they are typed, with a value or without; a value with blanks in quotes.
-fields::Spelling spelling_of(const CLI::App& verb) {
+fields::Spelling spelling_of(const CLI::App& command) {
     std::set<std::string, std::less<>> names;
-    for (const auto* option : verb.get_options())
+    for (const auto* option : command.get_options())
         for (const auto& name : option->get_lnames()) names.insert("--" + name);
     return [names = std::move(names)](std::string_view name, std::string_view value) {
         const auto option = dashed(name);
@@ -309,19 +317,19 @@ fields::Spelling spelling_of(const CLI::App& verb) {
     };
 }
 
-/// What is wrong with a command line: the verb, the option, the nearest option where there is none of that name.
+/// What is wrong with a command line: the command, the option, the nearest option where there is none of that name.
 std::string objection_to(const CLI::App& program, const CLI::ParseError& error) {
-    const auto& verb = named_verb(program);
-    const bool of_verb = &verb != &program;
+    const auto& command = named_command(program);
+    const bool of_command = &command != &program;
     const auto help =
-        of_verb ? "`setae help " + path_of(verb) + "` says what it takes" : "`setae --help` lists the verbs";
+        of_command ? "see `setae help " + path_of(command) + "`" : "see `setae --help`";
     const auto words = program.remaining(true);
     std::string said = error.what();
-    if (verb.get_require_subcommand_min() > 0) {
-        said = words.empty() ? "expected a verb after it" : unknown_verb(verb, words);
+    if (command.get_require_subcommand_min() > 0) {
+        said = words.empty() ? "expected a command after it" : unknown_command(command, words);
     } else if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
         std::vector<std::string> flags;
-        for (const auto* option : verb.get_options())
+        for (const auto* option : command.get_options())
             for (const auto& name : option->get_lnames()) flags.push_back("--" + name);
         const auto word = words.empty() ? std::string() : words.front();
         const auto nearest = nearest_match(word, flags);
@@ -329,10 +337,10 @@ std::string objection_to(const CLI::App& program, const CLI::ParseError& error) 
                                      : fmt::format("'{}' is more than it takes", word);
         if (word.starts_with("-") && !nearest.empty()) said += "; did you mean '" + nearest + "'?";
     }
-    return (of_verb ? path_of(verb) + ": " : "") + said + (said.ends_with('?') ? " " : "; ") + help;
+    return (of_command ? path_of(command) + ": " : "") + said + (said.ends_with('?') ? " " : "; ") + help;
 }
 
-/// `help VERB…` asks for what `VERB… --help` prints.
+/// `help COMMAND…` asks for what `COMMAND… --help` prints.
 std::vector<std::string> help_as_option(std::vector<std::string> words) {
     if (words.empty() || words.front() != "help") return words;
     words.erase(words.begin());
@@ -360,21 +368,23 @@ std::vector<std::string> reversed_words(const std::vector<std::string>& given) {
 
 Parsed parsed(int argc, char** argv) {
     Parsed result;
-    const auto [program, declared] = program_with_verbs(result.action);
-    const auto words = help_as_option({argv + std::min(argc, 1), argv + argc});
+    const auto [program, declared] = program_with_commands(result.action);
+    auto words = help_as_option({argv + std::min(argc, 1), argv + argc});
+    if (words.empty()) words = {"--help"};
     constexpr int nothing_done = static_cast<int>(ExitCode::nothing_done);
-    if (const auto message = unknown_verb(*program, words); !message.empty()) {
-        complain(message + (message.ends_with('?') ? " " : "; ") + "`setae --help` lists them");
+    if (const auto message = unknown_command(*program, words); !message.empty()) {
+        complain(message + (message.ends_with('?') ? " " : "; ") + "see `setae --help`");
         result.exit_code = nothing_done;
         return result;
     }
     try {
         program->parse(reversed_words(words));
-        spell_options_by(spelling_of(named_verb(*program)));
+        spell_options_by(spelling_of(named_command(*program)));
     } catch (const CLI::CallForHelp&) {
         result.action = nullptr;
-        const auto& verb = named_verb(*program);
-        print(help_text(described(verb, &verb == program.get() ? "" : path_of(verb), declared), output_size().width));
+        const auto& command = named_command(*program);
+        print(help_text(described(command, &command == program.get() ? "" : path_of(command), declared),
+                        output_size().width));
     } catch (const CLI::Success& asked) {  // --version
         result.action = nullptr;
         result.exit_code = program->exit(asked);
@@ -386,12 +396,12 @@ Parsed parsed(int argc, char** argv) {
     return result;
 }
 
-std::vector<ProgramVerb> program_verbs() {
+std::vector<ProgramCommand> program_commands() {
     Action none;
-    std::vector<ProgramVerb> verbs;
-    const auto program = program_with_verbs(none);
-    add_verbs(*program.app, "", program.declared, verbs);
-    return verbs;
+    std::vector<ProgramCommand> commands;
+    const auto program = program_with_commands(none);
+    add_commands(*program.app, "", program.declared, commands);
+    return commands;
 }
 
 }  // namespace setae::cli

@@ -7,7 +7,7 @@ namespace setae::cli {
 
 /// What a command line asks for.
 struct Parsed {
-    Action action;      ///< of the verb named; none where help, the version or what is wrong was printed
+    Action action;      ///< of the command named; none where help, the version or what is wrong was printed
     int exit_code = 0;  ///< then
 };
 

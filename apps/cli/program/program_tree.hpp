@@ -17,18 +17,19 @@ struct ProgramOption {
     std::vector<std::string> choices;  ///< the words it takes; empty where it takes others, too
 };
 
-/// A verb of the program, or the program itself, and what may follow it.
-struct ProgramVerb {
+/// A command of the program, or the program itself, and what may follow it.
+struct ProgramCommand {
     std::string path;  ///< "jkr fit"; empty for the program
     std::string description;
     std::vector<ProgramOption> options;
     std::vector<ProgramOption> positionals;
-    std::vector<std::string> verbs, verb_descriptions;
+    std::vector<std::string> subcommands, subcommand_descriptions;
+    std::vector<std::string> topics;  ///< of the program's subcommands, one each
     std::vector<Example> examples;
 };
 
-/// The program and all its verbs, parents before children: what the manual page, the page of verbs and the completions
-/// are made from.
-[[nodiscard]] std::vector<ProgramVerb> program_verbs();
+/// The program and all its commands, parents before children: what the manual page, the page of commands and the
+/// completions are made from.
+[[nodiscard]] std::vector<ProgramCommand> program_commands();
 
 }  // namespace setae::cli

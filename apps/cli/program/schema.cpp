@@ -18,12 +18,12 @@ namespace setae::cli::schema_command {
 namespace {
 
 constexpr const char* explanation =
-    "JSON Schema, draft 2020-12, of what each verb prints with --json and of study.json; $id holds the version.\n"
+    "JSON Schema, draft 2020-12, of what each command prints with --json and of study.json; $id holds the version.\n"
     "Later versions add names and keep those there are: docs/reference/versions.md.\n";
 
 struct Arguments {
     Common common;
-    std::vector<std::string> verb;
+    std::vector<std::string> command;
     std::string documentation, output;
 };
 
@@ -43,8 +43,8 @@ ExitCode run(const Arguments& arguments) {
     const auto verbs = answers::verbs_with_schema();
     if (!arguments.output.empty()) {
         write_all(verbs, arguments.output);
-    } else if (!arguments.verb.empty()) {
-        print_json(answers::json_schema(fmt::format("{}", fmt::join(arguments.verb, " "))));
+    } else if (!arguments.command.empty()) {
+        print_json(answers::json_schema(fmt::format("{}", fmt::join(arguments.command, " "))));
     } else if (arguments.common.json) {
         print_json({{"verbs", verbs}});
     } else {
@@ -57,8 +57,9 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("verb", arguments->verb, "of whose JSON, such as psd or contact solve; without it those that have one");
-    options.add("-o,--output", arguments->output, "write all of them to this folder, a file a verb");
+    options.add("command", arguments->command,
+                "command whose JSON is described, such as psd or contact solve; without it the list");
+    options.add("-o,--output", arguments->output, "folder for all schemas, one file per command");
     options.add("--documentation", arguments->documentation, "write the page on all names to this file");
     options.example("setae schema study", "the names of study.json, their types, units and meanings");
     options.example("setae schema contact solve", "likewise of what setae contact solve --json prints");

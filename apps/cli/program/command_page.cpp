@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/verb_page.hpp"
+#include "program/command_page.hpp"
 
 #include <algorithm>
 
@@ -12,8 +12,8 @@ namespace setae::cli {
 namespace {
 
 /// The anchor of the heading "setae jkr fit".
-std::string anchor(const ProgramVerb& verb) {
-    std::string text = "setae-" + verb.path;
+std::string anchor(const ProgramCommand& command) {
+    std::string text = "setae-" + command.path;
     std::replace(text.begin(), text.end(), ' ', '-');
     return text;
 }
@@ -24,7 +24,7 @@ std::string flags_of(const ProgramOption& option) {
     return option.takes_value ? text + " " + markdown_cell(option.value) : text;
 }
 
-/// What every verb has is said once.
+/// What every command has is said once.
 bool of_all(const ProgramOption& option) {
     const auto& flag = option.flags.back();
     return flag == "--help" || flag == "--json" || flag == "--explain" || flag == "--threads";
@@ -34,38 +34,39 @@ std::string row(const std::string& left, const std::string& meaning) {
     return fmt::format("| {} | {} |\n", left, markdown_cell(meaning));
 }
 
-std::string section(const ProgramVerb& verb) {
-    std::string usage = "setae " + verb.path, rows;
-    for (const auto& argument : verb.positionals) {
+std::string section(const ProgramCommand& command) {
+    std::string usage = "setae " + command.path, rows;
+    for (const auto& argument : command.positionals) {
         usage += " " + argument.flags.front();
         rows += row("`" + argument.flags.front() + "`", argument.description);
     }
-    for (const auto& option : verb.options)
+    for (const auto& option : command.options)
         if (!of_all(option)) rows += row(flags_of(option), option.description);
-    std::string examples = verb.examples.empty() ? "" : "\nExamples:\n\n";
-    for (const auto& example : verb.examples)
+    std::string examples = command.examples.empty() ? "" : "\nExamples:\n\n";
+    for (const auto& example : command.examples)
         examples += fmt::format("    {}\n        {}\n", example.command, example.what);
-    return fmt::format("\n## setae {}\n\n{}.\n\n    {} [options]\n", verb.path, verb.description, usage) + examples +
-           (rows.empty() ? "" : "\n| argument or option | meaning |\n|---|---|\n" + rows);
+    return fmt::format("\n## setae {}\n\n{}.\n\n    {} [options]\n", command.path, command.description, usage) +
+           examples + (rows.empty() ? "" : "\n| argument or option | meaning |\n|---|---|\n" + rows);
 }
 
 }  // namespace
 
-std::string verb_page() {
+std::string command_page() {
     std::string text =
-        "# Verbs\n\n*Reference · [all documents](../README.md)*\n\n"
-        "Made from the program's own table of commands by `setae man --documentation docs/reference/verbs.md`: edit the table, not this page.\n"
+        "# Commands\n\n*Reference · [all documents](../README.md)*\n\n"
+        "Made from the program's own table of commands by `setae man --documentation docs/reference/commands.md`: edit the table, not this page.\n"
         "Arguments carry their units: `0.7MPa`, `37mJ/m2`, `\"8 nm\"`. Standard output carries data, standard error messages. Exit code 0: done,\n"
-        "1: some items failed, 2: nothing done.\n\n| verb | what it does |\n|---|---|\n";
+        "1: some items failed, 2: nothing done.\n\n| command | what it does |\n|---|---|\n";
     std::string sections;
-    ProgramVerb any;
-    for (const auto& verb : program_verbs()) {
-        if (!verb.verbs.empty() && verb.positionals.empty()) continue;  // the program, or a group of verbs
-        text += row(fmt::format("[{}](#{})", verb.path, anchor(verb)), verb.description);
-        sections += section(verb);
-        any = verb;
+    ProgramCommand any;
+    for (const auto& command : program_commands()) {
+        if (!command.subcommands.empty() && command.positionals.empty())
+            continue;  // the program, or a group of commands
+        text += row(fmt::format("[{}](#{})", command.path, anchor(command)), command.description);
+        sections += section(command);
+        any = command;
     }
-    text += "\nEvery verb has these:\n\n| option | meaning |\n|---|---|\n";
+    text += "\nEvery command has these:\n\n| option | meaning |\n|---|---|\n";
     for (const auto& option : any.options)
         if (of_all(option)) text += row(flags_of(option), option.description);
     return text + sections;
