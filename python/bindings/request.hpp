@@ -15,25 +15,35 @@
 
 namespace setae::python {
 
-/// Keywords of Python for options that are called otherwise in the library: "work_of_adhesion" is W_int.
+/// Keywords of Python for options of the library: "work_of_adhesion" is W_int.
 std::map<std::string, std::string, std::less<>>& keywords();
 
-/// Options of a request, or of a part of it, as attributes that Python reads and writes.
+/// Notes a keyword; an option that requests call differently goes by its name.
+inline void note_keyword(const fields::Option& option) {
+    const std::string name(option.name), keyword(option.keyword.empty() ? option.name : option.keyword);
+    const auto [noted, is_new] = keywords().emplace(name, keyword);
+    if (!is_new && noted->second != keyword) noted->second = name;
+}
+
+/// Options of a request, or of a part of it, as attributes that Python reads and writes, by name and by keyword.
 template <class Request, class Part = Request>
 void bind_options(nb::class_<Request>& request, std::span<const fields::Option> options) {
     for (const auto& option : options) {
-        const std::string name(option.name);
-        if (!option.keyword.empty()) keywords()[name] = option.keyword;
+        note_keyword(option);
         const auto place = option.place;
-        request.def_prop_rw(
-            name.c_str(),
-            [place](Request& self) {
-                return std::visit([](const auto* value) { return nb::cast(*value); }, place(static_cast<Part*>(&self)));
-            },
-            [place](Request& self, nb::object value) {
-                std::visit([&](auto* member) { *member = nb::cast<std::remove_cvref_t<decltype(*member)>>(value); },
-                           place(static_cast<Part*>(&self)));
-            });
+        for (const auto name : {option.name, option.keyword})
+            if (!name.empty())
+                request.def_prop_rw(
+                    std::string(name).c_str(),
+                    [place](Request& self) {
+                        return std::visit([](const auto* value) { return nb::cast(*value); },
+                                          place(static_cast<Part*>(&self)));
+                    },
+                    [place](Request& self, nb::object value) {
+                        std::visit(
+                            [&](auto* member) { *member = nb::cast<std::remove_cvref_t<decltype(*member)>>(value); },
+                            place(static_cast<Part*>(&self)));
+                    });
     }
 }
 template <class Request, class Part = Request>

@@ -39,7 +39,7 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    LoopArguments loops;
+    answers::LoopFiles loops;
     std::vector<std::string> entries;
     std::string encoding, separator, decimal, header_end, sheet, save_map, output;
 };
@@ -218,7 +218,7 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    arguments->loops.add_to(options);
+    ask_for_loops(options, arguments->loops);
     options.add("--encoding", arguments->encoding, "utf-8, utf-16 or latin-1; default: found")
         .one_of({"utf-8", "utf-16", "latin-1"});
     options.add("--separator", arguments->separator, "tab, comma, semicolon or blank; default: found")

@@ -28,7 +28,8 @@ imaging::FrameOptions RadiusRequest::frame_options() const {
 
 imaging::RadiusOptions RadiusRequest::radius_options(parallel::Threads threads) const {
     imaging::RadiusOptions options;
-    require_word("polarity", polarity, {"automatic", "dark", "bright"});
+    constexpr auto& words = fields::Asked<RadiusRequest>::polarities;
+    require_word("polarity", polarity, {words.begin(), words.end()});
     options.frame.polarity = polarity == "dark"     ? imaging::Polarity::dark
                              : polarity == "bright" ? imaging::Polarity::bright
                                                     : imaging::Polarity::automatic;
