@@ -329,7 +329,7 @@ Action declare(Options& options) {
         "row per curve, and NAME.gwy, maps of E*, E, W, pull-off and loss");
     arguments->figure.add_to(options);
     options.flag("--long", arguments->full, "every fit and warning of several loops, not one row per loop");
-    options.add("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
+    options.add("--tidy", arguments->tidy, "CSV table of every fit of all loops");
     options.add("--figures", arguments->figures,
                 "folder of figures: each loop with fits and residuals, E* and W against the range of the fit");
     options.example("setae jkr fit loop.csv --radius \"1.25 mm\" -o loop.svg",

@@ -16,7 +16,7 @@ namespace setae::answers {
 /// How contact radii are measured in the frames of a recording, as `setae jkr radius` is told.
 struct RadiusRequest : CameraPictures {
     std::string region, polarity = "automatic", reason;
-    std::optional<double> micrometres_a_pixel;
+    std::optional<double> micrometres_per_pixel;
     std::optional<long> first, last;
     std::vector<long> exclude;
     double smallest_radius = imaging::ContactFrameOptions{}.smallest_radius,
@@ -39,7 +39,7 @@ struct setae::fields::Asked<setae::answers::RadiusRequest> {
     using R = answers::RadiusRequest;
     static constexpr std::array<std::string_view, 3> polarities{"automatic", "dark", "bright"};
     static constexpr std::array options{
-        option<&R::micrometres_a_pixel>("um_per_px", "size of a pixel in micrometres").such_as("1.82"),
+        option<&R::micrometres_per_pixel>("um_per_px", "size of a pixel in micrometres").such_as("1.82"),
         option<&R::ignore_stated_pixel_size>("ignore_stated_pixel_size",
                                              "the given size of a pixel counts, even where a file states another"),
         option<&R::first>("first", "number of the first frame that is analysed"),
