@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
-#include "bindings.hpp"
+#include "request.hpp"
 #include "setae/answers/camera_scale.hpp"
 #include "setae/answers/contact_line.hpp"
 #include "setae/answers/contact_radii.hpp"
@@ -18,13 +18,9 @@ namespace {
 
 void bind_lens(nb::module_& module) {
     using Request = answers::LensRequest;
-    nb::class_<Request>(module, "LensRequest")
-        .def(nb::init<>())
-        .def_rw("x", &Request::x)
-        .def_rw("z", &Request::z)
-        .def_rw("start", &Request::from)
-        .def_rw("stop", &Request::to)
-        .def_rw("pixel", &Request::pixel);
+    nb::class_<Request> request(module, "LensRequest");
+    request.def(nb::init<>());
+    bind_asked(request);
     module.def(
         "lens",
         [](const std::string& file, const Request& request) {
@@ -35,38 +31,18 @@ void bind_lens(nb::module_& module) {
     module.def(
         "camera_scale",
         [](const std::vector<std::string>& pictures, const std::string& pitch) {
-            return unlocked(
-                [&](const auto&) { return output::as_text(answers::to_json(answers::camera_scale(pictures, pitch))); });
+            return unlocked([&](const auto&) {
+                return output::as_text(answers::to_json(answers::camera_scale(pictures, {pitch})));
+            });
         },
         nb::arg("pictures"), nb::arg("pitch"), "as `setae jkr camera --json` prints it");
 }
 
 void bind_replicates(nb::module_& module) {
     using Request = answers::ReplicateRequest;
-    nb::class_<Request>(module, "ReplicateRequest")
-        .def(
-            "__init__",
-            [](Request* request, const std::string& quantity, const std::string& value, const std::string& error,
-               const std::string& unit, const std::string& method, const std::string& branch,
-               const std::string& elastomer) {
-                new (request) Request;
-                auto& columns = request->columns;
-                columns.quantity = quantity;
-                columns.value_column = value;
-                columns.error_column = error;
-                columns.unit = unit;
-                columns.method = method;
-                columns.branch = branch;
-                columns.elastomer = elastomer;
-            },
-            nb::arg("quantity"), nb::arg("value"), nb::arg("error"), nb::arg("unit"), nb::arg("method"),
-            nb::arg("branch"), nb::arg("elastomer"))
-        .def_rw("files", &Request::files)
-        .def_rw("group_by", &Request::group_by)
-        .def_rw("crossed", &Request::crossed)
-        .def_rw("exclude", &Request::exclude)
-        .def_rw("exclusions", &Request::exclusions)
-        .def_rw("each_surface", &Request::each_surface);
+    nb::class_<Request> request(module, "ReplicateRequest");
+    request.def(nb::init<>()).def_rw("files", &Request::files);
+    bind_asked(request);
     module.def(
         "replicates",
         [](const Request& request) {
@@ -83,27 +59,17 @@ struct Radii {
 };
 
 /// What is told of a recording.
-template <class Request, class Class>
-void bind_recording(Class& request) {
-    request.def(nb::init<>())
-        .def_rw("pixel", &Request::pixel)
-        .def_rw("region", &Request::region)
-        .def_rw("polarity", &Request::polarity)
-        .def_rw("reason", &Request::reason)
-        .def_rw("frame_rate", &Request::frame_rate)
-        .def_rw("first", &Request::first)
-        .def_rw("last", &Request::last)
-        .def_rw("exclude", &Request::exclude)
-        .def_rw("smallest_radius", &Request::smallest_radius)
-        .def_rw("least_confidence", &Request::least_confidence)
-        .def_rw("fringes", &Request::fringes)
-        .def_rw("ignore_stated_pixel_size", &Request::ignore_stated_pixel_size);
+template <class Request>
+void bind_recording(nb::class_<Request>& request) {
+    request.def(nb::init<>());
+    bind_asked<Request, answers::CameraPictures>(request);
+    bind_asked<Request, answers::RadiusRequest>(request);
 }
 
 void bind_radii(nb::module_& module) {
     using Request = answers::RadiusRequest;
     nb::class_<Request> bound(module, "RadiusRequest");
-    bind_recording<Request>(bound);
+    bind_recording(bound);
     nb::class_<Radii>(module, "Radii")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Radii&>(self).table, self); })
         .def_prop_ro("units", [](const Radii& radii) { return units(radii.table); })
@@ -132,16 +98,9 @@ struct Edge {
 void bind_line(nb::module_& module) {
     using Request = answers::LineRequest;
     nb::class_<Request> bound(module, "LineRequest");
-    bind_recording<Request>(bound);
-    bound.def_rw("angles", &Request::angles)
-        .def_rw("smallest_void", &Request::smallest_void)
-        .def_rw("ring_width", &Request::ring_width)
-        .def_rw("threshold", &Request::threshold)
-        .def_rw("smallest_mode", &Request::smallest_mode)
-        .def_rw("largest_mode", &Request::largest_mode)
-        .def_rw("sphere_radius", &Request::sphere_radius)
-        .def_rw("contact_modulus", &Request::contact_modulus)
-        .def_rw("displacement", &Request::displacement);
+    bind_recording(bound);
+    bind_asked(bound);
+    bound.def_rw("sphere_radius", &Request::sphere_radius);
     nb::class_<Edge>(module, "Edge")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Edge&>(self).frames, self); })
         .def_prop_ro("units", [](const Edge& edge) { return units(edge.frames); })

@@ -3,7 +3,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nlohmann/json.hpp>
 
-#include "bindings.hpp"
+#include "request.hpp"
 #include "setae/answers/force_curves.hpp"
 #include "setae/answers/machine_stiffness.hpp"
 #include "setae/output/force_map_output.hpp"
@@ -23,82 +23,30 @@ struct LoopAnswer {
 };
 
 void bind_requests(nb::module_& module) {
-    nb::class_<answers::LoopFiles>(module, "LoopFiles")
+    using answers::LoopBodies, answers::LoopFiles, answers::LoopModelsRequest, answers::LoopSettings;
+    nb::class_<LoopFiles> files(module, "LoopFiles");
+    files.def(nb::init<>()).def_rw("mapping_folder", &LoopFiles::mapping_folder);
+    bind_options(files, fields::Asked<LoopFiles>::mapping);
+    bind_asked(files);
+    bind_asked<LoopFiles, answers::CameraPictures>(files);
+    nb::class_<LoopBodies> bodies(module, "LoopBodies");
+    bodies.def(nb::init<>())
         .def(
-            "__init__",
-            [](answers::LoopFiles* files, const std::string& mapping, const std::string& mapping_folder,
-               const std::string& camera, const std::string& camera_mapping, const std::string& clock_offset,
-               const std::string& pixel, std::optional<double> frame_rate, bool fringes,
-               const std::string& spring_constant, const std::string& sensitivity, std::optional<long> curve_number,
-               const std::vector<std::string>& columns) {
-                new (files) answers::LoopFiles;
-                files->columns = columns;
-                files->map = mapping;
-                files->mapping_folder = mapping_folder;
-                files->camera = camera;
-                files->camera_map = camera_mapping;
-                files->clock_offset = clock_offset;
-                files->pixel = pixel;
-                files->frame_rate = frame_rate;
-                files->fringes = fringes;
-                files->spring_constant = spring_constant;
-                files->sensitivity = sensitivity;
-                files->curve_number = curve_number;
-            },
-            nb::arg("mapping"), nb::arg("mapping_folder"), nb::arg("camera"), nb::arg("camera_mapping"),
-            nb::arg("clock_offset"), nb::arg("pixel"), nb::arg("frame_rate").none(), nb::arg("fringes"),
-            nb::arg("spring_constant"), nb::arg("sensitivity"), nb::arg("curve_number").none(), nb::arg("columns"));
-    nb::class_<answers::LoopBodies>(module, "LoopBodies")
-        .def(
-            "__init__",
-            [](answers::LoopBodies* bodies, const std::string& radius, const std::string& lens_height,
-               const std::string& layer_thickness, const std::string& counter_modulus,
-               std::optional<double> poisson_ratio, std::optional<double> counter_poisson_ratio) {
-                new (bodies) answers::LoopBodies{radius,          lens_height,   layer_thickness,
-                                                 counter_modulus, poisson_ratio, counter_poisson_ratio};
-                (void)bodies->without_radius({});  // what is wrong with it is said here
-            },
-            nb::arg("radius"), nb::arg("lens_height"), nb::arg("layer_thickness"), nb::arg("counter_modulus"),
-            nb::arg("poisson_ratio").none(), nb::arg("counter_poisson_ratio").none());
-    nb::class_<answers::LoopSettings>(module, "LoopSettings")
-        .def(nb::init<>())
-        .def_rw("machine_stiffness", &answers::LoopSettings::machine_stiffness)
-        .def_rw("rigid_contact", &answers::LoopSettings::rigid_contact)
-        .def_rw("contact_point", &answers::LoopSettings::contact_point)
-        .def_rw("displacement_drift", &answers::LoopSettings::displacement_drift)
-        .def_rw("segments", &answers::LoopSettings::segments)
-        .def_rw("relaxation", &answers::LoopSettings::relaxation)
-        .def_rw("baseline_share", &answers::LoopSettings::baseline_share)
-        .def_rw("area_ratio", &answers::LoopSettings::area_ratio)
-        .def_rw("samples_dropped", &answers::LoopSettings::samples_dropped)
-        .def_rw("unweighted", &answers::LoopSettings::unweighted)
-        .def_rw("retraction_modulus_free", &answers::LoopSettings::modulus_free)
-        .def_rw("no_drift", &answers::LoopSettings::no_drift)
-        .def_rw("drift", &answers::LoopSettings::drift)
-        .def_rw("force_zero", &answers::LoopSettings::force_zero)
-        .def_rw("whole_retraction", &answers::LoopSettings::whole_retraction);
-    nb::class_<answers::LoopModelsRequest>(module, "LoopModels")
-        .def(nb::init<>())
-        .def_rw("models", &answers::LoopModelsRequest::models)
-        .def_rw("branch", &answers::LoopModelsRequest::branch)
-        .def_rw("errors", &answers::LoopModelsRequest::errors)
-        .def_rw("contact_point", &answers::LoopModelsRequest::contact_point)
-        .def_rw("cohesive_stress", &answers::LoopModelsRequest::cohesive_stress)
-        .def_rw("profile", &answers::LoopModelsRequest::profile)
-        .def_rw("crack_speed", &answers::LoopModelsRequest::crack_speed)
-        .def_rw("exponent", &answers::LoopModelsRequest::exponent);
+            "check", [](const LoopBodies& given) { (void)given.without_radius({}); }, "raises what is wrong with them");
+    bind_asked(bodies);
+    nb::class_<LoopSettings> settings(module, "LoopSettings");
+    settings.def(nb::init<>());
+    bind_asked(settings);
+    nb::class_<LoopModelsRequest> models(module, "LoopModels");
+    models.def(nb::init<>()).def_rw("contact_point", &LoopModelsRequest::contact_point);
+    bind_asked(models);
 }
 
 void bind_force_curves(nb::module_& module) {
     using Request = answers::CurveRequest;
-    nb::class_<Request>(module, "CurveRequest")
-        .def(nb::init<>())
-        .def_rw("tip", &Request::tip)
-        .def_rw("half_angle", &Request::half_angle)
-        .def_rw("model", &Request::model)
-        .def_rw("range", &Request::range)
-        .def_rw("contact_point", &Request::contact_point)
-        .def_rw("keep_baseline_slope", &Request::keep_baseline_slope);
+    nb::class_<Request> request(module, "CurveRequest");
+    request.def(nb::init<>()).def_rw("range", &Request::range);
+    bind_asked(request);
     module.def(
         "fit_force_curves",
         [](const std::string& file, const answers::LoopFiles& files, const answers::LoopBodies& bodies,

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -15,25 +18,56 @@
 
 namespace setae::python {
 
-/// Keywords of Python for options that are called otherwise in the library: "work_of_adhesion" is W_int.
+/// Keywords of Python for options of the library: "work_of_adhesion" is W_int.
 std::map<std::string, std::string, std::less<>>& keywords();
 
-/// Options of a request, or of a part of it, as attributes that Python reads and writes.
+/// Notes a keyword; an option that requests call differently goes by its name.
+inline void note_keyword(const fields::Option& option) {
+    const std::string name(option.name), keyword(option.keyword.empty() ? option.name : option.keyword);
+    const auto [noted, is_new] = keywords().emplace(name, keyword);
+    if (!is_new && noted->second != keyword) noted->second = name;
+}
+
+/// A value of Python as a message calls it.
+template <class Value>
+constexpr const char* kind_of(const Value&) {
+    if constexpr (std::is_same_v<Value, bool>) return "True or False";
+    else if constexpr (std::is_integral_v<Value>) return "a whole number";
+    else if constexpr (std::is_floating_point_v<Value>) return "a number";
+    else return "a text";
+}
+template <class Value>
+constexpr const char* kind_of(const std::optional<Value>&) {
+    return kind_of(Value());
+}
+template <class Value>
+constexpr const char* kind_of(const std::vector<Value>&) {
+    return std::is_same_v<Value, std::string> ? "a list of texts" : "a list of numbers";
+}
+
+/// Options of a request, or of a part of it, as attributes that Python reads and writes, by name and by keyword.
 template <class Request, class Part = Request>
 void bind_options(nb::class_<Request>& request, std::span<const fields::Option> options) {
     for (const auto& option : options) {
-        const std::string name(option.name);
-        if (!option.keyword.empty()) keywords()[name] = option.keyword;
+        note_keyword(option);
         const auto place = option.place;
-        request.def_prop_rw(
-            name.c_str(),
-            [place](Request& self) {
-                return std::visit([](const auto* value) { return nb::cast(*value); }, place(static_cast<Part*>(&self)));
-            },
-            [place](Request& self, nb::object value) {
-                std::visit([&](auto* member) { *member = nb::cast<std::remove_cvref_t<decltype(*member)>>(value); },
-                           place(static_cast<Part*>(&self)));
-            });
+        const auto get = [place](Request& self) {
+            return std::visit([](const auto* value) { return nb::cast(*value); }, place(static_cast<Part*>(&self)));
+        };
+        for (const auto name : {option.name, option.keyword}) {
+            if (name.empty()) continue;
+            const auto set = [place, name](Request& self, nb::object value) {
+                std::visit(
+                    [&](auto* member) {
+                        if (nb::try_cast(value, *member)) return;
+                        const std::string given = nb::type_name(value.type()).c_str();
+                        throw nb::type_error(
+                            (std::string(name) + ": " + given + "; expected " + kind_of(*member)).c_str());
+                    },
+                    place(static_cast<Part*>(&self)));
+            };
+            request.def_prop_rw(std::string(name).c_str(), get, set);
+        }
     }
 }
 template <class Request, class Part = Request>

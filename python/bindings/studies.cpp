@@ -5,7 +5,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nlohmann/json.hpp>
 
-#include "bindings.hpp"
+#include "request.hpp"
 #include "setae/answers/patch_survey.hpp"
 #include "setae/answers/run_time.hpp"
 #include "setae/bytes/protected_inputs.hpp"
@@ -62,18 +62,9 @@ Run run(const std::string& file, const std::string& output, const std::optional<
 
 void bind_patches(nb::module_& module) {
     using Request = answers::PatchSurveyRequest;
-    nb::class_<Request>(module, "PatchSurveyRequest")
-        .def(nb::init<>())
-        .def_rw("energy_shares", &Request::energy_shares)
-        .def_rw("points", &Request::points)
-        .def_rw("points_a_wave", &Request::points_a_wave)
-        .def_rw("squared_ratios", &Request::squared_ratios)
-        .def_rw("waves_a_side", &Request::waves_a_side)
-        .def_rw("hurst_exponent", &Request::hurst_exponent)
-        .def_rw("law", &Request::law)
-        .def_rw("seeds", &Request::seeds)
-        .def_rw("seed", &Request::seed)
-        .def_rw("loops", &Request::loops);
+    nb::class_<Request> request(module, "PatchSurveyRequest");
+    request.def(nb::init<>());
+    bind_asked(request);
     module.def(
         "conform",
         [](const Run& study, const Request& request) {

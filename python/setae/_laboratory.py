@@ -9,7 +9,7 @@ from typing import Any, Union
 
 from . import _setae
 from ._columns import Columns
-from ._loops import bodies_of, files_of
+from ._loops import bodies_of, checked_bodies, files_of
 from ._options import Path, Text, filled, named, path, text
 from ._quantities import Alert, Answer, Quantity, quantity_from
 
@@ -287,7 +287,7 @@ def force_curves(
         contact_point=contact_point,
         keep_baseline_slope=keep_baseline_slope,
     )
-    return ForceCurves(_setae.fit_force_curves(path(file), _setae.LoopFiles(**files), _setae.LoopBodies(**bodies), request))
+    return ForceCurves(_setae.fit_force_curves(path(file), filled(_setae.LoopFiles(), **files), checked_bodies(bodies), request))
 
 
 class Replicates(Answer):
@@ -315,10 +315,16 @@ def replicates(
     quantity: "W", "E*", "E_loss", "F_po" or a column.  group_by: outermost first; without it those of surface, lens and spot that there are.
     exclude: "file=a.csv;reason=dust on the lens".
     """
-    columns = (quantity, text(value), text(error), text(unit), text(method), text(branch), text(elastomer))
     request = filled(
-        _setae.ReplicateRequest(*columns),
+        _setae.ReplicateRequest(),
         files=paths(files),
+        quantity=quantity,
+        value=value,
+        error=error,
+        unit=unit,
+        method=method,
+        branch=branch,
+        elastomer=elastomer,
         group_by=",".join(group_by),
         crossed=",".join(crossed),
         exclude=list(exclude),

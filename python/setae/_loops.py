@@ -67,7 +67,7 @@ class Loop:
 
     @cached_property
     def _opened(self) -> _setae.Loop:
-        return _setae.open_loop(self.file, _setae.LoopFiles(**dict(self.files)))
+        return _setae.open_loop(self.file, filled(_setae.LoopFiles(), **dict(self.files)))
 
     def __getstate__(self) -> dict[str, Any]:
         return {"file": self.file, "files": self.files, "bodies": self.bodies}
@@ -97,7 +97,7 @@ class Loop:
 
     def _answer(self, models: dict[str, Any], settings: dict[str, Any]) -> _setae.LoopAnswer:
         asked, wanted = filled(_setae.LoopSettings(), **settings), filled(_setae.LoopModels(), **models)
-        return _setae.fit_loop(self._opened, _setae.LoopBodies(**dict(self.bodies)), asked, wanted)
+        return _setae.fit_loop(self._opened, checked_bodies(dict(self.bodies)), asked, wanted)
 
     def fit(
         self,
@@ -146,7 +146,7 @@ class Loop:
 
 def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_number: int | None = None,
              columns: Mapping[str, str] | None = None, **texts: Text | None) -> dict[str, Any]:
-    """Arguments of LoopFiles; what is not named is left open."""
+    """Attributes of LoopFiles; what is not named is left open."""
     names = ("mapping", "camera", "camera_mapping", "clock_offset", "pixel", "spring_constant", "sensitivity")
     return {
         **{name: text(texts.get(name)) for name in names},
@@ -160,15 +160,22 @@ def files_of(*, frame_rate: float | None = None, fringes: bool = False, curve_nu
 
 def bodies_of(*, radius: Text | None = None, lens_height: Text | None = None, layer_thickness: Text | None = None, nu: float | None = None,
               counter_E: Text | None = None, counter_nu: float | None = None) -> dict[str, Any]:
-    """Arguments of LoopBodies."""
+    """Attributes of LoopBodies."""
     return {
         "radius": text(radius),
         "lens_height": text(lens_height),
         "layer_thickness": text(layer_thickness),
-        "counter_modulus": text(counter_E),
-        "poisson_ratio": nu,
-        "counter_poisson_ratio": counter_nu,
+        "nu": nu,
+        "counter_E": text(counter_E),
+        "counter_nu": counter_nu,
     }
+
+
+def checked_bodies(given: Mapping[str, Any]) -> _setae.LoopBodies:
+    """The bodies; what is wrong with them is raised."""
+    bodies = filled(_setae.LoopBodies(), **given)
+    bodies.check()
+    return bodies
 
 
 def loop(
@@ -213,7 +220,7 @@ def loop(
     )
     bodies = bodies_of(radius=radius, lens_height=lens_height, layer_thickness=layer_thickness, nu=nu, counter_E=counter_E,
                        counter_nu=counter_nu)
-    _setae.LoopBodies(**bodies)  # what is wrong with it is said here
+    checked_bodies(bodies)
     opened = Loop(path(file), tuple(files.items()), tuple(bodies.items()))
     opened._opened  # noqa: B018
     return opened

@@ -408,6 +408,8 @@ def test_conform(printed):
     assert of_pairs.json() == printed("lab", "conform", published, *typed)
     with pytest.raises(TypeError, match="energy_share"):
         setae.conform(energy_share=[0.1])
+    with pytest.raises(TypeError, match="energy_shares: float; expected a list of numbers"):
+        setae.conform(energy_shares=0.1)
 
 
 def test_surface_has_the_numbers_of_params():

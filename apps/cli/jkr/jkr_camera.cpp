@@ -26,7 +26,7 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     std::vector<std::string> files;
-    std::string pitch;
+    answers::RulingRequest ruling;
 };
 
 std::string as_text(const imaging::CameraScale& scale) {
@@ -48,7 +48,7 @@ std::string as_text(const imaging::CameraScale& scale) {
 }
 
 ExitCode run(const Arguments& arguments) {
-    const auto scale = answers::camera_scale(arguments.files, arguments.pitch);
+    const auto scale = answers::camera_scale(arguments.files, arguments.ruling);
     if (arguments.common.json) print_json(answers::to_json(scale));
     else print(as_text(scale));
     return ExitCode::done;
@@ -60,8 +60,7 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("files", arguments->files, "pictures of a ruling or a grid, all by one camera at one magnification")
         .of_inputs();
-    options.add("--pitch", arguments->pitch, "distance of neighbouring lines, such as \"10 um\" or \"10 ± 0.02 um\"")
-        .quantity(positive(dimension::length));
+    options.ask(arguments->ruling);
     options.example("setae jkr camera ruling.tif --pitch \"10 um\"", "size of a pixel from a ruling of 10 um");
     return action(options, arguments, explanation, run);
 }

@@ -14,25 +14,6 @@
 
 namespace setae::cli {
 
-void CurveArguments::add_to(Options& options) {
-    options.flag(
-        "--curve", curve,
-        "take tables for force curves: force and displacement alone, without adhesion to see; files of AFM force curves always are");
-    options.add("--tip", tip, "of a force curve").one_of({"paraboloid", "cone", "three_sided_pyramid"}).default_shown();
-    options.add("--half-angle", half_angle, "of a cone, or inclination of a pyramid's faces, degrees");
-    options.add("--curve-model", model, "of a force curve: hertz, dmt, jkr, maugis_dugdale, large_strain")
-        .default_shown();
-    options.add(
-        "--fit-range", range,
-        "of a force curve: \"0 nm:500 nm\", \"1 nN:20 nN\", or shares of the largest indentation; default -1:1");
-    options
-        .add("--curve-contact-point", contact_point,
-             "of a force curve: fit, found (where the force leaves the baseline), or a length")
-        .default_shown();
-    options.flag("--keep-baseline-slope", keep_baseline_slope,
-                 "of a force curve: take off the mean of free flight, not its line");
-}
-
 void print_curve(const std::string& file, const loops::ForceCurveAnalysis& analysis) {
     tables::TidyTable table{"",
                             {"segment", "tip", "model", "E* [kPa]", "E [kPa]", "W [mJ/m²]", "contact point [µm]",

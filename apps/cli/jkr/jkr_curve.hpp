@@ -3,15 +3,9 @@
 
 #include <string>
 
-#include "program/options.hpp"
 #include "setae/answers/force_curves.hpp"
 
 namespace setae::cli {
-
-/// Options of `setae jkr fit` for force curves.
-struct CurveArguments : answers::CurveRequest {
-    void add_to(Options& options);
-};
 
 void print_curve(const std::string& file, const loops::ForceCurveAnalysis& analysis);
 void print_map(const study::ForceMap& map);

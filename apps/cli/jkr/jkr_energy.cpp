@@ -170,11 +170,11 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->request.add_to(options);
-    options.add("--tidy", arguments->tidy, "energies of every contact and cycle of every loop as one CSV table");
+    options.add("--tidy", arguments->tidy, "CSV table of the energies of every contact and cycle of all loops");
     options.add("--course", arguments->course,
                 "folder of NAME_course.csv: work, elastic, surface and dissipated energy, sample by sample");
     options.add("--figures", arguments->figures,
-                "folder of figures: the course of each loop, losses against true area");
+                "folder of figures: the course of each loop, and losses against true area");
     options.example("setae jkr energy loop.csv --radius \"1.25 mm\"", "where the energy of a loop goes");
     options.example("setae jkr energy loops/*.csv --radius \"1.25 mm\" --figures figures", "of many, with figures");
     return action(options, arguments, explanation, run);

@@ -47,8 +47,8 @@ constexpr const char* explanation =
 struct Arguments {
     Common common;
     LoopAnalysisRequest request;
-    ModelArguments models;
-    CurveArguments curve;
+    answers::LoopModelsRequest models;
+    answers::CurveRequest curve;
     std::string tidy, figures, output;
     bool full = false;  ///< every fit and warning of each of several loops
     FigureOption figure;
@@ -321,17 +321,17 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->request.add_to(options);
-    arguments->models.add_to(options);
-    arguments->curve.add_to(options);
+    options.ask(arguments->models);
+    options.ask(arguments->curve);
     options.add(
         "-o,--output", arguments->output,
-        "figure OUT.svg, .pdf or .png of the one loop with its fits; of files of many force curves a folder: NAME.csv, a row "
-        "a curve, and NAME.gwy, maps of E*, E, W, pull-off and loss");
+        "figure OUT.svg, .pdf or .png of one loop with the fits; for files of many force curves a folder: NAME.csv, one "
+        "row per curve, and NAME.gwy, maps of E*, E, W, pull-off and loss");
     arguments->figure.add_to(options);
-    options.flag("--long", arguments->full, "of several loops every fit and warning, not a row per loop");
-    options.add("--tidy", arguments->tidy, "every fit of every loop as one CSV table");
+    options.flag("--long", arguments->full, "every fit and warning of several loops, not one row per loop");
+    options.add("--tidy", arguments->tidy, "CSV table of every fit of all loops");
     options.add("--figures", arguments->figures,
-                "folder of figures: each loop with its fits and residuals, E* and W against the range of the fit");
+                "folder of figures: each loop with fits and residuals, E* and W against the range of the fit");
     options.example("setae jkr fit loop.csv --radius \"1.25 mm\" -o loop.svg",
                     "E* and W of loading, pull-off and loss, drawn with the fits");
     options.example("setae jkr fit loops --radius \"1.25 mm\" --tidy fits.csv",

@@ -39,7 +39,7 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    LoopArguments loops;
+    answers::LoopFiles loops;
     std::vector<std::string> entries;
     std::string encoding, separator, decimal, header_end, sheet, save_map, output;
 };
@@ -218,19 +218,19 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    arguments->loops.add_to(options);
-    options.add("--encoding", arguments->encoding, "utf-8, utf-16 or latin-1; default: found")
+    ask_for_loops(options, arguments->loops);
+    options.add("--encoding", arguments->encoding, "encoding of the text; default: found")
         .one_of({"utf-8", "utf-16", "latin-1"});
-    options.add("--separator", arguments->separator, "tab, comma, semicolon or blank; default: found")
+    options.add("--separator", arguments->separator, "separator of the columns; default: found")
         .one_of({"tab", "comma", "semicolon", "blank"});
-    options.add("--decimal", arguments->decimal, "point or comma; default: found").one_of({"point", "comma"});
-    options.add("--header-end", arguments->header_end, "the line behind which numbers begin");
+    options.add("--decimal", arguments->decimal, "decimal sign; default: found").one_of({"point", "comma"});
+    options.add("--header-end", arguments->header_end, "line after which the numbers begin");
     options.add("--sheet", arguments->sheet,
-                "of a workbook, by its name; default: the first that holds a loop, else the first that holds a table");
+                "sheet of a workbook, by name; default: the first with a loop, else the first with a table");
     options.add("--set", arguments->entries,
-                "KEY=VALUE written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
+                "KEY=VALUE that is written into the loop file, such as sphere_radius=\"1.25 mm\" or surface=UNCD");
     options.add("--save-map", arguments->save_map,
-                "write the mapping as a template for --map; a \"?\" in it asks for what the file does not say");
+                "file for the mapping, a template for --map; a \"?\" marks what the table does not state");
     options.add("-o,--output", arguments->output, "loop file, or folder of loop files; without it nothing is written");
     options.example("setae jkr import force_curve.txt -o loop.csv",
                     "a table as a loop file; the columns are guessed and shown");

@@ -71,13 +71,7 @@ Action declare(Options& options) {
         .add("files", arguments->files,
              "tables of two lengths with their units, a profilometer's trace, or pictures of the lens's side")
         .of_inputs();
-    options.add("--x", arguments->request.x, "column along the lens; default: the first of lengths");
-    options.add("--z", arguments->request.z, "column of heights; default: the second of lengths");
-    options.add("--pixel", arguments->request.pixel, "of pictures that do not state it, such as \"2.05 um\"")
-        .quantity(positive(dimension::length));
-    options.add("--from", arguments->request.from, "points before are left out, such as \"-0.2 mm\"")
-        .quantity(dimension::length);
-    options.add("--to", arguments->request.to, "points behind are left out").quantity(dimension::length);
+    options.ask(arguments->request);
     options.example("setae jkr lens profile.csv", "radius and asphericity from a profile");
     options.example("setae jkr lens side.png --pixel \"2.05 um\"", "from a picture of its side");
     return action(options, arguments, explanation, run);

@@ -166,34 +166,14 @@ Action declare(Options& options) {
             "frames", arguments->frames,
             "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP); or a table of --save-line")
         .of_inputs();
-    add_recording_options(options, *arguments);
-    options.add("--angles", arguments->angles, "places along the edge; default one every 2 px of the largest");
-    options.add("--smallest-void", arguments->smallest_void, "smaller ones are passed over [px^2]")
-        .within(domain::positive);
-    options
-        .add("--ring-width", arguments->ring_width,
-             "of the cells that speeds are told of; default what the edge moves from frame to frame")
-        .quantity(positive(dimension::length));
-    options.add("--threshold", arguments->threshold, "a jump is faster than the mean by this factor, an arrest slower")
-        .default_shown();
-    options.add("--smallest-mode", arguments->smallest_mode, "of the roughness; 1 is the centre, 2 an ellipse")
-        .default_shown();
-    options.add("--largest-mode", arguments->largest_mode, "of the roughness; default a quarter of the places");
-    options
-        .add("--radius", arguments->sphere_radius,
-             "of the sphere, such as \"1 mm\": with --contact-modulus, what the edge works against")
-        .quantity(positive(dimension::length));
-    options.add("--contact-modulus", arguments->contact_modulus, "E* of both bodies, such as \"1 MPa\"")
-        .quantity(positive(dimension::pressure));
-    options
-        .add("--displacement", arguments->displacement,
-             "of the sphere, a table of time and displacement; default: that beside the edge")
-        .of_inputs();
+    options.ask<answers::CameraPictures>(*arguments);
+    options.ask<answers::RadiusRequest>(*arguments);
+    options.ask<answers::LineRequest>(*arguments);
     options
         .add("--beside", arguments->beside,
-             "table of another edge of this contact, such as a simulated one: both side by side")
+             "table of another edge of this contact, such as a simulated edge, for a comparison")
         .of_inputs();
-    options.add("--save-line", arguments->save_line, "write the edge itself, r at every angle and time, OUT.csv");
+    options.add("--save-line", arguments->save_line, "table OUT.csv of the edge: r at every angle and time");
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae jkr line recording.avi --pixel \"1.82 um\" --fps 10 -o line.svg",

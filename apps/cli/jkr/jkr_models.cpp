@@ -27,26 +27,6 @@ void add_row(tables::TidyTable& table, const loops::ModelFit& fit, double akaike
 
 }  // namespace
 
-void ModelArguments::add_to(Options& options) {
-    options.add("--model", models,
-                "also fit hertz, dmt, jkr, maugis_dugdale, transition, layer, large_strain; all compares them");
-    options.add("--branch", branch, "of --model, --profile and --share")
-        .one_of({"loading", "unloading"})
-        .default_shown();
-    options.add("--errors", errors, "of --model and --share: orthogonal_distance, effective_variance, force_only")
-        .one_of({"effective_variance", "orthogonal_distance", "force_only"})
-        .default_shown();
-    options.add("--model-contact-point", contact_point, "held in --model, such as \"1.2 um\"; default: fitted")
-        .quantity(dimension::length);
-    options.add("--cohesive-stress", cohesive_stress, "held in maugis_dugdale, such as \"5 MPa\"; default: fitted")
-        .quantity(positive(dimension::pressure));
-    options.flag("--profile", profile, "intervals of E* and W by profile likelihood");
-    options.flag("--crack-speed", crack_speed, "fit G(v) = G0 (1 + (v/v0)^n) to the receding edge");
-    options.add("--exponent", exponent, "n held in --crack-speed");
-    options.add("--share", shared, "one fit of all loops that share modulus, work, or both")
-        .one_of({"modulus", "work"});
-}
-
 void print_models(const std::string& loop, const study::LoopModels& models) {
     std::string text = loop.empty() ? "" : loop + "\n", reasons;
     tables::TidyTable table{"", {"model", "E* [MPa]", "W [mJ/m²]", "λ", "χ²_red", "n", "ΔAICc"}, {}};

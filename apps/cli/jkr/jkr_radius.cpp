@@ -76,10 +76,11 @@ Action declare(Options& options) {
         .add("frames", arguments->frames,
              "a TIFF stack, an AVI, a folder of pictures, or pictures (PNG, JPEG, TIFF, BMP)")
         .of_inputs();
-    add_recording_options(options, *arguments);
+    options.ask<answers::CameraPictures>(*arguments);
+    options.ask<answers::RadiusRequest>(*arguments);
     options.add("-o,--output", arguments->output, "write OUT.csv");
-    options.add("--overlay", arguments->overlay, "folder for pictures of the frames with the edge drawn");
-    options.add("--overlay-frames", arguments->overlay_frames, "numbers of frames drawn; default all")
+    options.add("--overlay", arguments->overlay, "folder for pictures of the frames with the edge drawn in");
+    options.add("--overlay-frames", arguments->overlay_frames, "numbers of frames that are drawn; default: all")
         .separated_by(',');
     options.example("setae jkr radius recording.avi --pixel \"1.82 um\" --fps 10 -o radius.csv",
                     "contact radius in every frame");

@@ -26,8 +26,7 @@ constexpr const char* explanation =
 
 struct Arguments {
     Common common;
-    std::vector<std::string> files;
-    std::string map;
+    answers::LoopFiles loops;
 };
 
 std::string as_text(const std::string& file, const loops::MachineStiffness& found) {
@@ -41,18 +40,15 @@ std::string as_text(const std::string& file, const loops::MachineStiffness& foun
 }
 
 ExitCode run(const Arguments& arguments) {
-    if (arguments.files.empty())
+    if (arguments.loops.files.empty())
         throw InvalidArgument("a loop on something rigid is wanted: setae jkr stiffness RIGID.csv");
-    answers::LoopFiles loops;
-    loops.map = arguments.map;
-    loops.mapping_folder = mapping_folder();
     output::Json all = output::Json::array();
-    const ExitCode code = for_each_item(arguments.files, [&](const std::string& file) {
-        const auto found = answers::machine_stiffness(loops.open(file));
+    const ExitCode code = for_each_item(arguments.loops.files, [&](const std::string& file) {
+        const auto found = answers::machine_stiffness(arguments.loops.open(file));
         if (arguments.common.json) all.push_back(answers::to_json(file, found));
         else print(as_text(file, found));
     });
-    if (arguments.common.json) print_json(arguments.files.size() == 1 && all.size() == 1 ? all.front() : all);
+    if (arguments.common.json) print_json(arguments.loops.files.size() == 1 && all.size() == 1 ? all.front() : all);
     return code;
 }
 
@@ -60,11 +56,10 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options
-        .add("files", arguments->files, "loops of the machine on something rigid: force against the stage's position")
+    arguments->loops.mapping_folder = mapping_folder();
+    options.add("files", arguments->loops.files, "loops on a rigid body: force against the position of the stage")
         .of_inputs();
-    options.add("--map,--mapping", arguments->map,
-                "mapping (TOML) that names the columns of a foreign table: its file or its name");
+    options.ask(fields::Asked<answers::LoopFiles>::mapping, &arguments->loops);
     options.example("setae jkr stiffness rigid.csv", "stiffness of the machine from a loop on something rigid");
     return action(options, arguments, explanation, run);
 }

@@ -81,33 +81,12 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     auto& request = arguments->request;
-    auto& columns = request.columns;
     options
         .add("files", request.files,
-             "tables with a row for each fit: those of `setae jkr fit --tidy`, or any CSV with units in the header")
+             "tables with one row per fit: those of `setae jkr fit --tidy`, or any CSV with units in the header")
         .of_inputs();
-    options.add("--quantity", columns.quantity, "what is summarised: W, E*, E_loss, F_po, or a column's name")
-        .default_shown();
-    options.add("--group-by", request.group_by,
-                "columns of the groups, outermost first; default: those of surface,lens,spot that there are");
-    options.add("--crossed", request.crossed,
-                "of these the ones whose labels name the same thing on every surface, such as lens where each lens was "
-                "pressed on all of them");
-    options.add("--value", columns.value_column, "column of the values, where --quantity does not find it");
-    options.add("--error", columns.error_column, "column of their standard errors, likewise");
-    options.add("--unit", columns.unit, "unit of values whose column has none, such as mJ/m2");
-    options.add("--method", columns.method,
-                "fit wanted, where the tables have several; default: the primary one, where they name it");
-    options.add("--branch", columns.branch, "branch wanted, where the tables have several, such as loading");
-    options.add("--elastomer", columns.elastomer, "elastomer wanted, where the tables have several; or group by it");
-    options
-        .add("--exclude", request.exclude,
-             "rows to leave out and why, such as \"file=a.csv;reason=dust on the lens\"; may be repeated")
-        .one_at_a_time();
-    options.add("--exclusions", request.exclusions,
-                "file of exclusions: TOML with [[exclude]], or CSV with a column reason");
-    options.flag("--each-surface", request.each_surface, "variances of each surface by itself, not pooled");
-    options.add("--figure", arguments->figure, "forest plot, by its ending .svg, .pdf, .png or .csv");
+    options.ask(request);
+    options.add("--figure", arguments->figure, "file of the forest plot: .svg, .pdf, .png or .csv");
     options.add("-o,--output", arguments->output, "folder for summary.json, tables and the forest plot");
     options.example("setae jkr summary fits.csv --group-by surface,lens --figure forest.svg",
                     "means of the fits that `setae jkr fit --tidy` wrote");

@@ -10,27 +10,14 @@
 
 namespace setae::cli {
 
-/// Options of verbs that read loops: files, how their columns are named, the camera's record, constants of force
-/// curves.
-struct LoopArguments : answers::LoopFiles {
-    void add_to(Options& options);
-};
-
-/// Options that say what was pressed on what.
-struct BodyArguments : answers::LoopBodies {
-    void add_to(Options& options);
-};
-
-/// Options of the analysis of a loop.
-struct LoopAnalysisArguments : answers::LoopSettings {
-    void add_to(Options& options);
-};
+/// Files of loops, how their columns are named, the camera's record, constants of force curves.
+void ask_for_loops(Options& options, answers::LoopFiles& loops);
 
 /// All that verbs that analyse loops are told.
 struct LoopAnalysisRequest {
-    LoopArguments loops;
-    BodyArguments bodies;
-    LoopAnalysisArguments analysis;
+    answers::LoopFiles loops;
+    answers::LoopBodies bodies;
+    answers::LoopSettings analysis;
 
     void add_to(Options& options);
 };

@@ -35,8 +35,7 @@ output::Json json_of(const validation::SummaryRow& row) {
 void add_options(Options& options, RepeatedRecipe& repeated) {
     options.add("recipe", repeated.recipe, "TOML file of the recipe").of_inputs();
     options.add("-o,--output", repeated.output, "folder of tables and figure; default: " + repeated.output);
-    options.add("--runs", repeated.runs, fmt::format("data sets; default: {}", repeated.runs));
-    options.add("--seed", repeated.seed, fmt::format("of the first run; default: {}", repeated.seed));
+    options.ask(repeated);
 }
 
 void require_recipe(const RepeatedRecipe& repeated) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "program/command.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/output/json.hpp"
 #include "setae/validation/summary.hpp"
 
@@ -37,3 +39,12 @@ void require_recipe(const RepeatedRecipe& repeated);
 void write_closure(const std::vector<validation::SummaryRow>& rows, const std::string& name, const std::string& folder);
 
 }  // namespace setae::cli
+
+template <>
+struct setae::fields::Asked<setae::cli::RepeatedRecipe> {
+    using R = cli::RepeatedRecipe;
+    static constexpr std::array options{
+        option<&R::runs>("runs", "number of data sets").default_shown(),
+        option<&R::seed>("seed", "seed of the first data set; further data sets use the next numbers").default_shown(),
+    };
+};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -33,6 +34,13 @@ struct AreaArguments {
     std::string output = "area";
     Index points = 4096;
     std::uint64_t seed = 1;
+};
+
+constexpr std::array asked{
+    fields::option<&AreaArguments::points>("points", "number of points along each side of a map")
+        .within({128, 32768, false, "from 128 to 32768"})
+        .default_shown(),
+    fields::option<&AreaArguments::seed>("seed", "seed of the maps").default_shown(),
 };
 
 using validation::maps_each;
@@ -82,8 +90,7 @@ ExitCode run(const AreaArguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<AreaArguments>();
     options.add("-o,--output", arguments->output, "folder of area.csv and the figure").default_shown();
-    options.add("--points", arguments->points, "of a map along x and y").between(128, 32768).default_shown();
-    options.add("--seed", arguments->seed, "same seed, same maps").default_shown();
+    options.ask(asked, arguments.get());
     options.example("setae lab area -o area", "true area of random maps against theory");
     return action(options, arguments, explanation, run);
 }

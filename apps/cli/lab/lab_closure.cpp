@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,6 +35,16 @@ struct ClosureArguments : RepeatedRecipe {
     bool keep = false;
     std::string spectrum = "likelihood";
     std::vector<std::string> without;
+};
+
+constexpr std::array<std::string_view, 2> spectra{"average", "likelihood"}, ingredients{"tip-factor", "tip-band"};
+constexpr std::array asked{
+    fields::option<&ClosureArguments::keep>("keep", "data sets stay in the folder"),
+    fields::option<&ClosureArguments::spectrum>("spectrum", "spectrum of which fits and predictions are made")
+        .one_of(spectra)
+        .default_shown(),
+    fields::option<&ClosureArguments::without>("without", "ingredient that is left out of the likelihood")
+        .one_of(ingredients),
 };
 
 validation::ValidationOptions options_of(const ClosureArguments& arguments) {
@@ -79,11 +91,7 @@ Action declare(Options& options) {
     arguments->output = "closure";
     arguments->runs = 25;
     add_options(options, *arguments);
-    options.flag("--keep", arguments->keep, "leave the data sets in the folder");
-    options.add("--spectrum", arguments->spectrum, "what fits and predictions rest on")
-        .one_of({"average", "likelihood"});
-    options.add("--without", arguments->without, "leave an ingredient of the likelihood out")
-        .one_of({"tip-factor", "tip-band"});
+    options.ask(asked, arguments.get());
     options.example("setae lab closure recipe.toml --runs 20", "whether what was put in comes out");
     return action(options, arguments, explanation, run);
 }

@@ -96,24 +96,12 @@ ExitCode run(const ConformArguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<ConformArguments>();
-    options.add("study", arguments->study, "TOML file of a study whose pairs are simulated; default: --energy-share")
+    options
+        .add("study", arguments->study,
+             "TOML file of a study whose pairs are simulated; default: patches of --energy-share")
         .of_inputs();
     options.add("-o,--output", arguments->output, "folder for conform.csv and the figure");
-    options.add("--energy-share", arguments->energy_shares, "U_el/AW of the patches").separated_by(',').default_shown();
-    options.add("--points", arguments->points, "of a patch along x and y").separated_by(',').default_shown();
-    options.add("--shortest-wave", arguments->points_a_wave, "in points").separated_by(',').default_shown();
-    options.add("--waves", arguments->waves_a_side, "longest waves along a side").default_shown();
-    options.add("--hurst", arguments->hurst_exponent, "H of the band; a study's surfaces have their own")
-        .default_shown();
-    options.add("--squared-ratio", arguments->squared_ratios, "w dx/(E*ρ²), at most 1; sets the range")
-        .separated_by(',')
-        .default_shown();
-    options.add("--law", arguments->law, "how the attraction falls with the gap")
-        .one_of({"exponential", "cubic", "dugdale", "lennard_jones"})
-        .default_shown();
-    options.add("--seeds", arguments->seeds, "patches of each kind").positive().default_shown();
-    options.add("--seed", arguments->seed, "of the first; the others have the next ones").default_shown();
-    options.flag("--loops", arguments->loops, "whole loops, too: minutes in place of seconds");
+    options.ask<answers::PatchSurveyRequest>(*arguments);
     arguments->run.add_to(options);
     options.example("setae lab conform", "up to what stored energy (7) holds, to how many per cent");
     options.example("setae lab conform study.toml -o conform", "the pairs of a study, with their spectra");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <array>
 #include <memory>
 
 #include <fmt/format.h>
@@ -30,6 +31,21 @@ struct Arguments {
     Common common;
     validation::ContourTrialOptions options;
     std::string output;
+};
+
+using Trials = validation::ContourTrialOptions;
+constexpr std::array asked{
+    fields::option<&Trials::runs>("runs", "number of pictures of each kind")
+        .within({1, 100000, false, "from 1 to 100000"})
+        .default_shown(),
+    fields::option<&Trials::first_seed>("seed", "seed of the first run; further runs use the next numbers")
+        .default_shown(),
+    fields::option<&Trials::size>("size", "number of pixels along each side of a picture")
+        .within({200, 8000, false, "from 200 to 8000"})
+        .default_shown(),
+    fields::option<&Trials::kinds>("kind", "kinds of pictures, by name").or_else("all"),
+    fields::option<&Trials::pictures>(
+        "pictures", "folder for every picture with curve and trace drawn in, and points of the curve"),
 };
 
 output::Json json_of(const validation::OverRuns& number) {
@@ -95,12 +111,7 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("-o,--output", arguments->output, "CSV of every trial");
-    options.add("--runs", arguments->options.runs, "pictures of each kind").between(1, 100000).default_shown();
-    options.add("--seed", arguments->options.first_seed, "of the first run").default_shown();
-    options.add("--size", arguments->options.size, "pixels of a picture's side").between(200, 8000).default_shown();
-    options.add("--kind", arguments->options.kinds, "kinds of pictures, by name; default: all");
-    options.add("--pictures", arguments->options.pictures,
-                "folder for every picture with curve and trace drawn in, and the curve's points");
+    options.ask(asked, &arguments->options);
     options.example("setae lab contours --runs 10 -o trials.csv", "traced contours against those that were drawn");
     return action(options, arguments, explanation, run);
 }

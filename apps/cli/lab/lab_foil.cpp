@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <array>
 #include <memory>
 
 #include <fmt/format.h>
@@ -27,6 +28,18 @@ struct FoilArguments {
     SynthesisOptions surface;
     std::string thickness;
     int surfaces = 16, bins_per_decade = 4;
+};
+
+constexpr std::array asked{
+    fields::option<&FoilArguments::thickness>("foil_thickness", "thickness of the foil along the beam")
+        .of(positive(dimension::length))
+        .such_as("20 nm"),
+    fields::option<&FoilArguments::surfaces>("surfaces", "number of simulated surfaces")
+        .within({2, 10000, false, "from 2 to 10000"})
+        .default_shown(),
+    fields::option<&FoilArguments::bins_per_decade>("bins_per_decade", "number of bins per decade of wavevector")
+        .within({1, 100, false, "from 1 to 100"})
+        .default_shown(),
 };
 
 std::string with_error(const simulation::BiasFactor& factor) {
@@ -80,10 +93,7 @@ ExitCode run(const FoilArguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<FoilArguments>();
     arguments->surface.add_to(options);
-    options.add("--foil-thickness", arguments->thickness, "along the beam, such as \"20 nm\"")
-        .quantity(positive(dimension::length));
-    options.add("--surfaces", arguments->surfaces, "simulated").between(2, 10000).default_shown();
-    options.add("--bins-per-decade", arguments->bins_per_decade, "of wavevectors").between(1, 100).default_shown();
+    options.ask(asked, arguments.get());
     options.example(
         "setae lab foil --hurst 0.8 --rolloff \"1 um\" --short-cutoff \"1 nm\" --rms-height \"10 nm\" --size \"2 um\" --foil-thickness \"20 nm\"",
         "what the thickness of a foil hides");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -37,6 +38,19 @@ struct Arguments {
     std::string recipe;
     std::vector<std::string> mechanisms;
     std::string output = "loop_coverage";
+};
+
+using Coverage = validation::LoopCoverageOptions;
+constexpr std::array asked{
+    fields::option<&Coverage::runs>("runs", "number of loops per signal-to-noise ratio, or of data sets per mechanism")
+        .within({1, 1000000, false, "from 1 to 1000000"})
+        .default_shown(),
+    fields::option<&Coverage::first_seed>("seed", "seed of the first run; further runs use the next numbers")
+        .default_shown(),
+    fields::option<&Coverage::samples>("samples", "number of samples of each branch")
+        .within({20, 1000000, false, "from 20 to 1000000"})
+        .default_shown(),
+    fields::option<&Coverage::signal_to_noise>("snr", "signal-to-noise ratios").default_shown(),
 };
 
 output::Json mechanism_json(const validation::LawSummary& row) {
@@ -129,20 +143,15 @@ ExitCode run(const Arguments& arguments) {
 
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
-    options.add("recipe", arguments->recipe, "of a data set whose loops get mechanisms, with --mechanism").of_inputs();
+    options.add("recipe", arguments->recipe, "TOML file of a recipe whose loops get mechanisms, with --mechanism")
+        .of_inputs();
     options
-        .add("--mechanism", arguments->mechanisms,
-             "of hysteresis, planted in the recipe's loops and looked for by the study: all, or names of laws")
+        .add(
+            "--mechanism", arguments->mechanisms,
+            "mechanisms of hysteresis in the loops of the recipe, which the study should find: all, or names of models")
         .value_named("NAME");
     options.add("-o,--output", arguments->output, "folder of tables and figure").default_shown();
-    options
-        .add("--runs", arguments->options.runs,
-             "loops at each signal-to-noise ratio; with --mechanism data sets of each")
-        .between(1, 1000000)
-        .default_shown();
-    options.add("--seed", arguments->options.first_seed, "of the first run").default_shown();
-    options.add("--samples", arguments->options.samples, "of each branch").between(20, 1000000).default_shown();
-    options.add("--snr", arguments->options.signal_to_noise, "signal-to-noise ratios").default_shown();
+    options.ask(asked, &arguments->options);
     options.example("setae lab loops --runs 20 -o loops", "whether intervals of fitted loops hold the truth");
     options.example("setae lab loops recipe.toml --mechanism all --runs 1 -o mechanisms",
                     "whether a study finds the law of W_ret that its loops were made by");

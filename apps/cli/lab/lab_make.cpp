@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -31,6 +32,10 @@ struct MakeArguments {
     std::optional<std::uint64_t> seed;
 };
 
+constexpr std::array asked{
+    fields::option<&MakeArguments::seed>("seed", "seed of the data set").or_else("the seed of the recipe"),
+};
+
 ExitCode run_make(const MakeArguments& arguments) {
     if (arguments.file.empty())
         throw InvalidArgument("no recipe; expected a TOML file, such as examples/laboratory/recipe.toml");
@@ -50,7 +55,7 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<MakeArguments>();
     options.add("recipe", arguments->file, "TOML file of the recipe").of_inputs();
     options.add("-o,--output", arguments->output, "folder of the data set; default: laboratory");
-    options.add("--seed", arguments->seed, "in place of the recipe's");
+    options.ask(asked, arguments.get());
     options.example("setae lab make recipe.toml -o mine", "simulated measurements and loops, with a study of them");
     return action(options, arguments, explanation_of_make, run_make);
 }

@@ -88,9 +88,11 @@ Action declare(Options& options) {
     options
         .add(
             "--measure", arguments->measured,
-            "what is measured: an input, a surface, or a pair such as \"E02 on A\"; default: the three that promise most")
+            "additional measurement: an input, a surface, or a pair such as \"E02 on A\"; default: the three that promise most")
         .value_named("NAME");
-    options.add("--target", arguments->target, "the number that they are to improve, as of setae study --next")
+    options
+        .add("--target", arguments->target,
+             "number whose standard error the measurements should reduce, as in `setae study --next`")
         .value_named("NUMBER");
     options.example("setae lab next recipe.toml --runs 100", "whether --next keeps its promises");
     return action(options, arguments, explanation, run);

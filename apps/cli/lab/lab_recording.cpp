@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <memory>
 
 #include <fmt/format.h>
@@ -27,6 +28,22 @@ struct Arguments : simulation::RecordingOptions {
     std::string edge, pixel, output;
 };
 
+constexpr std::array asked_of_scale{
+    fields::option<&Arguments::pixel>("pixel", "size of a pixel").of(positive(dimension::length)).such_as("1 um"),
+};
+using Recording = simulation::RecordingOptions;
+constexpr std::array asked{
+    fields::option<&Recording::frame_rate>("fps", "frames per second").within(domain::positive).default_shown(),
+    fields::option<&Recording::inside>("inside", "grey level of the contact").default_shown(),
+    fields::option<&Recording::contrast>("contrast", "difference of grey level between outside and contact")
+        .default_shown(),
+    fields::option<&Recording::blur>("blur", "standard deviation of the edge's blur, in pixels")
+        .within(domain::positive)
+        .default_shown(),
+    fields::option<&Recording::noise>("noise", "standard deviation of a pixel's noise, in grey levels").default_shown(),
+    fields::option<&Recording::seed>("seed", "seed of the noise").default_shown(),
+};
+
 ExitCode run(const Arguments& arguments) {
     if (arguments.pixel.empty()) throw InvalidArgument("a recording needs --pixel, such as \"1 um\"");
     if (!arguments.output.ends_with(".tif") && !arguments.output.ends_with(".tiff"))
@@ -51,14 +68,9 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("edge", arguments->edge, "table of the edge: time, radius_1 … radius_N").of_inputs();
-    options.add("--pixel", arguments->pixel, "size of a pixel, such as \"1 um\"").quantity(positive(dimension::length));
-    options.add("--fps", arguments->frame_rate, "frames a second").positive().default_shown();
-    options.add("--inside", arguments->inside, "grey level of the contact").default_shown();
-    options.add("--contrast", arguments->contrast, "grey levels that the outside has more").default_shown();
-    options.add("--blur", arguments->blur, "of the edge, one standard deviation [px]").positive().default_shown();
-    options.add("--noise", arguments->noise, "of a pixel, one standard deviation [levels]").default_shown();
-    options.add("--seed", arguments->seed, "of the noise").default_shown();
-    options.add("-o,--output", arguments->output, "OUT.tif");
+    options.ask(asked_of_scale, arguments.get());
+    options.ask(asked, static_cast<simulation::RecordingOptions*>(arguments.get()));
+    options.add("-o,--output", arguments->output, "TIFF stack OUT.tif");
     options.example("setae lab recording edge.csv --pixel \"0.5 um\" --fps 5 -o recording.tif",
                     "then: setae jkr line recording.tif");
     return action(options, arguments, explanation, run);

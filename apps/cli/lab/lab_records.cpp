@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <array>
 #include <filesystem>
 #include <memory>
 
@@ -29,6 +30,16 @@ struct Arguments {
     validation::RecordTrialOptions options;
     std::string output = "records";
     bool list = false;
+};
+
+using Trials = validation::RecordTrialOptions;
+constexpr std::array asked{
+    fields::option<&Trials::pairs>("pairs", "pairs of kinds together instead of single kinds"),
+    fields::option<&Trials::runs>("runs", "number of records of each kind or pair")
+        .within({1, 1000000, false, "from 1 to 1000000"})
+        .default_shown(),
+    fields::option<&Trials::first_seed>("seed", "seed of the first record; further records use the next numbers")
+        .default_shown(),
 };
 
 output::Json json_of(const validation::RecordSummary& row) {
@@ -84,9 +95,7 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("kinds", arguments->options.kinds, "kinds of records; default: all");
     options.flag("--list", arguments->list, "print the kinds of records, then stop");
-    options.flag("--pairs", arguments->options.pairs, "every two kinds together, in place of each by itself");
-    options.add("--runs", arguments->options.runs, "records of each kind or pair").between(1, 1000000).default_shown();
-    options.add("--seed", arguments->options.first_seed, "of the first record").default_shown();
+    options.ask(asked, &arguments->options);
     options.add("-o,--output", arguments->output, "folder of records.md and records.csv").default_shown();
     options.example("setae lab records --runs 200 -o records",
                     "bias and coverage of all results for every kind of record");

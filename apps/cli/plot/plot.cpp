@@ -126,14 +126,18 @@ ExitCode run(const PlotArguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<PlotArguments>();
     options.add("study", arguments->study, "TOML file of the study").of_inputs();
-    options.add("--figure", arguments->figure,
-                "which: 1, 2, 4, S1, S2, S3, S5, S6, S8, spectra:NAME, scales, prediction, replicates, agreement");
+    options.add(
+        "--figure", arguments->figure,
+        "identifier of the figure: 1, 2, 4, S1, S2, S3, S5, S6, S8, spectra:NAME, scales, prediction, replicates, agreement");
     options.add("-o,--output", arguments->output,
-                "file, by its ending .svg, .pdf, .png or .csv; default: the figure's name as .svg, here");
-    options.add("--width", arguments->width, "of a journal's column: single, 85 mm, or double, 178 mm")
+                "file OUT.svg, .pdf, .png or .csv; default: the name of the figure as .svg in the current folder");
+    options
+        .add("--width", arguments->width,
+             "width of the figure as of a journal's column: single (85 mm) or double (178 mm)")
         .one_of({"single", "double"})
         .default_shown();
-    options.flag("--list", arguments->list, "list the figures of the study, and why one cannot be drawn, then stop");
+    options.flag("--list", arguments->list,
+                 "list of the figures of the study, with the reason where one cannot be drawn; nothing is written");
     arguments->run.add_to(options);
     options.example("setae plot study.toml --list", "the figures of a study");
     options.example("setae plot study.toml --figure 4 --width single -o figure.pdf", "one of them");

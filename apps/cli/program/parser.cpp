@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -152,20 +153,42 @@ Option Options::add(const std::string& names, Value& value, const std::string& d
     return real ? option.within(domain::finite) : natural ? option.natural() : option;
 }
 
+namespace {
+
+/// Whether a domain is of whole numbers with a first and a last one.
+bool counts(const fields::Place& place, const Domain& domain) {
+    const bool whole = std::visit(
+        [](const auto* value) {
+            using Value = std::remove_cvref_t<decltype(*value)>;
+            return std::is_same_v<Value, int> || std::is_same_v<Value, long> ||
+                   std::is_same_v<Value, std::optional<long>> || std::is_same_v<Value, std::vector<long>>;
+        },
+        place);
+    return whole && std::isfinite(domain.lower) && std::isfinite(domain.upper);
+}
+
+}  // namespace
+
 void Options::ask(std::span<const fields::Option> asked, void* request) {
     for (const auto& option : asked) {
         const auto names = (option.also.empty() ? "" : fmt::format("--{},", option.also)) + dashed(option.name);
+        const auto place = option.place(request);
         auto added = std::visit(
             [&](auto* value) {
                 if constexpr (std::is_same_v<decltype(value), bool*>)
                     return flag(names, *value, fields::help_of(option));
                 else return add(names, *value, fields::help_of(option));
             },
-            option.place(request));
+            place);
         if (option.quantity) added.quantity(*option.quantity);
-        if (option.domain) added.within(*option.domain);
+        if (option.domain && counts(place, *option.domain))
+            added.between(static_cast<int>(option.domain->lower), static_cast<int>(option.domain->upper));
+        else if (option.domain) added.within(*option.domain);
         if (option.check) added.read_by(option.check);
         if (!option.choices.empty()) added.one_of({option.choices.begin(), option.choices.end()});
+        if (option.separator != '\0') added.separated_by(option.separator);
+        if (option.single) added.one_at_a_time();
+        if (option.is_input) added.of_inputs();
         if (option.shows_default) added.default_shown();
     }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -51,6 +52,15 @@ struct PredictArguments {
     int trials = 0;
     std::uint64_t seed = 1;
     FigureOption figure;
+};
+
+constexpr std::array asked{
+    fields::option<&PredictArguments::trials>(
+        "trials",
+        "number of simulated data sets per retraction model, with the errors of these pairs; the fits rank the models")
+        .within(domain::positive),
+    fields::option<&PredictArguments::seed>("seed", "seed of the first trial; further trials use the next numbers")
+        .default_shown(),
 };
 
 void write_tables(const study::Hysteresis& hysteresis, const std::filesystem::path& folder) {
@@ -131,11 +141,7 @@ Action declare(Options& options) {
     options.add(
         "-o,--output", arguments->output,
         "folder for hysteresis.csv, models.csv, model_works.csv, losses.csv, and figures of them and of each loop");
-    options
-        .add("--trials", arguments->trials,
-             "plant every law so many times on pairs with the ± of these, and rank the laws by what would be measured")
-        .positive();
-    options.add("--seed", arguments->seed, "of the first trial; the others have the next ones").default_shown();
+    options.ask(asked, arguments.get());
     arguments->figure.add_to(options);
     arguments->run.add_to(options);
     options.example("setae predict study.toml", "how strongly every pair holds on, what its loop loses, by which law");

@@ -269,23 +269,23 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     options.add("file", arguments->file, "TOML file of the study; one called init is told as ./init").of_inputs();
     options.add("--output", arguments->output, "folder of the results; default: beside the study");
-    options.flag("--all", arguments->all, "print every table and alert, not one screen");
-    options.flag("--no-figures", arguments->no_figures, "write no files of figures; the report draws its own");
+    options.flag("--all", arguments->all, "every table and warning, not one screen");
+    options.flag("--no-figures", arguments->no_figures, "no files of figures; the report contains its own drawings");
     arguments->run.add_to(options);
     options.flag("--dry-run", arguments->dry_run,
-                 "list the steps, what of them is kept from earlier runs, and what the study leaves open, then stop");
+                 "list of the steps, of results kept from earlier runs, and of missing metadata; nothing is computed");
     options.flag(
         "--next", arguments->next,
-        "list what one further measurement would leave of a number's ±, the most telling first, then stop; [costs] of "
-        "the study tells hours");
+        "list of single further measurements by the standard error that each would leave, most effective first; nothing is "
+        "written; [costs] of the study states hours");
     options
         .add(
             "--target", arguments->target,
-            "the number that --next is about: W_int, a pair such as \"E07 on rough\", or how far two balances differ in "
-            "W_int, such as \"(7) - (10)\"")
+            "number whose standard error --next reduces: W_int, a pair such as \"E07 on rough\", or the difference of two "
+            "balances in W_int, such as \"(7) - (10)\"")
         .value_named("NUMBER");
     options.add("--documentation", arguments->documentation,
-                "write the pages on keys, alerts and figures of studies to this folder");
+                "folder for the pages on keys, warnings and figures of studies");
     options.example("setae study study.toml --dry-run", "what there is to do, and what will fail");
     options.example("setae study study.toml", "tables, figures and a report");
     options.example("setae study study.toml --next", "which further measurement lowers the ± of W_int most");

@@ -20,12 +20,12 @@ output::Json ruling_json(const imaging::RulingFit& fit) {
 
 }  // namespace
 
-imaging::CameraScale camera_scale(const std::vector<std::string>& pictures, const std::string& pitch) {
-    if (pictures.empty() || pitch.empty())
+imaging::CameraScale camera_scale(const std::vector<std::string>& pictures, const RulingRequest& ruling) {
+    if (pictures.empty() || ruling.pitch.empty())
         throw InvalidArgument(
-            "pictures of a stage micrometer and the distance of its lines are wanted: "
-            "setae jkr camera RULING.png --pitch \"10 um\"");
-    return imaging::camera_scale(pictures, parse_uncertain_quantity(pitch, dimension::length));
+            "the scale of a camera takes pictures of a ruling and the distance of the lines; expected pictures and "
+            "`pitch = 10 um`");
+    return imaging::camera_scale(pictures, parse_uncertain_quantity(ruling.pitch, dimension::length));
 }
 
 output::Json to_json(const imaging::CameraScale& scale) {

@@ -14,9 +14,9 @@ namespace setae::answers {
 
 imaging::FrameOptions RadiusRequest::frame_options() const {
     imaging::FrameOptions options;
-    if (micrometres_a_pixel && !pixel.empty())
+    if (micrometres_per_pixel && !pixel.empty())
         throw InvalidArgument("`um_per_px` and `pixel` both state the scale; expected one of them");
-    if (micrometres_a_pixel) options.pixel_size = 1e-6 * *micrometres_a_pixel;
+    if (micrometres_per_pixel) options.pixel_size = 1e-6 * *micrometres_per_pixel;
     if (!pixel.empty()) options.pixel_size = parse_quantity(pixel, dimension::length);
     options.frame_rate = frame_rate;
     options.ignore_stated_pixel_size = ignore_stated_pixel_size;
@@ -28,7 +28,8 @@ imaging::FrameOptions RadiusRequest::frame_options() const {
 
 imaging::RadiusOptions RadiusRequest::radius_options(parallel::Threads threads) const {
     imaging::RadiusOptions options;
-    require_word("polarity", polarity, {"automatic", "dark", "bright"});
+    constexpr auto& words = fields::Asked<RadiusRequest>::polarities;
+    require_word("polarity", polarity, {words.begin(), words.end()});
     options.frame.polarity = polarity == "dark"     ? imaging::Polarity::dark
                              : polarity == "bright" ? imaging::Polarity::bright
                                                     : imaging::Polarity::automatic;

@@ -184,7 +184,7 @@ namespace {
 contact::RelaxationTerm relaxation_term(const std::string& text) {
     const auto colon = text.find(':');
     if (colon == std::string::npos)
-        throw InvalidArgument(fmt::format("relaxation '{}': expected SHARE:TIME such as 0.1:20s", text));
+        throw InvalidArgument(fmt::format("`relaxation = {}`: expected SHARE:TIME, such as 0.1:20s", text));
     return {parse_quantity(text.substr(0, colon), non_negative(dimension::none)),
             parse_quantity(text.substr(colon + 1), positive(dimension::time))};
 }
@@ -214,7 +214,7 @@ loops::AnalysisOptions LoopSettings::options(const Table& loop) const {
     for (const auto& edit : segments) loops::add_segment_edit(options.segments.edits, edit);
     for (const auto& term : relaxation) options.relaxation.push_back(relaxation_term(term));
     if (!displacement_drift.empty())
-        options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::length / dimension::time);
+        options.displacement_drift_rate = parse_quantity(displacement_drift, dimension::velocity);
     if (const auto stiffness = stiffness_of(*this, loop)) {
         options.machine_stiffness = stiffness->value;
         if (stiffness->standard_error > 0.0) options.machine_stiffness_standard_error = stiffness->standard_error;

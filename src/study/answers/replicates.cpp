@@ -22,13 +22,24 @@ std::vector<std::string> words_of(const std::string& list) {
 
 }  // namespace
 
+study::ReplicateColumns ReplicateRequest::columns() const {
+    study::ReplicateColumns columns;
+    columns.group_by = words_of(group_by);
+    columns.quantity = quantity;
+    columns.value_column = value;
+    columns.error_column = error;
+    columns.unit = unit;
+    columns.method = method;
+    columns.branch = branch;
+    columns.elastomer = elastomer;
+    return columns;
+}
+
 ReplicateSummary replicate_summary(const ReplicateRequest& request) {
-    auto columns = request.columns;
-    columns.group_by = words_of(request.group_by);
     std::vector<study::ExclusionRule> rules;
     if (!request.exclusions.empty()) rules = study::read_exclusions(request.exclusions);
     for (const auto& text : request.exclude) rules.push_back(study::parse_exclusion(text));
-    ReplicateSummary summary{.tables = study::read_replicates(request.files, columns, rules), .model = {}};
+    ReplicateSummary summary{.tables = study::read_replicates(request.files, request.columns(), rules), .model = {}};
     auto& data = summary.tables.data;
     data.crossed = words_of(request.crossed);
     summary.model = statistics::mixed_model(

@@ -12,6 +12,9 @@ struct Wanted {
     std::string radius;
     std::optional<double> ratio;
     bool free = false;
+    std::vector<long> left_out;
+    std::vector<std::string> notes;
+    std::string table;
 };
 
 }  // namespace
@@ -26,6 +29,9 @@ struct Asked<Wanted> {
             .or_else("that of the file"),
         option<&R::ratio>("poisson_ratio", "Poisson ratio").within(domain::poisson_ratio).in_python("nu"),
         option<&R::free>("free", "free edges"),
+        option<&R::left_out>("exclude", "numbers of frames left out").separated_by(','),
+        option<&R::notes>("note", "note on a frame").such_as("12: glare").one_at_a_time(),
+        option<&R::table>("table", "table of frames").of_input(),
     };
 };
 
@@ -39,12 +45,21 @@ TEST(Option, KnowsWhereItsValueIsKept) {
     *std::get<bool*>(Asked<Wanted>::options[2].place(&wanted)) = true;
     EXPECT_EQ(wanted.radius, "2 mm");
     EXPECT_EQ(wanted.ratio, 0.4);
+    std::get<std::vector<long>*>(Asked<Wanted>::options[3].place(&wanted))->push_back(12);
     EXPECT_TRUE(wanted.free);
+    EXPECT_EQ(wanted.left_out, std::vector<long>{12});
 }
 
 TEST(Option, HasASentenceOfHelp) {
     EXPECT_EQ(help_of(Asked<Wanted>::options[0]), "radius of the sphere, such as \"1 mm\"; default: that of the file");
     EXPECT_EQ(help_of(Asked<Wanted>::options[2]), "free edges");
+    EXPECT_EQ(help_of(Asked<Wanted>::options[4]), "note on a frame, such as \"12: glare\"; may be repeated");
+}
+
+TEST(Option, TakesSeveralValuesInOneWordOrOneAtATimeAndFiles) {
+    EXPECT_EQ(Asked<Wanted>::options[3].separator, ',');
+    EXPECT_TRUE(Asked<Wanted>::options[4].single && !Asked<Wanted>::options[3].single);
+    EXPECT_TRUE(Asked<Wanted>::options[5].is_input && !Asked<Wanted>::options[4].is_input);
 }
 
 TEST(Spelled, NamesOptionsAsAFrontEndDoes) {

@@ -25,6 +25,7 @@ inline constexpr Dimension length{{1, 0, 0, 0, 0, 0}};
 inline constexpr Dimension area{{2, 0, 0, 0, 0, 0}};
 inline constexpr Dimension wavevector{{-1, 0, 0, 0, 0, 0}};
 inline constexpr Dimension time{{0, 0, 1, 0, 0, 0}};
+inline constexpr Dimension velocity{{1, 0, -1, 0, 0, 0}};
 inline constexpr Dimension temperature{{0, 0, 0, 1, 0, 0}};
 inline constexpr Dimension force{{1, 1, -2, 0, 0, 0}};
 inline constexpr Dimension pressure{{-1, 1, -2, 0, 0, 0}};

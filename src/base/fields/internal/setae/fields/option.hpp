@@ -34,6 +34,9 @@ struct Option {
     std::span<const std::string_view> choices{};       ///< words that it may be
     void (*check)(const std::string& text) = nullptr;  ///< throws InvalidArgument where a text is malformed
     bool shows_default = false;                        ///< the value of a new request is shown as the default
+    char separator = '\0';                             ///< of several values in one word: ',' in "12,17"
+    bool single = false;                               ///< of several, one value each time that it is named
+    bool is_input = false;                             ///< a file that is read
     Place (*place)(void* request) = nullptr;
 
     [[nodiscard]] consteval Option of(const Expected& expected) const {
@@ -69,6 +72,21 @@ struct Option {
     [[nodiscard]] consteval Option default_shown() const {
         Option option = *this;
         option.shows_default = true;
+        return option;
+    }
+    [[nodiscard]] consteval Option separated_by(char between) const {
+        Option option = *this;
+        option.separator = between;
+        return option;
+    }
+    [[nodiscard]] consteval Option one_at_a_time() const {
+        Option option = *this;
+        option.single = true;
+        return option;
+    }
+    [[nodiscard]] consteval Option of_input() const {
+        Option option = *this;
+        option.is_input = true;
         return option;
     }
     [[nodiscard]] consteval Option short_name(std::string_view letter) const {

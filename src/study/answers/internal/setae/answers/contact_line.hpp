@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "setae/contact_line/line_motion.hpp"
 #include "setae/contact_line/line_roughness.hpp"
 #include "setae/core/table.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/imaging/contact_outline.hpp"
 #include "setae/output/json.hpp"
 
@@ -16,13 +18,13 @@ namespace setae::answers {
 
 /// How the edge of a contact is analysed, as `setae jkr line` is told.
 struct LineRequest : RadiusRequest {
-    std::optional<long> angles;                  ///< of pictures; default a ray every 2 px
-    double smallest_void = 16.0;                 ///< [px²]
-    std::string ring_width;                      ///< "2 um"; empty: the program's choice
-    double threshold = 3.0;                      ///< of jumps and arrests, against the mean speed
-    long smallest_mode = 3, largest_mode = 0;    ///< of the roughness
-    std::string sphere_radius, contact_modulus;  ///< "1 mm", "1 MPa": of the release rate, which takes both
-    std::string displacement;                    ///< table of "time" and "displacement"; empty: the edge's own
+    std::optional<long> angles;
+    double smallest_void = 16.0;  ///< [px²]
+    std::string ring_width;
+    double threshold = 3.0;
+    long smallest_mode = 3, largest_mode = 0;
+    std::string sphere_radius, contact_modulus;  ///< of the release rate, which takes both
+    std::string displacement;
 
     [[nodiscard]] imaging::LineOptions line_options(parallel::Threads threads = {}) const;
 };
@@ -99,3 +101,37 @@ struct RecordedEdge {
 [[nodiscard]] output::Json to_json(const LineAnswer& answer);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::LineRequest> {
+    using R = answers::LineRequest;
+    static constexpr std::array options{
+        option<&R::angles>("angles", "number of places along the edge")
+            .or_else("one every 2 px of the largest contact"),
+        option<&R::smallest_void>("smallest_void", "smallest area of a reported void, in px^2")
+            .within(domain::positive)
+            .default_shown(),
+        option<&R::ring_width>("ring_width", "width of the rings whose cells have a speed each")
+            .of(positive(dimension::length))
+            .such_as("5 um")
+            .or_else("the step of the edge from frame to frame"),
+        option<&R::threshold>("threshold",
+                              "factor by which a jump is faster, and an arrest slower, than the mean speed")
+            .default_shown(),
+        option<&R::smallest_mode>("smallest_mode",
+                                  "smallest mode of the edge's roughness; mode 1 is the centre, mode 2 an ellipse")
+            .default_shown(),
+        option<&R::largest_mode>("largest_mode", "largest mode of the edge's roughness")
+            .or_else("a quarter of the places"),
+        option<&R::sphere_radius>("radius", "radius of the sphere, for the energy release rate")
+            .of(positive(dimension::length))
+            .such_as("1 mm"),
+        option<&R::contact_modulus>("contact_modulus", "contact modulus E* of both bodies, for the energy release rate")
+            .of(positive(dimension::pressure))
+            .such_as("1 MPa"),
+        option<&R::displacement>("displacement",
+                                 "table of time and displacement of the sphere, for the energy release rate")
+            .or_else("the displacement in the table of the edge")
+            .of_input(),
+    };
+};

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/loops/lens_radius.hpp"
 #include "setae/output/json.hpp"
 
 namespace setae::answers {
 
-/// What `setae jkr lens` is told of a lens's section: columns of lengths, empty for the first two; the range of points
-/// along x; the size of a pixel of pictures that do not state it.
+/// What `setae jkr lens` is told of a lens's section.
 struct LensRequest {
     std::string x, z, from, to, pixel;
 };
@@ -36,3 +37,23 @@ struct Lens {
 [[nodiscard]] output::Json to_json(const Lens& lens);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::LensRequest> {
+    using R = answers::LensRequest;
+    static constexpr std::array options{
+        option<&R::x>("x", "column of positions along the lens").or_else("the first column of lengths"),
+        option<&R::z>("z", "column of heights").or_else("the second column of lengths"),
+        option<&R::pixel>("pixel", "size of a pixel in pictures that do not state it")
+            .of(positive(dimension::length))
+            .such_as("2.05 um"),
+        option<&R::from>("from", "start of the range along the lens; points before are left out")
+            .of(dimension::length)
+            .such_as("-0.2 mm")
+            .in_python("start"),
+        option<&R::to>("to", "end of the range along the lens; points beyond are left out")
+            .of(dimension::length)
+            .such_as("0.2 mm")
+            .in_python("stop"),
+    };
+};

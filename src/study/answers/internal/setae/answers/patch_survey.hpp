@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -8,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "setae/answers/contact_problem.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/output/json.hpp"
 #include "setae/patches/survey.hpp"
 #include "setae/study/contact_answers.hpp"
@@ -18,11 +21,11 @@ namespace setae::answers {
 
 /// What `setae lab conform` is told; see docs/concepts/conformity.md.
 struct PatchSurveyRequest {
-    std::vector<double> energy_shares{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.2};  ///< U_el/(A W)
+    std::vector<double> energy_shares{0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.2};
     std::vector<Index> points{256};
-    std::vector<double> points_a_wave{16.0};  ///< of the shortest wave
-    std::vector<double> squared_ratios{0.5};  ///< μ² of the grid
-    double waves_a_side = 4.0;                ///< of the longest wave
+    std::vector<double> points_a_wave{16.0};
+    std::vector<double> squared_ratios{0.5};
+    double waves_a_side = 4.0;
     double hurst_exponent = 0.8;
     std::string law = "exponential";
     int seeds = 8;
@@ -73,3 +76,36 @@ using PatchProgress = std::function<void(std::size_t done, std::size_t of)>;
 [[nodiscard]] output::Json to_json(const PatchSurveyAnswer& answer);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::PatchSurveyRequest> {
+    using R = answers::PatchSurveyRequest;
+    static constexpr std::array options{
+        option<&R::energy_shares>("energy_share", "ratio U_el/(A W) of stored to gained energy of the patches")
+            .separated_by(',')
+            .default_shown()
+            .in_python("energy_shares"),
+        option<&R::points>("points", "number of points along each side of a patch").separated_by(',').default_shown(),
+        option<&R::points_a_wave>("shortest_wave", "number of points per shortest wavelength")
+            .separated_by(',')
+            .default_shown()
+            .in_python("points_a_wave"),
+        option<&R::waves_a_side>("waves", "number of longest wavelengths along each side of a patch")
+            .default_shown()
+            .in_python("waves_a_side"),
+        option<&R::hurst_exponent>("hurst", "Hurst exponent of patches, where no study gives the spectrum")
+            .default_shown()
+            .in_python("hurst_exponent"),
+        option<&R::squared_ratios>("squared_ratio",
+                                   "ratio w dx/(E* ρ²) of the grid, at most 1, which sets the range of the attraction")
+            .separated_by(',')
+            .default_shown()
+            .in_python("squared_ratios"),
+        option<&R::law>("law", "decay of the attraction with the gap")
+            .one_of(Asked<answers::InteractionRequest>::laws)
+            .default_shown(),
+        option<&R::seeds>("seeds", "number of patches of each kind").within(domain::positive).default_shown(),
+        option<&R::seed>("seed", "seed of the first patch; further patches use the next numbers").default_shown(),
+        option<&R::loops>("loops", "whole loops as well, which take minutes instead of seconds"),
+    };
+};

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "setae/fields/option.hpp"
 #include "setae/output/json.hpp"
 #include "setae/statistics/mixed_model.hpp"
 #include "setae/study/replicate_reader.hpp"
@@ -13,11 +15,13 @@ namespace setae::answers {
 /// What `setae jkr summary` is asked: tables with a row a fit, and how rows become replicates.
 struct ReplicateRequest {
     std::vector<std::string> files;
-    study::ReplicateColumns columns;   ///< but for its groups
-    std::string group_by, crossed;     ///< "surface,lens"
-    std::vector<std::string> exclude;  ///< "file=a.csv;reason=dust on the lens"
-    std::string exclusions;            ///< a file of them
-    bool each_surface = false;         ///< variances of each surface by itself, not pooled
+    std::string quantity = "W", value, error, unit, method, branch, elastomer;
+    std::string group_by, crossed;
+    std::vector<std::string> exclude;
+    std::string exclusions;
+    bool each_surface = false;
+
+    [[nodiscard]] study::ReplicateColumns columns() const;
 };
 
 /// Replicates and what they say together.
@@ -33,3 +37,33 @@ struct ReplicateSummary {
 [[nodiscard]] output::Json to_json(const ReplicateSummary& summary);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::ReplicateRequest> {
+    using R = answers::ReplicateRequest;
+    static constexpr std::array options{
+        option<&R::quantity>("quantity", "quantity that is summarised: W, E*, E_loss, F_po, or the name of a column")
+            .default_shown(),
+        option<&R::group_by>("group_by", "columns of the groups, outermost first")
+            .such_as("surface,lens")
+            .or_else("surface, lens and spot, as far as the tables have them"),
+        option<&R::crossed>("crossed",
+                            "group columns whose labels name the same item on every surface, such as a lens pressed on "
+                            "all surfaces"),
+        option<&R::value>("value", "column of the values, where the name of the quantity does not determine it"),
+        option<&R::error>("error",
+                          "column of the standard errors, where the name of the quantity does not determine it"),
+        option<&R::unit>("unit", "unit of values whose column states none").such_as("mJ/m2"),
+        option<&R::method>("method", "fit method that is summarised, where tables have several")
+            .or_else("the primary fit, where tables name it"),
+        option<&R::branch>("branch", "branch that is summarised, where tables have several").such_as("loading"),
+        option<&R::elastomer>("elastomer",
+                              "elastomer that is summarised, where tables have several and no groups of elastomers"),
+        option<&R::exclude>("exclude", "rows that are left out, as COLUMN=LABEL with a reason")
+            .such_as("file=a.csv;reason=dust on the lens")
+            .one_at_a_time(),
+        option<&R::exclusions>("exclusions",
+                               "file of exclusions: TOML with [[exclude]], or CSV with a column `reason`"),
+        option<&R::each_surface>("each_surface", "separate variances for each surface, not pooled"),
+    };
+};
