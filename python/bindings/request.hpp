@@ -45,12 +45,14 @@ constexpr const char* kind_of(const std::vector<Value>&) {
     return std::is_same_v<Value, std::string> ? "a list of texts" : "a list of numbers";
 }
 
-/// Options of a request, or of a part of it, as attributes that Python reads and writes, by name and by keyword.
+/// Options of a request, or of a part of it, as attributes that Python reads and writes, by name and by keyword, with
+/// their meaning.
 template <class Request, class Part = Request>
 void bind_options(nb::class_<Request>& request, std::span<const fields::Option> options) {
     for (const auto& option : options) {
         note_keyword(option);
         const auto place = option.place;
+        const auto help = fields::help_of(option);  // the documentation of keywords is made from it
         const auto get = [place](Request& self) {
             return std::visit([](const auto* value) { return nb::cast(*value); }, place(static_cast<Part*>(&self)));
         };
@@ -66,7 +68,7 @@ void bind_options(nb::class_<Request>& request, std::span<const fields::Option> 
                     },
                     place(static_cast<Part*>(&self)));
             };
-            request.def_prop_rw(std::string(name).c_str(), get, set);
+            request.def_prop_rw(std::string(name).c_str(), get, set, help.c_str());
         }
     }
 }
