@@ -121,10 +121,10 @@ void inject(const Array2D& coarse, Array2D& fine) {
 }
 
 /// One grid with its operators and its solver.
-class Stage {
+class LevelSolve {
 public:
-    Stage(const HardWall& problem, const Grid& grid, const Array2D& heights, const Aim& aim,
-          const SolveOptions& options)
+    LevelSolve(const HardWall& problem, const Grid& grid, const Array2D& heights, const Aim& aim,
+               const SolveOptions& options)
         : response_(grid, problem.body, problem.edges, options.threads, options.ranks) {
         const auto threads = options.threads;
         if (problem.edges != Edges::periodic)
@@ -157,7 +157,7 @@ std::optional<Array2D> first_guess(const HardWall& problem, const Aim& aim, cons
     }
     std::optional<Array2D> guess;
     for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-        Stage stage(problem, level->grid, level->heights, aim, options);
+        LevelSolve stage(problem, level->grid, level->heights, aim, options);
         auto& pressures = stage.solver().pressures();
         if (guess) inject(*guess, pressures);
         else pressures.setConstant(aim.target.mean_pressure.value_or(0.0));
@@ -199,7 +199,7 @@ HardWallContact solve(const HardWall& problem, const SolveOptions& options) {
     const bool started = options.start.size() > 0;
     if (started) require_start(options.start, problem.grid, slab);
     const auto guess = options.nested_grids && !started ? first_guess(problem, aim, options) : std::nullopt;
-    Stage stage(problem, problem.grid, problem.heights, aim, options);
+    LevelSolve stage(problem, problem.grid, problem.heights, aim, options);
     ActiveSetSolver& solver = stage.solver();
     if (started) solver.pressures() = options.start;
     else if (guess) inject(*guess, solver.pressures());
