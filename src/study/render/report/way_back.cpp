@@ -130,7 +130,7 @@ DataTable joint(const study::JointLossFit& fit, const Json& study) {
 
 std::string contents_html(const study::Hysteresis& h, const Json& study) {
     std::string html;
-    for (const auto& sentence : output::hysteresis_sentences(h)) html += "<p>" + prose(sentence) + ".</p>";
+    for (const auto& sentence : output::hysteresis_sentences(h)) html += "<p>" + prose(sentence) + "</p>";
     html += as_html(pairs(h, study), study) + as_html(losses(h, study), study);
     if (h.joint && !h.joint->inputs.empty()) html += as_html(joint(*h.joint, study), study);
     if (h.conforming_pairs < h.measured_pairs)
