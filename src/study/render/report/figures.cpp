@@ -266,9 +266,11 @@ std::string folded_html(const Figures& figures, const FigurePage& page, int leve
     }
     if (const auto all = count_of(family, figures, page); all > shown)
         html += fmt::format(
-            "<p class=\"reason\">Figures of {} more {} are not in this page, to keep it small. The folder figures contains "
+            "<p class=\"reason\">Figures of {} are not in this page, to keep it small. The folder figures contains "
             "them, and <code>setae plot {} --figure {}:NAME</code> draws one.</p>",
-            all - shown, family == "loop" ? "loops" : "surfaces", escaped(shell_word(page.study)), escaped(family));
+            family == "loop" ? counted(all - shown, "more loop", "more loops")
+                             : counted(all - shown, "more surface", "more surfaces"),
+            escaped(shell_word(page.study)), escaped(family));
     return html;
 }
 
