@@ -87,9 +87,9 @@ void states_of_the_balance(const FigureRequest& request, StudyFigure& drawn) {
         .width_mm = wide(request) ? page_mm : column_mm,
         .height_mm = wide(request) ? 62.0 : highest_column_mm};
     drawn.caption =
-        "States of the energy balance. A: the soft side is flat and costs γ1 A_app, the rough side γ2 A_true. B: the soft side is stretched to the "
-        "true area and bent, which costs the work against its surface stress and U_el. C: joined, both surfaces become one interface, γ1s2 A_true. "
-        "From A to C the energy falls by W_app A_app = W_int A_true − γ1 (A_true − A_app) − (γ1s2 − γ12) A_true − U_el, however γ1 depends on stretch. "
+        "States of the energy balance. A: the soft side is flat and has the energy γ1 A_app, the rough side has γ2 A_true. B: the soft side is stretched to the "
+        "true area and bent, which needs work against its surface stress and U_el. C: both surfaces are joined to one interface with the energy γ1s2 A_true. "
+        "From A to C, the energy decreases by W_app A_app = W_int A_true − γ1 (A_true − A_app) − (γ1s2 − γ12) A_true − U_el, for any dependence of γ1 on stretch. "
         "This figure does not depend on the study. Compare Fig. 3 of Dalvi et al. 2019.";
 }
 
@@ -131,8 +131,8 @@ void apparatus(const FigureRequest& request, StudyFigure& drawn) {
     const double width = wide(request) ? 120.0 : column_mm;
     drawn.figure = {.panels = {panel}, .width_mm = width, .height_mm = 0.8 * width};
     drawn.caption =
-        "Apparatus. A soft lens on glass is driven by a stage against a rough solid, which rests on a force sensor of stiffness k, and back; force, "
-        "displacement and, through the lens, the radius of contact are recorded. What is measured of the parts: setae jkr lens (R, shape, h), jkr "
+        "Apparatus. A stage presses a soft lens on glass against a rough solid and retracts it. The rough solid is mounted on a force sensor of stiffness k. Force, "
+        "displacement and, through the lens, the contact radius are recorded. These commands measure the parts: setae jkr lens (R, shape, h), jkr "
         "stiffness (k), jkr camera (scale). This figure does not depend on the study. Compare Fig. S4 of Dalvi et al. 2019.";
 }
 

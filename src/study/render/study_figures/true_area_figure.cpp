@@ -67,7 +67,7 @@ void true_area(const FigureRequest& request, StudyFigure& drawn) {
                  .shows = "factor of small slopes",
                  .x = {.quantity = "rms slope *h*'_{rms}", .from = 0.0, .to = 5.0},
                  .y = {.quantity = "*g*(*h*'_{rms})", .from = 0.0, .to = 1.05}};
-    factor.series.push_back(formula_curve("g of (S12)", Array1D::LinSpaced(101, 0.0, 5.0), colour::black, 0,
+    factor.series.push_back(formula_curve("g of Eq. S12", Array1D::LinSpaced(101, 0.0, 5.0), colour::black, 0,
                                           [](double h) { return roughness::area_excess_factor(h); }));
     Panel area{
         .title = "B",
@@ -75,7 +75,7 @@ void true_area(const FigureRequest& request, StudyFigure& drawn) {
         .x = {.quantity = "rms slope *h*'_{rms}", .logarithmic = true, .from = 0.007, .to = 14.0},
         .y = {.quantity = "excess area *A*_{true}/*A*_{app} − 1", .logarithmic = true, .from = 1e-5, .to = 20.0}};
     const Array1D slopes = Array1D::LinSpaced(121, std::log(0.008), std::log(12.0)).exp();
-    area.series.push_back(formula_curve("equation (9)", slopes, colour::black, 0,
+    area.series.push_back(formula_curve("Eq. 9", slopes, colour::black, 0,
                                         [](double h) { return roughness::gaussian_area_ratio(h) - 1.0; }));
     area.series.push_back(formula_curve("h'²/2", slopes, colour::black, 2,
                                         [](double h) { return roughness::small_slope_area_ratio(h) - 1.0; }));
@@ -102,9 +102,9 @@ void true_area(const FigureRequest& request, StudyFigure& drawn) {
                     .width_mm = wide(request) ? page_mm : column_mm,
                     .height_mm = wide(request) ? 72.0 : highest_column_mm};
     drawn.caption = fmt::format(
-        "A: g of (S12), the excess area of Gaussian slopes over its small-slope limit: A_true/A_app = 1 + h'² g(h')/2. B: true area against rms "
-        "slope: (9) for Gaussian slopes, its small-slope limit (S4), and the triangles (S3) of self-affine maps, H = 0.3 and 0.8, {} × {} points, "
-        "three maps each, scaled to each slope; h' is that of the triangles. The maps lie within {} % of (9). This figure does not depend on "
+        "A: g of Eq. S12, the ratio of the excess area of Gaussian slopes to its small-slope limit: A_true/A_app = 1 + h'² g(h')/2. B: true area against rms "
+        "slope: Eq. 9 for Gaussian slopes, its small-slope limit (Eq. S4), and the triangulated area (Eq. S3) of self-affine maps with H = 0.3 and 0.8, {} × {} points, "
+        "three maps each, scaled to each slope; h' is the rms slope of the triangles. The maps agree with Eq. 9 to {} %. This figure does not depend on "
         "the study. Compare Fig. S7 of Dalvi et al. 2019.",
         request.options.area_map_points, request.options.area_map_points, figures::number_text(100.0 * largest, 2));
 }
