@@ -19,8 +19,8 @@ void require_valid(const MovingEdge& edge) {
     if (!positive(edge.law.reference_speed) || !positive(edge.law.exponent) || !positive(edge.motor_speed) ||
         !(edge.reading_time >= 0.0 && std::isfinite(edge.reading_time)))
         throw InvalidArgument(
-            fmt::format("a moving edge with v0 {} m/s, n {}, pulled at {} m/s and read over {} s; expected speeds and "
-                        "exponent above 0, and a time from 0",
+            fmt::format("a moving contact edge with v0 {} m/s, n {}, motor speed {} m/s and reading time {} s; expected "
+                        "speeds and exponent above 0, and a time of at least 0",
                         edge.law.reference_speed, edge.law.exponent, edge.motor_speed, edge.reading_time));
 }
 
@@ -210,7 +210,7 @@ RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing&
     require_valid(edge);
     constexpr int fewest = 8;
     if (steps < fewest)
-        throw InvalidArgument(fmt::format("a receding edge in {} steps; expected {} or more", steps, fewest));
+        throw InvalidArgument(fmt::format("a receding contact edge in {} steps; expected {} or more", steps, fewest));
     const auto loop = sphere_loop(sphere, pressing);
     return course_of(sphere, pressing, edge, loop.turning_point.contact_radius, steps);
 }
