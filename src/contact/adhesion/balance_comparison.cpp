@@ -27,7 +27,8 @@ std::vector<double> measured(const std::vector<PairPoint>& pairs) {
 
 void require_at_least(std::size_t pairs, std::size_t least) {
     if (pairs < least)
-        throw InvalidArgument(fmt::format("{}; a comparison of balances needs at least {}", counted(pairs, "pair", "pairs"), least));
+        throw InvalidArgument(
+            fmt::format("{}; a comparison of balances needs at least {}", counted(pairs, "pair", "pairs"), least));
 }
 
 /// rms residual of each surface's pairs under what a fit to all others says; NaN where the others are too few to fit.

@@ -14,8 +14,8 @@
 
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
-#include "setae/core/words.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/core/words.hpp"
 #include "setae/numerics/bracketing.hpp"
 #include "setae/numerics/minimum.hpp"
 
@@ -195,10 +195,10 @@ void require_pairs(const Pairs& pairs) {
         throw InvalidArgument(fmt::format("{}; a fit needs at least 2", counted(pairs.size(), "pair", "pairs")));
     for (const auto& pair : pairs)
         if (!(pair.slope > 0.0) || !std::isfinite(pair.measured.value) || !std::isfinite(pair.offset))
-            throw InvalidArgument(fmt::format("pair {} × {} has slope {}, offset {} and measured value {}; expected a "
-                                              "slope above 0 and finite values",
-                                              pair.surface, pair.elastomer, pair.slope, pair.offset,
-                                              pair.measured.value));
+            throw InvalidArgument(
+                fmt::format("pair {} × {} has slope {}, offset {} and measured value {}; expected a "
+                            "slope above 0 and finite values",
+                            pair.surface, pair.elastomer, pair.slope, pair.offset, pair.measured.value));
 }
 
 WorkFit fit_work_of_adhesion(const Pairs& pairs) {
@@ -241,7 +241,8 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
 LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     const auto n = static_cast<double>(x.size());
     if (x.size() < 3 || x.size() != y.size())
-        throw InvalidArgument(fmt::format("{}; a line with intercept needs at least 3", counted(x.size(), "point", "points")));
+        throw InvalidArgument(
+            fmt::format("{}; a line with intercept needs at least 3", counted(x.size(), "point", "points")));
     const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
                  mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
     double sxx = 0.0, sxy = 0.0;

@@ -78,9 +78,8 @@ std::string comparison_answer(const Table& load, const Band& band, int surfaces,
                 '\n';
     const auto& pressure = load.at("pressure");
     for (const Index i : std::set<Index>{0, pressure.size() / 2, pressure.size() - 1})
-        text +=
-            wrapped(fmt::format("at {}: {}", format_value(pressure[i], "Pa", 3), contact_at(load, i)), columns, 2) +
-            '\n';
+        text += wrapped(fmt::format("at {}: {}", format_value(pressure[i], "Pa", 3), contact_at(load, i)), columns, 2) +
+                '\n';
     return text;
 }
 

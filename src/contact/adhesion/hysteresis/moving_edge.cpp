@@ -18,10 +18,10 @@ void require_valid(const MovingEdge& edge) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
     if (!positive(edge.law.reference_speed) || !positive(edge.law.exponent) || !positive(edge.motor_speed) ||
         !(edge.reading_time >= 0.0 && std::isfinite(edge.reading_time)))
-        throw InvalidArgument(
-            fmt::format("a moving contact edge with v0 {} m/s, n {}, motor speed {} m/s and reading time {} s; expected "
-                        "speeds and exponent above 0, and a time of at least 0",
-                        edge.law.reference_speed, edge.law.exponent, edge.motor_speed, edge.reading_time));
+        throw InvalidArgument(fmt::format(
+            "a moving contact edge with v0 {} m/s, n {}, motor speed {} m/s and reading time {} s; expected "
+            "speeds and exponent above 0, and a time of at least 0",
+            edge.law.reference_speed, edge.law.exponent, edge.motor_speed, edge.reading_time));
 }
 
 /// One sphere in one machine, with its edge.

@@ -136,7 +136,8 @@ std::string alerts_html(const StudyResult& result) {
             html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(alert.subject), prose(alert.message),
                                 one_action ? "" : " — " + prose(alert.action));
         if (alerts.size() > max_rows)
-            html += fmt::format("<li>{} more. The file alerts.csv contains all warnings.</li>", alerts.size() - max_rows);
+            html +=
+                fmt::format("<li>{} more. The file alerts.csv contains all warnings.</li>", alerts.size() - max_rows);
         html += "</ul></details>\n";
     }
     return html.empty() ? "<p>No warning.</p>" : "<p>Warnings by kind, the most important first.</p>" + html;
@@ -211,7 +212,8 @@ std::string provenance_html(const StudyResult& result, const RunRecord& run) {
     line("Given <i>W</i><sub>int</sub>", result.study.work_of_adhesion
                                              ? escaped(format_value(result.study.work_of_adhesion->value, "J/m2"))
                                              : std::string("no"));
-    html = as_html(Fold{.identifier = "run", .kind = "text", .title = "Program, command and options", .html = html + "</dl>"});
+    html = as_html(
+        Fold{.identifier = "run", .kind = "text", .title = "Program, command and options", .html = html + "</dl>"});
     std::vector<std::vector<std::string>> rows;
     for (const auto& input : result.inputs)
         rows.push_back({input.path,

@@ -98,13 +98,15 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
                              number_html(study, joined(place, "n"), {}, 0), reported.empty() ? "" : "; " + reported);
     };
     item("modified", "Approach, full-contact balance (Eq. 7)");
-    item("persson_tosatti",
-         "Approach, Persson–Tosatti balance (Eq. S13), with the area of small slopes and without the cost of stretching the soft surface");
+    item(
+        "persson_tosatti",
+        "Approach, Persson–Tosatti balance (Eq. S13), with the area of small slopes and without the cost of stretching the soft surface");
     item("without_area_change",
          "Approach, small-slope balance (Eq. 2), without the cost of stretching the soft surface");
     item("loop", "Energy loss of loops, true-area loss (Eq. 10)");
     if (!items.empty())
-        text += "<details><summary><i>W</i><sub>int</sub> from each balance and from the energy loss</summary><ul>" + items + "</ul></details>";
+        text += "<details><summary><i>W</i><sub>int</sub> from each balance and from the energy loss</summary><ul>" +
+                items + "</ul></details>";
     return text;
 }
 

@@ -515,9 +515,10 @@ DataTable references(const StudyResult& result) {
     DataTable table{
         "references",
         "Smooth references",
-        fmt::format("Without roughness, both branches should give one <i>W</i>, and a loop should lose only the energy of "
-                    "the jumps of an ideal smooth sphere. Two one-sided tests compare each difference with a margin of {}.",
-                    format_value(result.study.comparison.margin, "J/m2")),
+        fmt::format(
+            "Without roughness, both branches should give one <i>W</i>, and a loop should lose only the energy of "
+            "the jumps of an ideal smooth sphere. Two one-sided tests compare each difference with a margin of {}.",
+            format_value(result.study.comparison.margin, "J/m2")),
         {{"elastomer", ""},
          {"stage", ""},
          {"*W* approach", "J/m2"},

@@ -137,8 +137,9 @@ std::string contents_html(const study::Hysteresis& h, const Json& study) {
     if (h.conforming_pairs < h.measured_pairs)
         html += as_html(laws("conforming_pairs", "Retraction models of pairs in full contact", study), study);
     html += as_html(laws("all_pairs", "Retraction models of all pairs", study), study);
-    return h.by_area.best() ? html + as_html(laws("loop_areas", "Retraction models from the energy loss of loops", study), study)
-                            : html;
+    return h.by_area.best()
+               ? html + as_html(laws("loop_areas", "Retraction models from the energy loss of loops", study), study)
+               : html;
 }
 
 }  // namespace

@@ -152,11 +152,11 @@ tables::TidyTable elastomers(const StudyResult& result) {
 }
 
 tables::TidyTable loops(const StudyResult& result) {
-    tables::TidyTable table{"Loops",
-                            {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]",
-                             "W_ret at pull-off (Eq. S1) [mJ/m²]", "W_ret at pull-off (Eq. S2) [mJ/m²]", "E_loss [nJ]",
-                             ""},
-                            {}};
+    tables::TidyTable table{
+        "Loops",
+        {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]", "W_ret at pull-off (Eq. S1) [mJ/m²]",
+         "W_ret at pull-off (Eq. S2) [mJ/m²]", "E_loss [nJ]", ""},
+        {}};
     for (const auto& e : result.experiments) {
         const auto file = std::filesystem::path(e.input.file).filename().string();
         if (e.failed()) {
@@ -270,9 +270,10 @@ tables::TidyTable all_fits(const StudyResult& result) {
 }
 
 tables::TidyTable cutoffs(const StudyResult& result) {
-    tables::TidyTable table{"W_int against the short cutoff",
-                            {"shortest wavelength", "method", "Eq. 7 [mJ/m²]", "R² Eq. 7", "Eq. S13 [mJ/m²]", "R² Eq. S13"},
-                            {}};
+    tables::TidyTable table{
+        "W_int against the short cutoff",
+        {"shortest wavelength", "method", "Eq. 7 [mJ/m²]", "R² Eq. 7", "Eq. S13 [mJ/m²]", "R² Eq. S13"},
+        {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->cutoff_scan)
             table.rows.push_back({format_value(p.shortest_wavelength, "m"), method_name(result, *conclusions),

@@ -145,9 +145,8 @@ std::string screen(const StudyResult& result, const Screen& size, std::size_t re
     const auto alerts = alert_lines(groups, most_kinds - lines_in(reservations), size.width);
     const auto title = title_of(result, size.width);
     const auto others = lines_in(title) + lines_in(reservations) + 1 + of_tables + lines_in(alerts) + reserved;
-    const auto head = title +
-                      leading(said.answer, size.lines > others ? size.lines - others : 0, size.width) + reservations +
-                      "\n";
+    const auto head =
+        title + leading(said.answer, size.lines > others ? size.lines - others : 0, size.width) + reservations + "\n";
     Shared shared;
     shared.add(reading::surfaces(result, reading::Spectra::used), "surfaces.csv", size.width);
     auto pairs = reading::pairs(result);

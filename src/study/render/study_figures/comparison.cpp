@@ -182,8 +182,7 @@ std::string why_no_prediction(const StudyResult& result) {
                      [](const auto& pair) { return pair.approach.has_value(); }))
         return "no pair has a measured work of adhesion";
     if (!result.work_of_adhesion)
-        return result.work_of_adhesion.reason.empty() ? "W_int is not known"
-                                                      : result.work_of_adhesion.reason;
+        return result.work_of_adhesion.reason.empty() ? "W_int is not known" : result.work_of_adhesion.reason;
     return "no pair has both a measured and a predicted work of adhesion";
 }
 

@@ -188,7 +188,8 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
     if (!measured) bars = bars_of(h, false);
     drawn.title = measured ? "Energy budget of measured loops" : "Energy budget of predicted loops";
     if (bars.empty()) {
-        drawn.reason = "no loop is measured or predicted; a prediction needs sphere_radius and preload of the elastomers";
+        drawn.reason =
+            "no loop is measured or predicted; a prediction needs sphere_radius and preload of the elastomers";
         return drawn;
     }
     auto panel = losses_panel(bars);

@@ -290,7 +290,8 @@ void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn) {
     const auto& experiments = request.result.experiments;
     if (static_cast<std::size_t>(std::count_if(experiments.begin(), experiments.end(),
                                                [](const auto& e) { return e.analysis.has_value(); })) > most) {
-        drawn.reason = fmt::format("the study has more than {} loops; `setae jkr fit --figures` draws selected ones", most);
+        drawn.reason =
+            fmt::format("the study has more than {} loops; `setae jkr fit --figures` draws selected ones", most);
         return;
     }
     std::vector<NamedScan> scans;

@@ -49,9 +49,10 @@ void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn) {
         "Work of adhesion on approach of {}, by elastomer and surface. Points: fits, with the 95 % interval of their standard errors. Diamonds: means of surfaces from a linear mixed model, with "
         "their 95 % interval; variances are pooled over the surfaces of an elastomer. Thin lines: range of 95 % of further measurements with another lens.{}",
         counted(loops, "loop"),
-        excluded > 0 ? fmt::format(" Hollow points: {} excluded, with the reason; hollow diamonds: means that include them.",
-                                   counted(excluded, "loop"))
-                     : "");
+        excluded > 0
+            ? fmt::format(" Hollow points: {} excluded, with the reason; hollow diamonds: means that include them.",
+                          counted(excluded, "loop"))
+            : "");
 }
 
 }  // namespace setae::study_figures

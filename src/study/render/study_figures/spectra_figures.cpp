@@ -266,9 +266,8 @@ void combined_spectra(const FigureRequest& request, StudyFigure& drawn) {
     drawn.caption = fmt::format(
         "{}C1D against wavevector q of {} ({}).{}{}{}{}{} Conventions of C1D: Jacobs et al. 2017; compare Fig. 1 of Dalvi et al. 2019.",
         pictures ? "A: " : "", counted(n, "surface"), methods.text(), bands ? " Shaded: 95 %." : "",
-        instruments.empty() ? "" : " Bars: reliable wavevectors of each instrument.",
-        pictured, left_out_surfaces(result) + failed_surfaces(result),
-        reconstruction_note(result) + floored_note(result));
+        instruments.empty() ? "" : " Bars: reliable wavevectors of each instrument.", pictured,
+        left_out_surfaces(result) + failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
 void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn) {

@@ -98,7 +98,8 @@ const std::vector<Kind>& kinds() {
           "C1D by technique, each within its reliable band; one panel per surface", "measurements"},
          spectra_by_instrument},
         {{"S3", "Isotropic power spectral density",
-          "C_iso against q; averages are converted by Eq. 11 or by the inverse Abel integral, as the study states", "as 1"},
+          "C_iso against q; averages are converted by Eq. 11 or by the inverse Abel integral, as the study states",
+          "as 1"},
          isotropic_spectra},
         {{"S4", "Apparatus",
           "a soft hemisphere on a stage of known stiffness is pressed on a rough solid and pulled off; force, displacement "
@@ -122,8 +123,8 @@ const std::vector<Kind>& kinds() {
           "measurements; one figure per surface"},
          nullptr,
          add_surfaces},
-        {{"scales", "Contributions of scales to energy and area", "shares of U_el, excess area and change of W_app below q",
-          "pairs on the stiffest elastomer"},
+        {{"scales", "Contributions of scales to energy and area",
+          "shares of U_el, excess area and change of W_app below q", "pairs on the stiffest elastomer"},
          scales_of_cost},
         {{"prediction", "Measured and predicted work of adhesion against the modulus",
           "W_app by Eq. 7 against E* for each surface with its 95 % band; measured values with bars of W and E*; in two columns "

@@ -55,10 +55,10 @@ std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
                  h.conforming_pairs < h.measured_pairs ? ", each with the contact area of simulated patches" : ""),
              h.all});
     if (h.by_area.best())
-        list.push_back(
-            {"loop_areas",
-             fmt::format("{}, from the energy loss", counted(static_cast<std::size_t>(h.pairs_by_area), "loop", "loops")),
-             h.by_area});
+        list.push_back({"loop_areas",
+                        fmt::format("{}, from the energy loss",
+                                    counted(static_cast<std::size_t>(h.pairs_by_area), "loop", "loops")),
+                        h.by_area});
     return list;
 }
 
@@ -198,9 +198,8 @@ TidyTable shown_pairs(const Answered& answered, const std::vector<const study::P
         {"more likely", "likelier.work_of_adhesion_retraction", milli},
     });
     const auto shown = std::span(view).first(view.size() - (answered.likelier.empty() ? 1 : 0));
-    TidyTable table{fmt::format("predicted from roughness only, by {} [mJ/m², mN, nJ]", answered.by),
-                    {"pair", "contact"},
-                    {}};
+    TidyTable table{
+        fmt::format("predicted from roughness only, by {} [mJ/m², mN, nJ]", answered.by), {"pair", "contact"}, {}};
     if (!answered.likelier.empty())
         table.title += fmt::format("; last column: W_ret by the more likely {}", answered.likelier);
     for (const auto& column : shown) table.columns.emplace_back(column.heading);
@@ -274,11 +273,10 @@ TidyTable shown_losses(const study::Hysteresis& h) {
 }
 
 TidyTable shown_trials(const study::Hysteresis& h) {
-    TidyTable table{
-        fmt::format("ranking of {} simulated studies of each true model, with every ± of this study",
-                    h.trials.front().runs),
-        {"true model", "found", "possible", "excluded", "most frequent other"},
-        {}};
+    TidyTable table{fmt::format("ranking of {} simulated studies of each true model, with every ± of this study",
+                                h.trials.front().runs),
+                    {"true model", "found", "possible", "excluded", "most frequent other"},
+                    {}};
     for (const auto& law : h.trials)
         table.rows.push_back({law.planted.name(), fmt::format("{}", law.found), fmt::format("{}", law.possible),
                               fmt::format("{}", law.excluded), law.most_taken});
@@ -323,8 +321,8 @@ std::string shown_not_distinguished(const study::Hysteresis& h, std::size_t widt
     }
     std::string text;
     for (const auto& [shares, pairs] : found)
-        text += wrapped(fmt::format("the sum of {} is known at least three times better than each share, for {}", shares,
-                                    fmt::join(pairs, ", ")),
+        text += wrapped(fmt::format("the sum of {} is known at least three times better than each share, for {}",
+                                    shares, fmt::join(pairs, ", ")),
                         width, 2) +
                 "\n";
     return text;
@@ -366,8 +364,8 @@ std::vector<std::string> hysteresis_sentences(const study::Hysteresis& h) {
     for (const auto& ranking : rankings_of(h)) sentences.push_back(best_sentence(ranking));
     if (sentences.empty())
         sentences.push_back(fmt::format(
-            "{} with measured W_app and W_ret cannot distinguish retraction models; at least {} pairs on {} surfaces are "
-            "needed. The predictions below are a lower bound, W_ret = W_app",
+            "W_app and W_ret are measured for {}; a ranking of retraction models needs at least {} pairs on {} surfaces. The "
+            "predictions below are a lower bound, W_ret = W_app",
             counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"), hysteresis::fewest_ranked_pairs,
             hysteresis::fewest_ranked_surfaces));
     for (auto& sentence : smooth_limit_sentences(h)) sentences.push_back(std::move(sentence));

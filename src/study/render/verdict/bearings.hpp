@@ -18,7 +18,8 @@ struct Bearing {
 };
 
 /// Those of every kind that bears on a conclusion, what misleads most first. The others report what was done or how a
-/// file is made, or their matter has a sentence of its own in Verdict::limits: failures, reconstructions, Eq. 7 below 0.
+/// file is made, or their matter has a sentence of its own in Verdict::limits: failures, reconstructions, Eq. 7 below
+/// 0.
 [[nodiscard]] const std::vector<Bearing>& bearings();
 
 /// Whom an alert concerns.

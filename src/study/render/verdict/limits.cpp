@@ -63,7 +63,8 @@ private:
     void say_of_failures() {
         for (const auto& surface : result_.surfaces)
             if (!surface.likelihood_error.empty())
-                say(fmt::format("The numbers of {} come from the average over its measurements, because the likelihood "
+                say(
+                    fmt::format("The numbers of {} come from the average over its measurements, because the likelihood "
                                 "fit failed: {}.",
                                 surface.name, surface.likelihood_error));
         if (result_.failures() > 0)
@@ -85,14 +86,16 @@ private:
                             test.n == 1 ? "the pair" : fmt::format("the {} pairs", test.n), test_text(test),
                             worst.standardised(), name));
         else if (stands_out(worst.standardised(), test.n))
-            say(fmt::format("{} deviates by {:+.1f} standard errors from its prediction, although the test of all pairs "
-                            "gives p = {}.",
-                            name, worst.standardised(), probability_text(test.probability)),
+            say(fmt::format(
+                    "{} deviates by {:+.1f} standard errors from its prediction, although the test of all pairs "
+                    "gives p = {}.",
+                    name, worst.standardised(), probability_text(test.probability)),
                 deviation_note(test));
         if (test.probability < improbable && test.extra_scatter > 0.0)
-            say_beside(fmt::format("A prediction of the full-contact balance (Eq. 7) for another pair has an additional "
-                                   "uncertainty of {}, the scatter between pairs.",
-                                   format_value(test.extra_scatter, "J/m2", 2)));
+            say_beside(
+                fmt::format("A prediction of the full-contact balance (Eq. 7) for another pair has an additional "
+                            "uncertainty of {}, the scatter between pairs.",
+                            format_value(test.extra_scatter, "J/m2", 2)));
         if (!test.left_out.empty()) say("The test of the balance does not include " + listed(test.left_out) + ".");
     }
 
@@ -102,18 +105,19 @@ private:
             say(fmt::format("The pairs cannot distinguish the full-contact balance (Eq. 7) from {}.",
                             listed(rivals.alike)));
         if (!rivals.better.empty())
-            say(fmt::format("The pairs support {} more than the full-contact balance (Eq. 7).",
-                            listed(rivals.better)));
+            say(fmt::format("The pairs support {} more than the full-contact balance (Eq. 7).", listed(rivals.better)));
     }
 
     void say_of_fits() {
         if (const auto apart = loss_less_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
-            say_beside(fmt::format("The energy loss and the approach give different W_int, with a difference of {}. The "
-                                   "full-contact balance (Eq. 7) or the true-area loss (Eq. 10) is incomplete.",
-                                   format_uncertain(*apart, "J/m2")));
+            say_beside(
+                fmt::format("The energy loss and the approach give different W_int, with a difference of {}. The "
+                            "full-contact balance (Eq. 7) or the true-area loss (Eq. 10) is incomplete.",
+                            format_uncertain(*apart, "J/m2")));
         if (const auto apart = loss_less_approach(result_);
             apart && may_be_zero(*apart) && !could_have_refused(*apart, result_))
-            say(fmt::format("The data do not test whether the loss is proportional to the true area (Eq. 10). Half or "
+            say(
+                fmt::format("The data do not test whether the loss is proportional to the true area (Eq. 10). Half or "
                             "twice the W_int of approach would agree with the data of {} as well.",
                             pairs_text(result_.loop->through_origin.n)));
         if (result_.pairs.empty()) return;
@@ -135,9 +139,10 @@ private:
                                                format_uncertain(along->at_pull_off, "J/m2")));
         }
         if (unknown > 0)
-            say(fmt::format("Whether W_ret is constant along the retraction is undetermined for {}: only the pull-off is "
-                            "known.",
-                            pairs_text(unknown)));
+            say(fmt::format(
+                "Whether W_ret is constant along the retraction is undetermined for {}: only the pull-off is "
+                "known.",
+                pairs_text(unknown)));
         if (!changing.empty())
             say("W_ret changes along the retraction of " + listed(changing) +
                 ". The value at pull-off is not the work of the whole retraction.");
@@ -160,23 +165,27 @@ private:
         if (tested_.pairs == 0 && surfaces > 0) {
             const std::string none = result_.experiments.empty() ? "The study contains no experiment."
                                      : experiments == 0          ? "No experiment could be analysed."
-                                                                 : "The study contains no experiment on a rough surface.";
-            say(none + (result_.study.work_of_adhesion
-                            ? fmt::format(" W_app is predicted with the given W_int of {}. No measurement tests this prediction.",
-                                          format_uncertain(*result_.study.work_of_adhesion, "J/m2"))
-                            : std::string(" Roughness is known, but a prediction of W_app needs W_int. The study gives no "
-                                          "work_of_adhesion.")));
+                                                        : "The study contains no experiment on a rough surface.";
+            say(none +
+                (result_.study.work_of_adhesion
+                     ? fmt::format(
+                           " W_app is predicted with the given W_int of {}. No measurement tests this prediction.",
+                           format_uncertain(*result_.study.work_of_adhesion, "J/m2"))
+                     : std::string(" Roughness is known, but a prediction of W_app needs W_int. The study gives no "
+                                   "work_of_adhesion.")));
         }
         if (tested_.pairs == 1)
             say("Only one pair is measured. One value of W_int always matches one pair, so the data neither support nor "
                 "rule out the balance.");
         else if (tested_.pairs > 1 && tested_.surfaces.size() == 1)
-            say(fmt::format("All {} pairs are on one surface, {}. The data do not test how adhesion depends on roughness.",
-                            tested_.pairs, *tested_.surfaces.begin()));
+            say(fmt::format(
+                "All {} pairs are on one surface, {}. The data do not test how adhesion depends on roughness.",
+                tested_.pairs, *tested_.surfaces.begin()));
         if (tested_.pairs > 1 && tested_.elastomers.size() == 1)
-            say(fmt::format("All {} pairs are on one elastomer, {}. The data do not test that the stored energy grows with "
-                            "the modulus.",
-                            tested_.pairs, *tested_.elastomers.begin()));
+            say(fmt::format(
+                "All {} pairs are on one elastomer, {}. The data do not test that the stored energy grows with "
+                "the modulus.",
+                tested_.pairs, *tested_.elastomers.begin()));
         if (result_.experiments.size() == 1)
             say("The study contains one experiment. The scatter between repeated loops is not known.");
     }
@@ -192,10 +201,11 @@ private:
 
     void say_of_spectra() {
         if (const auto names = surfaces_where([](const auto& s) { return s.reconstructed; }); !names.empty())
-            say(fmt::format("The {} of {} {} from published moments, not measured. Stored energy and the balance scale by "
-                            "scale depend on the self-affine model.",
-                            names.size() == 1 ? "spectrum" : "spectra", listed(names),
-                            names.size() == 1 ? "is reconstructed" : "are reconstructed"));
+            say(fmt::format(
+                "The {} of {} {} from published moments, not measured. Stored energy and the balance scale by "
+                "scale depend on the self-affine model.",
+                names.size() == 1 ? "spectrum" : "spectra", listed(names),
+                names.size() == 1 ? "is reconstructed" : "are reconstructed"));
         const auto measured_once = [](const auto& s) {
             return std::count_if(s.measurements.begin(), s.measurements.end(), fine) == 1;
         };

@@ -346,10 +346,12 @@ std::vector<CutoffPoint> Concluding::scan_cutoffs() const {
 
 void Concluding::fit() {
     find_shares();
-    to_.modified = attempted("fit of the full-contact balance (Eq. 7)", [&] { return fit_approach(adhesion::modified_point); });
-    to_.persson_tosatti = attempted("fit of the Persson–Tosatti balance (Eq. S13)", [&] { return fit_approach(adhesion::persson_tosatti_point); });
-    to_.without_area_change =
-        attempted("fit of the small-slope balance (Eq. 2)", [&] { return fit_approach(adhesion::point_without_area_change); });
+    to_.modified =
+        attempted("fit of the full-contact balance (Eq. 7)", [&] { return fit_approach(adhesion::modified_point); });
+    to_.persson_tosatti = attempted("fit of the Persson–Tosatti balance (Eq. S13)",
+                                    [&] { return fit_approach(adhesion::persson_tosatti_point); });
+    to_.without_area_change = attempted("fit of the small-slope balance (Eq. 2)",
+                                        [&] { return fit_approach(adhesion::point_without_area_change); });
     to_.loop = attempted("fit of the true-area loss (Eq. 10)", [&] { return fit_losses(); });
     to_.free_energies = attempted("fit of Eq. 7 with free stored energies", [&] { return fit_free(); });
     to_.strained_interface = attempted("fit of Eq. 7 with a strained interface", [&] { return fit_interface(); });
@@ -376,8 +378,8 @@ void Concluding::fit() {
         to_.work_of_adhesion = to_.modified->stated();
         to_.work_of_adhesion_source = "fit of the full-contact balance (Eq. 7) to the measured pairs";
     } else {
-        to_.work_of_adhesion =
-            Outcome<Estimate>::missing("the study gives no work_of_adhesion, and W_int is not fitted: " + to_.modified.reason);
+        to_.work_of_adhesion = Outcome<Estimate>::missing(
+            "the study gives no work_of_adhesion, and W_int is not fitted: " + to_.modified.reason);
     }
 }
 

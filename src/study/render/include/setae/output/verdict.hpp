@@ -10,9 +10,9 @@ namespace setae::output {
 
 /// The result of a study in sentences of plain text: symbols as "W_int", numbers with their unit.
 struct Verdict {
-    std::vector<std::string> answer;        ///< whether roughness explains the approach, W_int, retraction; at least one
-    std::vector<std::string> findings;      ///< what tests support: may be none
-    std::vector<std::string> limits;        ///< what cannot be concluded and why, worst first
+    std::vector<std::string> answer;    ///< whether roughness explains the approach, W_int, retraction; at least one
+    std::vector<std::string> findings;  ///< what tests support: may be none
+    std::vector<std::string> limits;    ///< what cannot be concluded and why, worst first
     std::vector<std::string> reservations;  ///< the two most important limits that the answer does not state itself
 };
 
