@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# check.sh [REVISION|all]: layout of every source, spelling of every file, order of modules by their includes, no address of a package registry,
-# and clang-tidy on the sources that differ from REVISION (without one: that are not committed yet) or on all of them (an hour of processor time).
+# check.sh [REVISION|all]: layout of every source, spelling of every file, words of pages and of the program, order of modules by their
+# includes, no address of a package registry, and clang-tidy on the sources that differ from REVISION (without one: that are not committed yet)
+# or on all of them (an hour of processor time).
 # `./setup check` installs what it needs.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -11,6 +12,7 @@ failed=0
 mapfile -t sources < <(git ls-files '*.cpp' '*.hpp')
 clang-format-16 --dry-run -Werror "${sources[@]}" || failed=1
 git ls-files -z | xargs -0 codespell --quiet-level 3 --ignore-words tools/spelling.txt || failed=1
+tools/words.py || failed=1
 tools/include_graph.py order || failed=1
 tests/package/registries.py || failed=1
 

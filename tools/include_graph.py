@@ -3,7 +3,8 @@
 """What includes what, from the sources alone.
 
   tools/include_graph.py worst [N]     headers of ours that cost most: their own lines times the sources that read them
-  tools/include_graph.py order         every include against the order of modules in src/CMakeLists.txt; fails where one is broken
+  tools/include_graph.py order         every include against the order of modules in src/CMakeLists.txt, and installed headers against those that
+                                       are not; fails where one is broken
   tools/include_graph.py dot           the graph of modules without detours: tools/include_graph.py dot | dot -Tsvg > docs/modules.svg
 """
 import collections
@@ -112,7 +113,11 @@ def order():
     for path, header in broken:
         print(f"{path.relative_to(ROOT)}: includes {header.relative_to(ROOT)}; expected a header of '{module_of(path)}' "
               "or of a module before it in src/CMakeLists.txt", file=sys.stderr)
-    return 1 if broken else 0
+    inside = [(path, header) for path, headers in graph.items() for header in headers
+              if "/include/setae/" in path.as_posix() and "/internal/setae/" in header.as_posix()]
+    for path, header in inside:
+        print(f"{path.relative_to(ROOT)}: is installed and includes {header.relative_to(ROOT)}, which is not; expected a header in include/", file=sys.stderr)
+    return 1 if broken or inside else 0
 
 
 def dot():

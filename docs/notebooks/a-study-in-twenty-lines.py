@@ -7,7 +7,7 @@
 # %% [markdown]
 # # A study in twenty lines
 #
-# From measurements to the figure that compares prediction and measurement, with the report.
+# This notebook goes from measurements to a report and to the figure that compares prediction and measurement. The measurements are simulated.
 
 # %%
 import subprocess

@@ -7,8 +7,8 @@
 # %% [markdown]
 # # A surface for a gripper
 #
-# A soft pad of E = 3 MPa and ν = 0.5 is to hold a part by adhesion. Three finishes of the part cost different money: which of them does the pad conform
-# to, and with which work of adhesion? The surfaces are made here; files of your own go in their place.
+# A soft pad of E = 3 MPa and ν = 0.5 must hold a part by adhesion. The part is available in three finishes at different prices. With which of
+# them is the pad in full contact, and what is the work of adhesion? The surfaces are simulated here; replace them with files of your own.
 
 # %%
 from typing import Any
@@ -23,8 +23,8 @@ finishes = {
 pad: dict[str, Any] = {"E": "3 MPa", "W_int": "40 mJ/m2", "gamma": "25 mJ/m2"}
 
 # %% [markdown]
-# Roughness gives and takes: more true area to stick to, more elastic energy to bring the pad into every valley. Below zero the pad does not
-# conform, and touches peaks alone.
+# Roughness has two effects. It increases the true area, which increases adhesion, and it costs the elastic energy that brings the pad into
+# every valley. Where W_app of full contact is below zero, the pad touches only the peaks.
 
 # %%
 print(f"{'finish':10}{'slope':>10}{'W_app':>18}{'stored':>18}  conforms")
@@ -34,10 +34,11 @@ for name, scan in finishes.items():
     print(f"{name:10}{float(slope):10.2f}{1e3 * float(w):12.1f} mJ/m²{1e3 * float(w['stored_energy']):12.1f} mJ/m²  {w.conforms}")
 
 # %% [markdown]
-# ## Pressed on
+# ## Contact area under pressure
 #
-# How much of the polished part touches where adhesion is left aside, by the boundary elements of its map and by theory from its spectrum. At light
-# loads the theory says less, here by a quarter at the lightest and a seventh in the middle; the two meet in full contact.
+# The next cell computes the contact area of the polished part without adhesion, in two ways: with boundary elements on the map, and with
+# Persson's theory from the spectrum. At light loads the theory predicts a smaller area, here by a quarter at the smallest pressure and by a
+# seventh at the middle one. Both agree in full contact.
 
 # %%
 polished = setae.scan(finishes["polished"].heights[::4, ::4], size="10 um x 10 um", unit="m", periodic=True)
@@ -48,9 +49,9 @@ for pressure in ("3 kPa", "30 kPa", "150 kPa"):
 print(solved.pressures.max(), "Pa at most,", solved.gaps.max(), "m apart at most")
 
 # %% [markdown]
-# ## How rough may it be?
+# ## Largest acceptable roughness
 #
-# The same spectrum at every rms slope: where W_app falls to half of that of the smooth part.
+# The rms slope of this spectrum increases step by step until W_app is half the value of the smooth part.
 
 # %%
 slope, held = 0.01, float("inf")

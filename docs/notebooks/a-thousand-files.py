@@ -7,8 +7,9 @@
 # %% [markdown]
 # # A thousand files
 #
-# Parameters of many files on all cores. One file takes milliseconds, so that starting processes must not: joblib keeps them, or threads do,
-# since setae computes without Python's lock. Both give the same numbers.
+# This notebook computes the parameters of many files on all cores. One file takes milliseconds, so the start of a process would take longer
+# than the computation. Threads avoid this, because setae releases Python's lock while it computes. joblib avoids it, because it reuses its
+# processes. Both give the same numbers.
 
 # %%
 import concurrent.futures
@@ -27,7 +28,8 @@ for seed in range(count):
 files = sorted(folder.glob("*.npy"))
 
 # %% [markdown]
-# What is wanted of a file. A file that cannot be read becomes a row with its reason; the others go on.
+# The function below returns the results of one file. A file that cannot be read gives a row with the reason, and the other files are still
+# computed.
 
 
 # %%
@@ -52,7 +54,7 @@ print(f"threads: {len(rows)} files in {time.perf_counter() - began:.1f} s")
 print(rows[0], rows[-1])
 
 # %% [markdown]
-# The same by joblib, where it is installed (`pip install joblib`).
+# The same computation with joblib, if it is installed (`pip install joblib`).
 
 # %%
 try:

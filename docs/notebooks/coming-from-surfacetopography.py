@@ -7,8 +7,9 @@
 # %% [markdown]
 # # Coming from SurfaceTopography
 #
-# The same calls side by side on one map: the largest relative difference of their numbers and what each took. Where the two
-# mean different things, [parity](../validation/parity.md) says which and why; here every call is told to mean the same.
+# This notebook applies the corresponding calls of SurfaceTopography and setae to one map. For each pair it prints the largest relative
+# difference and both times. [Parity](../validation/parity.md) lists the definitions that differ, with reasons. Here the options of every call
+# select the same definition.
 
 # %%
 import sys
@@ -27,7 +28,8 @@ except ImportError:
     sys.exit(0)
 
 # %% [markdown]
-# A self-affine map of 512 × 512 points that repeats itself, and the same heights as a topography of theirs. No copy is made.
+# The next cell makes a periodic self-affine map of 512 × 512 points, and a topography of SurfaceTopography with the same heights. No copy is
+# made.
 
 # %%
 scan = setae.synthesize(hurst=0.8, rolloff="1 um", short_cutoff="40 nm", rms_height="20 nm", size="5 um", pixels=512, seed=1).scan
@@ -40,8 +42,8 @@ our_holes = setae.scan(holes, size="5 um x 5 um", unit="m")
 with_holes = SurfaceTopography.Topography(np.ma.masked_invalid(holes), (5e-6, 5e-6), unit="m")
 
 # %% [markdown]
-# Each row: what is asked, their call, ours. A call for one parameter computes all of its kind, three dozen of ISO 25178-2 among them: ask once and keep
-# the answer.
+# Each row contains the quantity, the call of SurfaceTopography and the call of setae. A setae call for one parameter computes all parameters
+# of its kind, such as three dozen of ISO 25178-2. In your own scripts, call the function once and keep the result.
 
 # %%
 plain: dict[str, Any] = {"window": "none", "trend": "none"}
@@ -96,7 +98,7 @@ rows: list[tuple[str, Callable[[], Any], Callable[[], Any]]] = [
 ]
 
 # %% [markdown]
-# Numbers that ours has behind the last of theirs (the Nyquist wavevector, longer distances) are left out.
+# setae returns more values at the end of some arrays (the Nyquist wavevector, longer distances). They are left out of the comparison.
 
 
 # %%

@@ -7,8 +7,9 @@
 # %% [markdown]
 # # From files to the figure
 #
-# Two surfaces, each measured with a stylus, an AFM and a TEM; two soft spheres pressed on them and pulled off; one figure that compares
-# what roughness predicts with what was measured. The files are generated, so that what should come out is known; yours go the same way.
+# Two surfaces were measured with a stylus, an AFM and a TEM. Two soft spheres were pressed on them and pulled off. This notebook makes one
+# figure that compares the prediction from roughness with the measurement. The files are simulated, so the true values are known. The same
+# steps work for your own files.
 
 # %%
 import subprocess
@@ -22,7 +23,7 @@ setae.info("mine/rougher", "mine/loops")
 # %% [markdown]
 # ## One measurement
 #
-# Heights are an array of NumPy in metres. Steps are recorded, and each gives another scan.
+# Heights are a NumPy array in metres. Each processing step is recorded and returns a new scan.
 
 # %%
 scan = setae.read("mine/rougher/afm_1.txt").stated(instrument="afm", tip_radius="10 ± 0.5 nm")
@@ -31,7 +32,7 @@ print(levelled.heights.shape, levelled.heights.std())
 levelled.processing
 
 # %% [markdown]
-# Its power spectral density. The tip decides what of it is believed.
+# The next cell computes the power spectral density. The tip radius limits the band in which the spectrum is reliable.
 
 # %%
 psd = setae.power_spectrum(scan)
@@ -45,7 +46,8 @@ print(parameters["rms_slope"], "from heights;", parameters["rms_slope_from_spect
 # %% [markdown]
 # ## One surface
 #
-# All measurements at once: one spectrum, and moments with their ±. What no file says is said here.
+# All measurements of the surface give one spectrum, and moments with standard errors. The instruments and tip radii are not in the files, so
+# the calls state them.
 
 # %%
 stylus = [setae.read(f"mine/rougher/stylus_{i}.csv").stated(instrument="stylus", tip_radius="5 ± 0.2 um") for i in (1, 2, 3)]
@@ -55,7 +57,7 @@ surface = setae.surface(stylus + afm + tem)
 surface
 
 # %% [markdown]
-# What that does to a soft solid:
+# The next cell computes the work of adhesion of a soft solid on this surface.
 
 # %%
 w = setae.work_of_adhesion(surface, E="0.7 MPa", nu=0.5, W_int="37 ± 2 mJ/m2", gamma="25 mJ/m2")
@@ -72,7 +74,7 @@ print(f"E* {fit.E_star}, W {fit.W}, lost {fit.loss}")
 # %% [markdown]
 # ## The study
 #
-# A file says which measurement belongs to which surface, elastomer and loop. What is computed is kept between runs.
+# A TOML file assigns the measurements to surfaces, elastomers and loops. Results are kept between runs.
 
 # %%
 study = setae.study("mine/study.toml").run(output="mine/results")

@@ -7,8 +7,8 @@
 # %% [markdown]
 # # Loops of soft spheres
 #
-# Soft spheres pressed on surfaces and pulled off: modulus, work of adhesion and loss of each, then what all of them say together. The
-# files are generated; what should come out stands in `mine/truth.json`.
+# Soft spheres were pressed on surfaces and pulled off. This notebook determines modulus, work of adhesion and energy loss of each loop, and
+# then the means over all loops. The files are simulated; `mine/truth.json` contains the true values.
 
 # %%
 import csv
@@ -25,7 +25,7 @@ print([file.name for file in files])
 # %% [markdown]
 # ## One loop
 #
-# The file says force, displacement and contact radius; the sphere's radius is said here.
+# The file contains force, displacement and contact radius. The call gives the radius of the sphere.
 
 # %%
 loop = setae.loop(files[0], radius="1.25 mm")
@@ -34,7 +34,7 @@ fit = loop.fit()
 fit
 
 # %% [markdown]
-# Every route to the modulus and the work of adhesion, one beside the other; where they differ, something is not as JKR has it.
+# The next cell lists the modulus and the work of adhesion from every method. Where the methods disagree, the loop deviates from JKR.
 
 # %%
 for name, found in fit["loading"]["fits"].items():
@@ -43,15 +43,17 @@ for name, found in fit["loading"]["fits"].items():
 print(fit.alerts)
 
 # %% [markdown]
-# Where the energy goes: the loop's own area, the jumps a smooth sphere would lose, too, and what is left for roughness and viscosity.
+# The energy budget of the loop contains the area of the loop, the energy that a smooth sphere would also lose in its jumps, and the rest,
+# which is due to roughness and viscosity.
 
 # %%
 print(loop.energy()["ledger"])
 
 # %% [markdown]
-# ## All of them
+# ## All loops
 #
-# A table with a row a loop; means over the loops of one surface with the scatter between lenses and places, and one more measurement's interval.
+# The next cell writes a table with one row per loop. It prints the mean over the loops of each surface, with the scatter between lenses and
+# places and the interval for one further measurement.
 
 # %%
 with open("fits.csv", "w", newline="") as table:

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "heights.hpp"
+#include "request.hpp"
 #include "setae/answers/adhesive_contact.hpp"
 #include "setae/answers/adhesive_sweep.hpp"
 #include "setae/answers/contact_comparison.hpp"
@@ -60,15 +61,11 @@ study::SurfaceResult analysed_surface(const std::vector<std::shared_ptr<Item>>& 
 void bind_persson(nb::module_& module) {
     using Request = answers::PerssonRequest;
     using Contact = answers::PerssonContact;
-    nb::class_<Request>(module, "PerssonRequest")
-        .def(nb::init<>())
-        .def_rw("contact_modulus", &Request::modulus)
-        .def_rw("pressure", &Request::pressure)
-        .def_rw("work_of_adhesion", &Request::work)
-        .def_rw("layer", &Request::layer)
-        .def_rw("poisson_ratio", &Request::poisson_ratio)
-        .def_rw("energy_factor", &Request::energy_factor)
-        .def_rw("frictionless", &Request::frictionless);
+    nb::class_<Request> request(module, "PerssonRequest");
+    request.def(nb::init<>());
+    bind_asked<Request, answers::BodyRequest>(request);
+    bind_asked(request);
+    bind_options(request, fields::Asked<Request>::adhesion);
     nb::class_<Contact>(module, "PerssonContact")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Contact&>(self).table(), self); })
         .def_prop_ro("units", [](const Contact& contact) { return units(contact.table()); })
@@ -78,7 +75,7 @@ void bind_persson(nb::module_& module) {
         [](const std::vector<std::shared_ptr<Item>>& items, const answers::AnalysisRequest& request,
            const answers::PerssonRequest& asked, bool every_measurement) {
             return unlocked([&](const auto&) {
-                (void)asked.body();  // what is missing is said before files are read
+                asked.require_complete();
                 return answers::persson_contact(analysed_surface(items, request, every_measurement), asked);
             });
         },
@@ -88,14 +85,9 @@ void bind_persson(nb::module_& module) {
 void bind_comparison(nb::module_& module) {
     using Request = answers::ComparisonRequest;
     using Comparison = answers::ContactComparison;
-    nb::class_<Request>(module, "ComparisonRequest")
-        .def(nb::init<>())
-        .def_rw("theory", &Request::theory)
-        .def_rw("pixels", &Request::pixels)
-        .def_rw("cell", &Request::cell)
-        .def_rw("surfaces", &Request::surfaces)
-        .def_rw("seed", &Request::seed)
-        .def_rw("tolerance", &Request::tolerance);
+    nb::class_<Request> request(module, "ComparisonRequest");
+    request.def(nb::init<>()).def_rw("theory", &Request::theory);
+    bind_asked(request);
     nb::class_<Comparison>(module, "ContactComparison")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Comparison&>(self).load, self); })
         .def_prop_ro("units", [](const Comparison& comparison) { return units(comparison.load); })
@@ -113,24 +105,6 @@ void bind_comparison(nb::module_& module) {
             });
         },
         nb::arg("items"), nb::arg("analysis"), nb::arg("request"), nb::arg("every_measurement"));
-}
-
-/// The elastic body, which every request of a contact begins with.
-template <class Request, class Class>
-void bind_body(Class& request) {
-    request.def(nb::init<>())
-        .def_rw("contact_modulus", &Request::contact_modulus)
-        .def_rw("layer", &Request::layer)
-        .def_rw("poisson_ratio", &Request::poisson_ratio)
-        .def_rw("bonded", &Request::bonded)
-        .def_rw("frictionless", &Request::frictionless);
-}
-
-template <class Request, class Class>
-void bind_attraction(Class& request) {
-    request.def_rw("work_of_adhesion", &Request::work_of_adhesion)
-        .def_rw("range", &Request::range)
-        .def_rw("law", &Request::law);
 }
 
 /// The surface that touches: a measurement's, or made from a spectrum.
@@ -210,28 +184,20 @@ Sweep front_of(const Item& item, const answers::FrontRequest& request, answers::
 
 void bind_made_surface(nb::module_& module) {
     using Request = answers::MadeSurfaceRequest;
-    nb::class_<Request>(module, "MadeSurfaceRequest")
-        .def(nb::init<>())
-        .def_rw("pixels", &Request::pixels)
-        .def_rw("cell", &Request::cell)
-        .def_rw("surface", &Request::surface)
-        .def_rw("seed", &Request::seed);
+    nb::class_<Request> request(module, "MadeSurfaceRequest");
+    request.def(nb::init<>());
+    bind_asked(request);
 }
 
 void bind_solve(nb::module_& module) {
     using Request = answers::HardWallRequest;
     nb::class_<Request> request(module, "HardWallRequest");
-    bind_body<Request>(request);
-    request.def_rw("pressure", &Request::pressure)
-        .def_rw("displacement", &Request::displacement)
-        .def_rw("mean_gap", &Request::mean_gap)
-        .def_rw("stage_stiffness", &Request::stage_stiffness)
-        .def_rw("hardness", &Request::hardness)
-        .def_rw("free", &Request::free)
-        .def_rw("tolerance", &Request::tolerance);
+    request.def(nb::init<>());
+    bind_asked<Request, answers::BodyRequest>(request);
+    bind_asked(request);
     nb::class_<answers::InteractionRequest> attraction(module, "InteractionRequest");
     attraction.def(nb::init<>());
-    bind_attraction<answers::InteractionRequest>(attraction);
+    bind_asked(attraction);
     nb::class_<SolvedContact>(module, "SolvedContact")
         .def_prop_ro("pressures",
                      [](nb::handle self) { return map_of(nb::cast<const SolvedContact&>(self).pressures, self); })
@@ -254,13 +220,11 @@ void bind_solve(nb::module_& module) {
 void bind_sweep(nb::module_& module) {
     using Request = answers::SweepRequest;
     nb::class_<Request> request(module, "SweepRequest");
-    bind_body<Request>(request);
-    bind_attraction<Request>(request);
-    request.def_rw("stage_stiffness", &Request::stage_stiffness)
-        .def_rw("to_gap", &Request::to_gap)
-        .def_rw("to_pressure", &Request::to_pressure)
-        .def_rw("largest_move", &Request::largest_move)
-        .def_rw("maps", &Request::maps);
+    request.def(nb::init<>());
+    bind_asked<Request, answers::BodyRequest>(request);
+    bind_asked<Request, answers::InteractionRequest>(request);
+    bind_asked(request);
+    request.def_rw("maps", &Request::maps);
     nb::class_<Sweep>(module, "Sweep")
         .def_prop_ro("columns", [](nb::handle self) { return columns(nb::cast<const Sweep&>(self).steps, self); })
         .def_prop_ro("units", [](const Sweep& sweep) { return units(sweep.steps); })
@@ -289,20 +253,9 @@ void bind_sweep(nb::module_& module) {
 
 void bind_front(nb::module_& module) {
     using Request = answers::FrontRequest;
-    nb::class_<Request>(module, "FrontRequest")
-        .def(nb::init<>())
-        .def_rw("radius", &Request::radius)
-        .def_rw("contact_modulus", &Request::contact_modulus)
-        .def_rw("work_of_adhesion", &Request::work_of_adhesion)
-        .def_rw("to_force", &Request::to_force)
-        .def_rw("to_displacement", &Request::to_displacement)
-        .def_rw("stage_stiffness", &Request::stage_stiffness)
-        .def_rw("dead_load", &Request::dead_load)
-        .def_rw("shortest_wavelength", &Request::shortest_wavelength)
-        .def_rw("model", &Request::model)
-        .def_rw("method", &Request::method)
-        .def_rw("steps", &Request::steps)
-        .def_rw("duration", &Request::duration);
+    nb::class_<Request> request(module, "FrontRequest");
+    request.def(nb::init<>());
+    bind_asked(request);
     module.def(
         "contact_front",
         [](const Item& item, const Request& asked, const answers::MadeSurfaceRequest& made, const std::string& edges,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.hpp"
+#include "request.hpp"
 #include "setae/core/error_parts.hpp"
 
 namespace setae::python {
@@ -22,11 +23,21 @@ nb::object or_none(const std::optional<T>& value) {
 
 nb::object or_none(const std::string& text) { return text.empty() ? nb::none() : nb::cast(text); }
 
+/// An option as a keyword: `name`, or name="value".
+std::string as_keyword(std::string_view name, std::string_view value) {
+    if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") != name.npos)
+        return {};
+    const auto found = keywords().find(name);
+    const std::string keyword(found == keywords().end() ? name : std::string_view(found->second));
+    return value.empty() ? "`" + keyword + "`" : keyword + "=\"" + std::string(value) + "\"";
+}
+
 void raise(const Error& error) {
     const std::string name = class_of(error);
-    const auto parts = error_parts(error.what(), name == "FileError" || name == "FormatError");
+    const auto message = fields::spelled(error.what(), as_keyword);
+    const auto parts = error_parts(message, name == "FileError" || name == "FormatError");
     const auto type = nb::module_::import_("setae._errors").attr(name.c_str());
-    const nb::object raised = type(nb::str(error.what()));
+    const nb::object raised = type(nb::str(message.c_str()));
     raised.attr("file") = or_none(parts.file);
     raised.attr("line") = or_none(parts.position.line);
     raised.attr("offset") = or_none(parts.position.offset);
@@ -46,6 +57,11 @@ void translate(const std::exception_ptr& thrown, void*) {
 }
 
 }  // namespace
+
+std::map<std::string, std::string, std::less<>>& keywords() {
+    static std::map<std::string, std::string, std::less<>> names;
+    return names;
+}
 
 void bind_errors(nb::module_&) { nb::register_exception_translator(translate); }
 

@@ -56,7 +56,7 @@ Run run(const std::string& file, const std::string& output, const std::optional<
     auto done = std::make_shared<Study>(cache);
     done->result =
         study::run_study(read(file, output, mapping_folder), {.store = done->store.get(), .cancelled = &cancelled});
-    done->figures = study_figures::study_figures(done->result, {.store = done->store.get()});
+    done->figures = study_figures::study_figures(done->result);
     return done;
 }
 

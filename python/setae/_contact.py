@@ -298,8 +298,9 @@ def persson(
     pressure: Text,
     W_int: Text | None = None,
     layer: Text | None = None,
-    nu: float = 0.5,
+    bonded: bool = False,
     frictionless: bool = False,
+    nu: float | None = None,
     energy_factor: float = 0.45,
     instrument: str | None = None,
     tip_radius: Text | None = None,
@@ -316,7 +317,8 @@ def persson(
 ) -> PerssonContact:
     """Area, gap and stiffness of a rough contact from its spectrum [Persson 2001], with adhesion where W_int is given [Persson 2002].
 
-    pressure: one, several as "1MPa,10MPa", or ten a decade as "1MPa:100MPa".  layer: thickness of the soft body on a rigid base; nu: of it.
+    pressure: one, several as "1MPa,10MPa", or ten a decade as "1MPa:100MPa".  layer: thickness of the soft body on a rigid base, with bonded or
+    frictionless and nu, its Poisson ratio.
     measurements …: as of :func:`power_spectrum`, or the table of a spectrum.
     """
     request = filled(
@@ -325,8 +327,9 @@ def persson(
         pressure=pressure,
         work_of_adhesion=W_int,
         layer=layer,
-        poisson_ratio=nu,
+        bonded=bonded,
         frictionless=frictionless,
+        poisson_ratio=nu,
         energy_factor=energy_factor,
     )
     shared = shared_options(instrument, tip_radius, resolution, trend, size, unit, keep_values)
@@ -360,8 +363,9 @@ def contact_compare(
     seed: int = 0,
     tolerance: float = 1e-6,
     layer: Text | None = None,
-    nu: float = 0.5,
+    bonded: bool = False,
     frictionless: bool = False,
+    nu: float | None = None,
     energy_factor: float = 0.45,
     instrument: str | None = None,
     tip_radius: Text | None = None,
@@ -392,8 +396,9 @@ def contact_compare(
         contact_modulus=contact_modulus,
         pressure=pressure,
         layer=layer,
-        poisson_ratio=nu,
+        bonded=bonded,
         frictionless=frictionless,
+        poisson_ratio=nu,
         energy_factor=energy_factor,
     )
     request = filled(

@@ -298,8 +298,8 @@ def test_persson(printed):
     one = setae.persson("rougher/truth.csv", contact_modulus="1 MPa", pressure="10 kPa")
     assert one.json() == printed("contact", "persson", "rougher/truth.csv", "--contact-modulus", "1 MPa", "--pressure", "10 kPa")
     assert list(one.columns)[0] == "wavevector"
-    several = setae.persson(files(), contact_modulus="1 MPa", pressure="1 kPa:100 kPa", W_int="50 mJ/m2", layer="50 um", nu=0.4)
-    typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa:100 kPa", "--w", "50 mJ/m2", "--layer", "50 um", "--nu", 0.4)
+    several = setae.persson(files(), contact_modulus="1 MPa", pressure="1 kPa:100 kPa", W_int="50 mJ/m2", layer="50 um", bonded=True, nu=0.4)
+    typed = ("--contact-modulus", "1 MPa", "--pressure", "1 kPa:100 kPa", "--w", "50 mJ/m2", "--layer", "50 um", "--bonded", "--nu", 0.4)
     assert several.json() == printed("contact", "persson", *files(), *typed)
     assert several["pressure"].max() == 100e3 and several.units["mean_gap"] == "m" and isinstance(several.alerts, tuple)
 

@@ -52,16 +52,17 @@ def target_of(page, link):
 
 
 def broken(page):
-    """Links of a page that lead nowhere, with their lines."""
-    for number, line in enumerate(without_code(page.read_text(encoding="utf-8")).splitlines(), 1):
-        for link in LINK.findall(line):
-            if re.match(r"[a-z]+:", link):
-                continue
-            file, section = target_of(page, link)
-            if not file.exists():
-                yield f"{page}:{number}: {link}: no such file"
-            elif section and file.suffix == ".md" and section not in sections(file):
-                yield f"{page}:{number}: {link}: no such section; there are {', '.join(name for name in sections(file) if name)}"
+    """Links of a page that lead nowhere, with their lines; a link's words may go over the end of a line."""
+    text = without_code(page.read_text(encoding="utf-8"))
+    for found in LINK.finditer(text):
+        link, number = found[1], text.count("\n", 0, found.start(1)) + 1
+        if re.match(r"[a-z]+:", link):
+            continue
+        file, section = target_of(page, link)
+        if not file.exists():
+            yield f"{page}:{number}: {link}: no such file"
+        elif section and file.suffix == ".md" and section not in sections(file):
+            yield f"{page}:{number}: {link}: no such section; there are {', '.join(name for name in sections(file) if name)}"
 
 
 def unlisted():

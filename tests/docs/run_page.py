@@ -30,7 +30,7 @@ import tempfile
 import traceback
 
 SCREEN_LINES, SCREEN_COLUMNS = 40, 100
-PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
+PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+\.svg)\)")
 DECIMAL = re.compile(r"(?<![\w.])\d+\.\d+(?!\w|\.\d)")
 
 

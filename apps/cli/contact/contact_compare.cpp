@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "contact/theory_options.hpp"
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -44,7 +43,7 @@ std::function<void(Index, Index)> progress_line() {
 }
 
 ExitCode run(const Arguments& arguments) {
-    arguments.request.require_complete();  // what is missing is said before files are read
+    arguments.request.require_complete();
     require_table_or_figure(arguments.output);
     const auto surface = answers::surface_for_theory(arguments.surface.surface(), arguments.surface.analysis(),
                                                      arguments.common.workers());
@@ -72,13 +71,9 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     auto& request = arguments->request;
-    add_theory_options(options, request.theory);
-    options.add("--pixels", request.pixels, "points of each surface: 512 or 1024x512; four for the shortest wave")
-        .default_shown();
-    options.add("--cell", request.cell, "extent of each surface, such as \"2 um\"; default: twice the longest wave");
-    options.add("--surfaces", request.surfaces, "how many surfaces are made").positive().default_shown();
-    options.add("--seed", request.seed, "of the first surface; the others have the next ones").default_shown();
-    options.add("--tolerance", request.tolerance, "of each contact's duality gap").positive().default_shown();
+    options.ask<answers::BodyRequest>(request.theory);
+    options.ask(request.theory);
+    options.ask(request);
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae contact compare spectrum.csv --contact-modulus 1GPa --pressure 10MPa,100MPa",

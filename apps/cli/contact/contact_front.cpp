@@ -96,40 +96,13 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
-    options.add("--radius", arguments->radius, "of the sphere, such as \"1.25 mm\"")
-        .quantity(positive(dimension::length));
-    options.add("--contact-modulus", arguments->contact_modulus, "E* of both bodies, such as \"1 MPa\"")
-        .quantity(positive(dimension::pressure));
-    options.add("--w,--work-of-adhesion", arguments->work_of_adhesion, "what conforming gains, such as \"50 mJ/m2\"")
-        .quantity(positive(dimension::surface_energy));
-    options.add("--to-force", arguments->to_force, "where the loop turns, such as \"0.1 mN\"")
-        .quantity(positive(dimension::force));
-    options.add("--to-displacement", arguments->to_displacement, "or there, such as \"1 um\"")
-        .quantity(positive(dimension::length));
-    options
-        .add("--stage-stiffness", arguments->stage_stiffness,
-             "of a stage that is moved, such as \"100 N/m\"; default: the sphere's displacement is held")
-        .quantity(positive(dimension::stiffness));
-    options.flag("--dead-load", arguments->dead_load, "the force is moved; its loop ends where it lets go");
-    options.add("--shortest-wavelength", arguments->shortest_wavelength, "that counts; default: four pixels")
-        .quantity(positive(dimension::length));
+    options.ask<answers::FrontRequest>(*arguments);
     options
         .add("--realisations", arguments->realisations,
-             "surfaces that are made, from --seed on; results are means with ±")
+             "number of surfaces made, with seeds from --seed on; results are means with ±")
         .positive();
-    options.add("--steps", arguments->steps, "on the way there; halved where the edge jumps").positive();
-    options
-        .add("--duration", arguments->duration,
-             "of the way there, such as \"100 s\": times of the edge that --save-line writes")
-        .quantity(positive(dimension::time));
     options.add("--save-line", arguments->save_line,
-                "write the edge itself while it touches, r at every angle and time, OUT.csv for `setae jkr line`");
-    options.add("--model", arguments->model, "how the energy follows the edge")
-        .one_of({"constant_toughness", "variational", "energy_release_rate", "stress_intensity", "mean_circle"})
-        .default_shown();
-    options.add("--method", arguments->method, "how equilibria are found")
-        .one_of({"trust_region", "rosso_krauth"})
-        .default_shown();
+                "file OUT.csv for the edge during contact, r at every angle and time; `setae jkr line` reads it");
     options.add("-o,--output", arguments->output, "steps OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example(

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "contact/theory_options.hpp"
 #include "plot/figure_output.hpp"
 #include "program/command.hpp"
 #include "program/messages.hpp"
@@ -12,7 +11,6 @@
 #include "program/terminal.hpp"
 #include "psd/surface_options.hpp"
 #include "setae/answers/persson_contact.hpp"
-#include "setae/core/units.hpp"
 #include "setae/file_figures/persson_figure.hpp"
 #include "setae/output/persson_answer.hpp"
 
@@ -39,7 +37,7 @@ struct Arguments {
 };
 
 ExitCode run(const Arguments& arguments) {
-    (void)arguments.request.body();  // what is missing is said before files are read
+    arguments.request.require_complete();
     require_table_or_figure(arguments.output);
     const auto surface = answers::surface_for_theory(arguments.surface.surface(), arguments.surface.analysis(),
                                                      arguments.common.workers());
@@ -66,9 +64,9 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
     auto& request = arguments->request;
-    add_theory_options(options, request, "; below 0 with --w");
-    options.add("--w,--work-of-adhesion", request.work, "work of adhesion, such as 50mJ/m2; default none")
-        .quantity(non_negative(dimension::surface_energy));
+    options.ask<answers::BodyRequest>(request);
+    options.ask(request);
+    options.ask(fields::Asked<answers::PerssonRequest>::adhesion, &request);
     options.add("-o,--output", arguments->output, "table OUT.csv or OUT.nc; figure OUT.svg, .pdf or .png");
     arguments->figure.add_to(options);
     options.example("setae contact persson spectrum.csv --contact-modulus 1GPa --pressure 10MPa",

@@ -13,28 +13,6 @@
 
 namespace setae::cli {
 
-void add_body_options(Options& options, answers::BodyRequest& body) {
-    options.add("--contact-modulus", body.contact_modulus, "E* of the body, such as \"1 GPa\"")
-        .quantity(positive(dimension::pressure));
-    options.add("--layer", body.layer, "thickness of an elastic layer on a rigid base, such as \"1 um\"")
-        .quantity(positive(dimension::length));
-    options.flag("--bonded", body.bonded, "the layer sticks to its base");
-    options.flag("--frictionless", body.frictionless, "the layer slides on its base");
-    options.add("--nu,--poisson-ratio", body.poisson_ratio, "Poisson ratio of the layer, up to 0.5");
-}
-
-void add_interaction_options(Options& options, answers::InteractionRequest& interaction) {
-    options.add("--w,--work-of-adhesion", interaction.work_of_adhesion, "work of adhesion, such as \"50 mJ/m2\"")
-        .quantity(positive(dimension::surface_energy));
-    options
-        .add("--range", interaction.range,
-             "range of the attraction, such as \"0.3 nm\": its greatest tension is w over it")
-        .quantity(positive(dimension::length));
-    options.add("--law", interaction.law, "how the attraction falls with the gap")
-        .one_of({"exponential", "cubic", "dugdale", "lennard_jones"})
-        .default_shown();
-}
-
 void ContactSurface::add_to(Options& options) {
     options
         .add("file", path,
@@ -57,10 +35,7 @@ void ContactSurface::add_to(Options& options) {
             "itself; windowed: heights go to their mean within a tenth of either edge")
         .one_of({"automatic", "periodic", "windowed"})
         .default_shown();
-    options.add("--pixels", made.pixels, "of a surface made from a spectrum: 512 or 1024x512");
-    options.add("--cell", made.cell, "its extent, such as \"2 um\"; default: twice the longest wave");
-    options.add("--surface", made.surface, "which of a study's surfaces");
-    options.add("--seed", made.seed, "of the places of its waves").default_shown();
+    options.ask(made);
 }
 
 processing::PipelineResult ContactSurface::processed(answers::BeyondMap beyond, parallel::Threads threads) const {

@@ -16,12 +16,6 @@
 
 namespace setae::cli {
 
-/// --contact-modulus, and the layer where the body is one.
-void add_body_options(Options& options, answers::BodyRequest& body);
-
-/// --w, --range and --law.
-void add_interaction_options(Options& options, answers::InteractionRequest& interaction);
-
 /// A file whose surface touches, or from whose spectrum one is made.
 struct ContactSurface : answers::ContactSurfaceRequest {
     std::string path;

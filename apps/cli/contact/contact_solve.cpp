@@ -105,21 +105,9 @@ ExitCode run(const Arguments& arguments) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
-    add_body_options(options, *arguments);
-    add_interaction_options(options, *arguments);
-    options.add("--pressure", arguments->pressure, "mean pressure over the map, such as \"10 MPa\"")
-        .quantity(non_negative(dimension::pressure));
-    options.add("--displacement", arguments->displacement, "approach from first touch, such as \"5 nm\"")
-        .quantity(dimension::length);
-    options
-        .add("--stage-stiffness", arguments->stage_stiffness,
-             "of a stage that is displaced, such as \"10 N/m\"; with adhesion")
-        .quantity(positive(dimension::stiffness));
-    options.add("--mean-gap", arguments->mean_gap, "mean gap over the map").quantity(positive(dimension::length));
-    options.flag("--free", arguments->free, "nothing touches beyond the map; without it the map repeats itself");
-    options.add("--hardness", arguments->hardness, "pressure at which the body flows")
-        .quantity(positive(dimension::pressure));
-    options.add("--tolerance", arguments->tolerance, "of the duality gap").positive().default_shown();
+    options.ask<answers::BodyRequest>(*arguments);
+    options.ask<answers::InteractionRequest>(*arguments);
+    options.ask<answers::HardWallRequest>(*arguments);
     options.add(
         "-o,--output", arguments->maps.output,
         "write OUT_pressure.npy [Pa] and OUT_gap.npy [m] as OUT.npy or OUT.csv says; figure OUT.svg, .pdf or .png");

@@ -114,25 +114,9 @@ ExitCode run(const Arguments& given) {
 Action declare(Options& options) {
     auto arguments = std::make_shared<Arguments>();
     arguments->surface.add_to(options);
-    add_body_options(options, *arguments);
-    add_interaction_options(options, *arguments);
-    options
-        .add("--stage-stiffness", arguments->stage_stiffness,
-             "of a stage that is moved, such as \"10 N/m\"; default: the mean gap is moved")
-        .quantity(positive(dimension::stiffness));
-    options
-        .add("--to-gap", arguments->to_gap, "mean gap, or place of the stage, where it turns; default 0: full contact")
-        .quantity(non_negative(dimension::length));
-    options.add("--to-pressure", arguments->to_pressure, "turn where the mean pressure reaches this")
-        .quantity(positive(dimension::pressure));
-    options
-        .add("--largest-move", arguments->largest_move,
-             "of any gap in a step, in ranges: 2 takes two thirds of the time, works change by up to 1 %")
-        .positive()
-        .default_shown();
-    options.add(
-        "--restart", arguments->restart,
-        "file written every 20 steps; where it exists the sweep goes on from there, to the same bytes; removed at the end");
+    options.ask<answers::BodyRequest>(*arguments);
+    options.ask<answers::InteractionRequest>(*arguments);
+    options.ask<answers::SweepRequest>(*arguments);
     options.add(
         "--maps", arguments->states.output,
         "pressures [Pa] and gaps [m] point by point where it is first pressed, turns, is first drawn, and is drawn most: "

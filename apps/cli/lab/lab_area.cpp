@@ -14,7 +14,7 @@
 #include "setae/core/errors.hpp"
 #include "setae/figures/figure.hpp"
 #include "setae/roughness/true_area.hpp"
-#include "setae/study_figures/true_area_of_maps.hpp"
+#include "setae/validation/true_area_of_maps.hpp"
 #include "setae/tables/table_file.hpp"
 
 namespace setae::cli::lab_area_command {
@@ -35,16 +35,16 @@ struct AreaArguments {
     std::uint64_t seed = 1;
 };
 
-using study_figures::maps_each;
+using validation::maps_each;
 
 ExitCode run(const AreaArguments& arguments) {
-    const auto areas = study_figures::true_area_of_maps(
+    const auto areas = validation::true_area_of_maps(
         {.points = arguments.points, .seed = arguments.seed, .threads = arguments.common.workers()});
-    const auto rows = study_figures::means(areas);
+    const auto rows = validation::means(areas);
     std::error_code ignored;
     std::filesystem::create_directories(arguments.output, ignored);
     const auto path = [&](const char* name) { return (std::filesystem::path(arguments.output) / name).string(); };
-    tables::write_csv(path("area.csv"), study_figures::area_table(areas));
+    tables::write_csv(path("area.csv"), validation::area_table(areas));
     double largest = 0.0;
     for (const auto& row : rows) largest = std::max(largest, std::abs(row.deviation));
     if (arguments.common.json) {
@@ -69,7 +69,7 @@ ExitCode run(const AreaArguments& arguments) {
         print(text + fmt::format("{0} x {0} points, {1} maps each, seed {2}: within {3:.2g} % of (9); {4}\n",
                                  arguments.points, maps_each, arguments.seed, 100.0 * largest, arguments.output));
     }
-    const auto figure = study_figures::area_figure(rows);
+    const auto figure = validation::area_figure(rows);
     // the numbers are there also where nothing can be drawn
     return for_each_item({"area.svg", "area.png", "area.pdf"},
                          [&](const std::string& name) { figures::draw(figure, path(name.c_str())); }) == ExitCode::done

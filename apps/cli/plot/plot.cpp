@@ -21,7 +21,7 @@ namespace setae::cli::plot_command {
 namespace {
 
 constexpr const char* explanation =
-    "1, 2, 4, S1, S2, S3, S5, S6, S7, S8  the figures of [D19], with error bars; docs/reference/figures.md says what each shows\n"
+    "1, 2, 4, S1, S2, S3, S5, S6, S8  the figures of [D19], with error bars; docs/reference/figures.md says what each shows\n"
     "spectra:NAME  every measurement of a surface, by instrument, with what was cut\n"
     "scales        which wavevectors cost the energy: shares of U_el, excess area and W_app - W_int below q\n"
     "prediction    W_app against E* for each surface: curve of (7) with its band, measured values, residuals, chi2\n"
@@ -90,8 +90,8 @@ ExitCode plot(const PlotArguments& arguments, const cache::Store& store, Progres
     const auto result = study::run_study(study::read_study(arguments.study, mapping_folder()),
                                          run_options(arguments.common.workers(), store, display));
     display.finish();
-    const study_figures::GalleryOptions options{
-        .width = arguments.figure_width(), .threads = arguments.common.workers(), .store = &store};
+    const study_figures::GalleryOptions options{.width = arguments.figure_width(),
+                                                .threads = arguments.common.workers()};
     if (arguments.list) return list(arguments, study_figures::study_figures(result, options));
     const auto figure = study_figures::study_figure(result, arguments.figure, options);
     if (!figure.drawable())
@@ -127,7 +127,7 @@ Action declare(Options& options) {
     auto arguments = std::make_shared<PlotArguments>();
     options.add("study", arguments->study, "TOML file of the study").of_inputs();
     options.add("--figure", arguments->figure,
-                "which: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8, spectra:NAME, scales, prediction, replicates, agreement");
+                "which: 1, 2, 4, S1, S2, S3, S5, S6, S8, spectra:NAME, scales, prediction, replicates, agreement");
     options.add("-o,--output", arguments->output,
                 "file, by its ending .svg, .pdf, .png or .csv; default: the figure's name as .svg, here");
     options.add("--width", arguments->width, "of a journal's column: single, 85 mm, or double, 178 mm")

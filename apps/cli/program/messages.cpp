@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,16 @@
 #include "setae/output/alert_kinds.hpp"
 
 namespace setae::cli {
+namespace {
+
+fields::Spelling& option_spelling() {
+    static fields::Spelling spelling = [](std::string_view, std::string_view) { return std::string(); };
+    return spelling;
+}
+
+}  // namespace
+
+void spell_options_by(fields::Spelling spelling) { option_spelling() = std::move(spelling); }
 
 void print(const std::string& text) {
     const auto shown = printable(text);
@@ -19,7 +30,7 @@ void print(const std::string& text) {
 
 void complain(const std::string& message) {
     std::fflush(stdout);  // so that both streams read in order where they meet
-    std::fputs(fmt::format("setae: {}\n", one_line(message)).c_str(), stderr);
+    std::fputs(fmt::format("setae: {}\n", one_line(fields::spelled(message, option_spelling()))).c_str(), stderr);
 }
 
 void show(const std::vector<Alert>& alerts) {

@@ -7,11 +7,15 @@
 
 #include "program/exit_code.hpp"
 #include "setae/core/quantity.hpp"
+#include "setae/fields/option.hpp"
 
 namespace setae::cli {
 
 /// Prints data on standard output.
 void print(const std::string& text);
+
+/// How messages spell options that stand in back quotes (fields::spelled); set when the command is known.
+void spell_options_by(fields::Spelling spelling);
 
 /// Prints a message, "setae: …", on standard error.
 void complain(const std::string& message);

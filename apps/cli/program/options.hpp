@@ -3,10 +3,12 @@
 
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "setae/core/units.hpp"
+#include "setae/fields/option.hpp"
 
 namespace CLI {
 class App;
@@ -80,6 +82,13 @@ public:
     /// (std::optional) or several (std::vector).
     template <class Value>
     Option add(const std::string& names, Value& value, const std::string& description);
+
+    /// All options of a request, as fields::Asked describes them.
+    template <class Request>
+    void ask(Request& request) {
+        ask(fields::Asked<Request>::options, &request);
+    }
+    void ask(std::span<const fields::Option> asked, void* request);
 
     /// A command line for the verb's help and the manual, and what it does.
     void example(const std::string& command, const std::string& what);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <type_traits>
 
@@ -27,6 +28,17 @@
 #include "setae/study/provenance.hpp"
 
 namespace setae::cli {
+
+namespace {
+
+/// "stage_stiffness" as "--stage-stiffness".
+std::string dashed(std::string_view name) {
+    std::string option = "--" + std::string(name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
+}  // namespace
 
 Option& Option::one_of(const std::vector<std::string>& words) {
     return one_of_unlisted(words).value_named(fmt::format("{}", fmt::join(words, "|")));
@@ -138,6 +150,24 @@ Option Options::add(const std::string& names, Value& value, const std::string& d
     constexpr bool natural =
         std::is_same_v<Value, std::uint64_t> || std::is_same_v<Value, std::optional<std::uint64_t>>;
     return real ? option.within(domain::finite) : natural ? option.natural() : option;
+}
+
+void Options::ask(std::span<const fields::Option> asked, void* request) {
+    for (const auto& option : asked) {
+        const auto names = (option.also.empty() ? "" : fmt::format("--{},", option.also)) + dashed(option.name);
+        auto added = std::visit(
+            [&](auto* value) {
+                if constexpr (std::is_same_v<decltype(value), bool*>)
+                    return flag(names, *value, fields::help_of(option));
+                else return add(names, *value, fields::help_of(option));
+            },
+            option.place(request));
+        if (option.quantity) added.quantity(*option.quantity);
+        if (option.domain) added.within(*option.domain);
+        if (option.check) added.read_by(option.check);
+        if (!option.choices.empty()) added.one_of({option.choices.begin(), option.choices.end()});
+        if (option.shows_default) added.default_shown();
+    }
 }
 
 template Option Options::add(const std::string&, std::string&, const std::string&);
@@ -266,6 +296,19 @@ std::string path_of(const CLI::App& verb) {
     return parent && parent->get_parent() ? path_of(*parent) + " " + verb.get_name() : verb.get_name();
 }
 
+/// Options of a command as they are typed, with a value or without; a value with blanks in quotes.
+fields::Spelling spelling_of(const CLI::App& verb) {
+    std::set<std::string, std::less<>> names;
+    for (const auto* option : verb.get_options())
+        for (const auto& name : option->get_lnames()) names.insert("--" + name);
+    return [names = std::move(names)](std::string_view name, std::string_view value) {
+        const auto option = dashed(name);
+        if (!names.contains(option)) return std::string();
+        const auto* quote = value.find(' ') == value.npos ? "" : "\"";
+        return value.empty() ? option : fmt::format("{0} {1}{2}{1}", option, quote, value);
+    };
+}
+
 /// What is wrong with a command line: the verb, the option, the nearest option where there is none of that name.
 std::string objection_to(const CLI::App& program, const CLI::ParseError& error) {
     const auto& verb = named_verb(program);
@@ -327,6 +370,7 @@ Parsed parsed(int argc, char** argv) {
     }
     try {
         program->parse(reversed_words(words));
+        spell_options_by(spelling_of(named_verb(*program)));
     } catch (const CLI::CallForHelp&) {
         result.action = nullptr;
         const auto& verb = named_verb(*program);

@@ -192,7 +192,7 @@ ExitCode run_and_write(const Arguments& arguments, const cache::Store& store, Pr
     const auto study = study_of(arguments);
     output::ResultFolder results(study);
     const auto result = study::run_study(study, run_options(arguments.common.workers(), store, display));
-    study_figures::GalleryOptions gallery{.threads = arguments.common.workers(), .store = &store};
+    study_figures::GalleryOptions gallery{.threads = arguments.common.workers()};
     if (arguments.no_figures) gallery.max_of_a_kind = study_figures::max_of_a_kind_in_reports;
     const auto figures = study_figures::study_figures(result, gallery);
     results.begin();

@@ -69,9 +69,9 @@ std::vector<Quantity> quantities(const study::StudyResult& result, const std::op
 study::Study AdhesionRequest::study(const study::SurfaceAnalysisOptions& analysis) const {
     if (radius.empty() != preload.empty())
         throw InvalidArgument(
-            "--radius and --preload are given together or not at all, such as --radius 1.25mm --preload 1mN");
+            "`radius` and `preload` are given together or not at all, such as `radius = 1.25 mm` and `preload = 1 mN`");
     if (youngs_modulus.empty() || work.empty() || surface_energy.empty())
-        throw InvalidArgument("expected --E, --w and --gamma, such as --E 1.1MPa --w 37mJ/m2 --gamma 25mJ/m2");
+        throw InvalidArgument("expected `E = 1.1 MPa`, `w = 37 mJ/m2` and `gamma = 25 mJ/m2`");
     study::Study study;
     study.analysis = analysis;
     study.counter_youngs_modulus = rough_modulus.empty() ? std::numeric_limits<double>::infinity()

@@ -17,9 +17,10 @@ namespace {
 
 void require_cell(const HardWallRequest& request) {
     if (request.free || !request.hardness.empty())
-        throw InvalidArgument("--free and --hardness are of a contact without adhesion; expected neither with --w");
+        throw InvalidArgument(
+            "`free` and `hardness` are of a contact without adhesion; expected neither with `work_of_adhesion`");
     if (!request.stage_stiffness.empty() && request.displacement.empty())
-        throw InvalidArgument("--stage-stiffness is of a stage that is displaced; expected --displacement with it");
+        throw InvalidArgument("`stage_stiffness` is of a stage that is displaced; expected `displacement` with it");
 }
 
 half_space::AdhesiveControl adhesive_control(const HardWallRequest& request, const half_space::AdhesiveCell& cell) {

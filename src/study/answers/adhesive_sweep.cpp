@@ -57,7 +57,7 @@ void SweepRequest::require_complete() const {
         throw InvalidArgument(
             fmt::format("a largest move of {} ranges; expected above 0, up to {}", largest_move, most_ranges));
     if (maps && !restart.empty())
-        throw InvalidArgument("--maps with --restart: states before a stop are not kept; expected one of the two");
+        throw InvalidArgument("`maps` with `restart`: states before a stop are not kept; expected one of the two");
 }
 
 half_space::LoopOptions SweepRequest::options(const half_space::Grid& grid) const {

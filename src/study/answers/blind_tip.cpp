@@ -44,7 +44,7 @@ BlindTipAnswer blind_tip(const std::string& file, const topography::Measurement&
         answer.alerts.push_back(
             {"TIP_NOT_CONVERGED", topography::label(map->metadata),
              fmt::format("the estimate still sharpened in round {}: the tip may be sharper", answer.blind.rounds),
-             "allow more with --rounds"});
+             "allow more with `rounds`"});
     const double radius = answer.quantities.front().estimate.value,
                  pixel = std::max(tip.pixel_size[0], tip.pixel_size[1]);
     if (radius < pixel)

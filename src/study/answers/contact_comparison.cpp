@@ -37,13 +37,13 @@ synthesis::SurfaceGrid grid_of(const ComparisonRequest& request, const Band& ban
     const double smaller = std::min(grid.size_x, grid.size_y), larger = std::max(grid.size_x, grid.size_y);
     if (!(smaller >= longest * (1.0 - 1e-9)))
         throw InvalidArgument(fmt::format(
-            "a cell of {} does not hold the longest wave, {}; expected a larger --cell, or --longest-wavelength",
+            "a cell of {} does not hold the longest wave, {}; expected a larger `cell`, or `longest_wavelength`",
             format_value(smaller, "m"), format_value(longest, "m")));
     const double pixel = longest_pixel(grid);
     if (!(pixels_per_wave * pixel <= shortest * (1.0 + 1e-9)))
         throw InvalidArgument(
-            fmt::format("the shortest wave, {}, has {:.2g} pixels and needs {}; expected --pixels {} or more, or "
-                        "--shortest-wavelength \"{}\"",
+            fmt::format("the shortest wave, {}, has {:.2g} pixels and needs {}; expected `pixels = {}` or more, or "
+                        "`shortest_wavelength = {}`",
                         format_value(shortest, "m"), shortest / pixel, pixels_per_wave,
                         static_cast<Index>(std::ceil(pixels_per_wave * larger / shortest)),
                         format_value(pixels_per_wave * pixel, "m")));
@@ -122,7 +122,7 @@ ContactComparison compare_contact(const study::SurfaceResult& surface, const Com
         comparison.alerts.push_back({"CONTACT_NOT_CONVERGED", "contact",
                                      fmt::format("pressures may be off: the duality gap is {:.1e}, wanted was {:.1e}",
                                                  comparison.largest_duality_gap, request.tolerance),
-                                     "raise --tolerance, or resolve the surface's shortest waves with more points"});
+                                     "raise `tolerance`, or resolve the surface's shortest waves with more points"});
     return comparison;
 }
 

@@ -75,7 +75,7 @@ const HeightMap& map_of(const std::string& file, const topography::Measurement& 
     const auto* map = std::get_if<HeightMap>(&measurement);
     if (!map) throw InvalidArgument(file + ": no map; expected heights along two directions under a round contact");
     if (const Index undefined = map->heights.isNaN().count(); undefined > 0)
-        throw InvalidArgument(fmt::format("{}: {} of {} heights are undefined; fill them with --step fill_undefined",
+        throw InvalidArgument(fmt::format("{}: {} of {} heights are undefined; fill them with the step fill_undefined",
                                           file, undefined, map->heights.size()));
     return *map;
 }
@@ -121,7 +121,7 @@ Plan plan_of(const std::string& file, const HeightMap& map, const FrontRequest& 
     if (values > most_values)
         throw InvalidArgument(
             fmt::format("waves of {} under a contact that reaches {} take {:.1e} places of the edge; expected at most "
-                        "{:.0e}, as with --shortest-wavelength \"{}\", or a smaller contact",
+                        "{:.0e}, as with `shortest_wavelength = {}`, or a smaller contact",
                         format_value(plan.shortest, "m", 3), format_value(reach, "m", 3), values, most_values,
                         format_value(plan.shortest * std::sqrt(values / most_values), "m", 2)));
     return plan;
@@ -276,7 +276,7 @@ std::vector<Alert> alerts_of(const FrontAnswer& answer, const HeightMap& map) {
         if (!run.loop.complete)
             alerts.push_back({"CONTACT_NOT_CONVERGED", file,
                               "a loop of the front has steps that did not converge, or did not part",
-                              "take more steps, or --method rosso_krauth"});
+                              "take more steps, or `method = rosso_krauth`"});
         if (!run.works)
             alerts.push_back({"FRONT_THEORY", file, "no works of adhesion can be read from a loop: " + run.reason,
                               "its energies hold"});
@@ -301,16 +301,17 @@ void FrontRequest::require_complete() const {
     (void)contact();
     (void)options();
     if (to_force.empty() == to_displacement.empty())
-        throw InvalidArgument("expected one of --to-force and --to-displacement: where the loop turns");
+        throw InvalidArgument("expected one of `to_force` and `to_displacement`: where the loop turns");
     if (dead_load && !stage_stiffness.empty())
-        throw InvalidArgument("a dead load has no stage; expected one of --dead-load and --stage-stiffness");
+        throw InvalidArgument("a dead load has no stage; expected one of `dead_load` and `stage_stiffness`");
     (void)path_of(*this, turning_point(*this, contact()));
 }
 
 contact::AdhesiveContact FrontRequest::contact() const {
-    return {given("--radius, the sphere's", radius, positive(dimension::length)),
-            given("--contact-modulus, E* of both bodies", contact_modulus, positive(dimension::pressure)),
-            given("--w, the work of adhesion", work_of_adhesion, positive(dimension::surface_energy))};
+    return {
+        given("`radius = 1.25 mm`, the radius of the sphere", radius, positive(dimension::length)),
+        given("`contact_modulus = 1 MPa`, E* of sphere and surface", contact_modulus, positive(dimension::pressure)),
+        given("`work_of_adhesion = 50 mJ/m2`", work_of_adhesion, positive(dimension::surface_energy))};
 }
 
 crack_front::FrontOptions FrontRequest::options() const {

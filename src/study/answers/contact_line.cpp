@@ -44,11 +44,11 @@ std::optional<Array1D> displacement_of(const RecordedEdge& edge, const LineReque
     const bool wanted = !request.sphere_radius.empty() || !request.contact_modulus.empty();
     if (!wanted && request.displacement.empty()) return std::nullopt;
     if (request.sphere_radius.empty() || request.contact_modulus.empty())
-        throw InvalidArgument("a release rate takes --radius of the sphere and --contact-modulus; expected both");
+        throw InvalidArgument("a release rate takes `radius` of the sphere and `contact_modulus`; expected both");
     if (request.displacement.empty()) {
         if (!edge.displacement)
             throw InvalidArgument(
-                "a release rate takes the displacement of the sphere; expected --displacement, a table of time and "
+                "a release rate takes the displacement of the sphere; expected `displacement`, a table of time and "
                 "displacement, or a column of that name beside the edge");
         return edge.displacement;
     }

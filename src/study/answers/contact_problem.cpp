@@ -10,19 +10,23 @@
 namespace setae::answers {
 
 half_space::Body BodyRequest::body() const {
-    if (contact_modulus.empty()) throw InvalidArgument("no modulus; expected --contact-modulus \"1 GPa\"");
-    half_space::Body body{.contact_modulus = parse_quantity(contact_modulus, dimension::pressure), .layer = {}};
+    if (contact_modulus.empty()) throw InvalidArgument("no modulus; expected `contact_modulus = 1 GPa`");
+    half_space::Body body{.contact_modulus = parse_quantity(contact_modulus, positive(dimension::pressure)),
+                          .layer = {}};
     const bool stands = bonded || frictionless;
     if (layer.empty()) {
         if (stands || poisson_ratio)
-            throw InvalidArgument("--bonded, --frictionless and --nu are of a layer; expected --layer \"1 um\"");
+            throw InvalidArgument(
+                "`bonded`, `frictionless` and `poisson_ratio` describe a layer; expected `layer = 1 um`");
         return body;
     }
     if (!stands || !poisson_ratio)
         throw InvalidArgument(
-            "a layer without its base or Poisson ratio; expected --bonded or --frictionless, and "
-            "--nu");
-    body.layer = half_space::Layer{.thickness = parse_quantity(layer, dimension::length),
+            "a layer without its base or Poisson ratio; expected `bonded` or `frictionless`, and `poisson_ratio = 0.5`");
+    if (bonded && frictionless)
+        throw InvalidArgument("a layer both bonded and frictionless; expected one of `bonded` and `frictionless`");
+    require_within(domain::poisson_ratio, *poisson_ratio, fmt::format("{}", *poisson_ratio));
+    body.layer = half_space::Layer{.thickness = parse_quantity(layer, positive(dimension::length)),
                                    .poisson_ratio = *poisson_ratio,
                                    .base = bonded ? half_space::Base::bonded : half_space::Base::frictionless};
     return body;
@@ -31,7 +35,7 @@ half_space::Body BodyRequest::body() const {
 half_space::Interaction InteractionRequest::interaction() const {
     if (work_of_adhesion.empty() || range.empty())
         throw InvalidArgument(
-            "attraction without its work or its range; expected both, --w \"50 mJ/m2\" --range \"0.3 nm\"");
+            "attraction without its work or its range; expected both, `work_of_adhesion = 50 mJ/m2` and `range = 0.3 nm`");
     return {.work_of_adhesion = parse_quantity(work_of_adhesion, positive(dimension::surface_energy)),
             .range = parse_quantity(range, positive(dimension::length)),
             .law = half_space::attraction_law_named(law)};
@@ -51,7 +55,7 @@ TouchingSurface touching_surface(const std::string& file, const topography::Meas
             fmt::format("{}: a profile's points are not equally far apart; expected a map or a line", file));
     }
     if (const Index undefined = result.heights.isNaN().count(); undefined > 0)
-        throw InvalidArgument(fmt::format("{}: {} of {} heights are undefined; fill them with --step fill_undefined",
+        throw InvalidArgument(fmt::format("{}: {} of {} heights are undefined; fill them with the step fill_undefined",
                                           file, undefined, result.heights.size()));
     return result;
 }
@@ -94,7 +98,7 @@ std::vector<Alert> alerts_of_grid(const std::string& file, const half_space::Int
          fmt::format("edges are caught between pixels: w dx/(E* rho^2) is {:.2g}; up to 0.5 works are right to a per "
                      "cent, at 1 opening takes a sixth too much",
                      resolution.squared_ratio),
-         fmt::format("pixels of {} or less, or a longer --range", format_value(resolution.pixel_of_warning, "m"))}};
+         fmt::format("pixels of {} or less, or a longer `range`", format_value(resolution.pixel_of_warning, "m"))}};
 }
 
 void add_input(output::Json& json, const std::string& file, const std::vector<processing::StepRecord>& processing,

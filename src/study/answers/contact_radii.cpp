@@ -14,12 +14,13 @@ namespace setae::answers {
 
 imaging::FrameOptions RadiusRequest::frame_options() const {
     imaging::FrameOptions options;
-    if (micrometres_a_pixel && !pixel.empty()) throw InvalidArgument("--um-per-px and --pixel say the same; give one");
+    if (micrometres_a_pixel && !pixel.empty())
+        throw InvalidArgument("`um_per_px` and `pixel` both state the scale; expected one of them");
     if (micrometres_a_pixel) options.pixel_size = 1e-6 * *micrometres_a_pixel;
     if (!pixel.empty()) options.pixel_size = parse_quantity(pixel, dimension::length);
     options.frame_rate = frame_rate;
     options.ignore_stated_pixel_size = ignore_stated_pixel_size;
-    if (!region.empty()) options.region = parse_region("--region", region);
+    if (!region.empty()) options.region = parse_region("`region`", region);
     options.first = first;
     options.last = last;
     return options;
@@ -36,7 +37,8 @@ imaging::RadiusOptions RadiusRequest::radius_options(parallel::Threads threads) 
     options.frame.least_confidence = least_confidence;
     options.threads = threads;
     if (!exclude.empty() && reason.empty())
-        throw InvalidArgument("--exclude without --reason; say why these frames are left out, such as --reason glare");
+        throw InvalidArgument(
+            "`exclude` without `reason`; say why these frames are left out, such as `reason = glare`");
     for (const long number : exclude) options.excluded.push_back({number, reason});
     return options;
 }

@@ -57,7 +57,7 @@ Alert alert_of(const processing::Seam& seam, const topography::Metadata& metadat
         fmt::format("heights differ by {} (rms) where the map meets itself, neighbouring points by {}: the contact of "
                     "the repeated map has a step there that the surface does not have",
                     format_value(seam.height_step, "m", 3), format_value(seam.usual_step, "m", 3)),
-        "--edges windowed takes the step away, --free lets nothing touch beyond the map, and --edges periodic says "
+        "`edges = windowed` takes the step away, `free` lets nothing touch beyond the map, and `edges = periodic` says "
         "that the surface does repeat itself"};
 }
 
@@ -103,7 +103,7 @@ PipelineResult contact_surface(const std::string& path, const FileRequest& file,
     }
     if (request.made.given())
         throw InvalidArgument(path +
-                              ": --pixels, --cell and --surface are of a surface made from a spectrum or a study; "
+                              ": `pixels`, `cell` and `surface` are of a surface made from a spectrum or a study; "
                               "expected them without a map");
     const auto options = file.read_options();
     const auto channel = formats::open_chosen(path, file.channel, options).front();

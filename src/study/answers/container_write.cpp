@@ -94,7 +94,7 @@ void name_surfaces(const std::string& name, formats::ContainerDraft& draft) {
         if (!surface.name.empty()) continue;
         surface.name = name;
         draft.alerts.push_back(
-            {"NAME_MISSING", name, "a surface without name was given this one", "give another by --name"});
+            {"NAME_MISSING", name, "a surface without name was given this one", "give another by `name`"});
     }
 }
 
@@ -177,11 +177,11 @@ bool WrittenContainer::complete() const {
 WrittenContainer write_container(const ContainerRequest& request) {
     if (request.output.empty()) throw InvalidArgument("no output; give it, as in -o measurements.zip");
     if (request.files.empty() && request.from.empty())
-        throw InvalidArgument("no file; expected measured files or containers, or --from a container or study");
-    require_files(request, request.sizes, "--size");
-    require_files(request, request.units, "--unit");
-    require_files(request, request.channels, "--channel");
-    require_files(request, request.trends, "--detrend");
+        throw InvalidArgument("no file; expected measured files or containers, or `from` with a container or study");
+    require_files(request, request.sizes, "`size`");
+    require_files(request, request.units, "`unit`");
+    require_files(request, request.channels, "`channel`");
+    require_files(request, request.trends, "`detrend`");
     ContainerWriter writer(request);
     for (const auto& file : request.from) writer.add_from(file);
     writer.add_files();

@@ -169,7 +169,7 @@ bool can_be_read(const formats::ChannelInfo& info) {
 Contents contents(const ContentsRequest& request) {
     if (request.paths.empty()) throw InvalidArgument("no file; expected at least one file or folder");
     if (request.heights && request.no_heights)
-        throw InvalidArgument("--heights and --no-heights contradict each other; expected one of them");
+        throw InvalidArgument("`heights` and `no_heights` contradict each other; expected one of them");
     const auto found = study::found_files(request.paths);
     Contents contents{.files = {}, .failed = found.unreadable, .own = found.own};
     for (const auto& file : found.files) {

@@ -23,7 +23,7 @@ study::ContourOptions ContourRequest::options() const {
     options.trace.smoothing_length = smoothing;
     options.trace.denoise = denoise;
     options.trace.least_length = least_length;
-    for (const auto& text : hidden) options.trace.hidden.push_back(parse_region("--hide", text));
+    for (const auto& text : hidden) options.trace.hidden.push_back(parse_region("`hide`", text));
     options.hide_annotations = !whole_picture;
     options.shape = output::shape_from_name(shape);
     if (!foil_thickness.empty()) options.foil_thickness = parse_quantity(foil_thickness, dimension::length);
@@ -32,7 +32,7 @@ study::ContourOptions ContourRequest::options() const {
     options.calibration.ignore_stated_pixel_size = ignore_stated;
     if (!calibration.empty()) {
         if (!pixel.empty() || !scale_bar.empty())
-            throw InvalidArgument("--calibration with --pixel or --scale-bar; give one");
+            throw InvalidArgument("`calibration` with `pixel` or `scale_bar`; give one");
         options.shared_calibration = imaging::read_calibration(calibration).calibration;
     }
     return options;

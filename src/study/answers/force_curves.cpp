@@ -23,7 +23,7 @@ loops::CurveRange range_of(const std::string& text) {
     const auto colon = text.find(':');
     if (colon == std::string::npos)
         throw InvalidArgument(fmt::format(
-            "--fit-range {}: expected FROM:TO, such as \"0 nm:500 nm\", \"1 nN:20 nN\" or shares of the largest indentation, 0:1",
+            "`fit_range = {}`: expected FROM:TO, such as \"0 nm:500 nm\", \"1 nN:20 nN\" or shares of the largest indentation, 0:1",
             text));
     const auto from = text.substr(0, colon), to = text.substr(colon + 1);
     const auto as = [&](Measure measure, const Dimension& dimension) {

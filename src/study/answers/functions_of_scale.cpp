@@ -32,7 +32,7 @@ const topography::HeightMap& map_of(const topography::Measurement& measurement) 
     const auto* map = std::get_if<topography::HeightMap>(&measurement);
     if (!map)
         throw InvalidArgument(topography::label(topography::metadata(measurement)) +
-                              ": a line has no area; leave out --area");
+                              ": a line has no area; leave out `area`");
     return *map;
 }
 
@@ -55,7 +55,7 @@ scales::FunctionOfScale autocorrelation_or_slope(const topography::Measurement& 
                                                  const ScaleRequest& request, parallel::Threads threads) {
     const scales::AutocorrelationOptions options{.threads = threads};
     if (request.area && request.slope)
-        throw InvalidArgument("--slope of an area; take the slope of lines, or leave it out");
+        throw InvalidArgument("`slope` of an area; take the slope of lines, or leave it out");
     if (request.area && !request.longest.empty())
         return scales::autocorrelation_of_area(
             topography::tiled(map_of(measurement)), parse_quantity(request.longest, dimension::length),
@@ -77,7 +77,7 @@ scales::FunctionOfScale autocorrelation_of_tiled_map(const topography::TiledMap&
     if (request.longest.empty())
         throw InvalidArgument(
             topography::label(map.metadata) +
-            ": the area of a map that is read by bands; expected --longest, the longest distance looked at");
+            ": the area of a map that is read by bands; expected `longest`, the longest distance looked at");
     return scales::autocorrelation_of_area(map, parse_quantity(request.longest, dimension::length),
                                            spectra::LogGrid{request.bins_per_decade}, bytes, options);
 }
@@ -94,7 +94,7 @@ scales::FunctionOfScale tiled_map_function(const study::TiledMeasurement& large,
     if (!function)
         throw InvalidArgument(
             topography::label(large.map.metadata) +
-            ": this function needs the map as a whole, which is larger than --memory allows; allow more or crop it");
+            ": this function needs the map as a whole, which is larger than `memory` allows; allow more or crop it");
     const auto lines_together = topography::lines_in(large.map, static_cast<std::size_t>(request.largest_map));
     return function(topography::detrended(large.map, large.trend, lines_together, threads), request, threads);
 }

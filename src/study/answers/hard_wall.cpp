@@ -15,7 +15,7 @@ half_space::Control HardWallRequest::control() const {
     const int given = (pressure.empty() ? 0 : 1) + (displacement.empty() ? 0 : 1) + (mean_gap.empty() ? 0 : 1);
     if (given != 1)
         throw InvalidArgument(
-            fmt::format("{} of --pressure, --displacement and --mean-gap were given; expected one", given));
+            fmt::format("{} of `pressure`, `displacement` and `mean_gap` were given; expected one", given));
     if (!pressure.empty()) return half_space::MeanPressure{parse_quantity(pressure, dimension::pressure)};
     if (!mean_gap.empty()) return half_space::MeanGap{parse_quantity(mean_gap, dimension::length)};
     return half_space::Displacement{parse_quantity(displacement, dimension::length)};
@@ -30,7 +30,8 @@ HardWallAnswer hard_wall(const std::string& file, const topography::Measurement&
                          const HardWallRequest& request, parallel::Threads threads,
                          const std::function<void(const half_space::SolveProgress&)>& progress) {
     if (!request.stage_stiffness.empty())
-        throw InvalidArgument("--stage-stiffness is of a contact with adhesion; expected --w and --range with it");
+        throw InvalidArgument(
+            "`stage_stiffness` belongs to a contact with adhesion; expected `work_of_adhesion` and `range` with it");
     auto surface = touching_surface(file, measurement);
     HardWallAnswer answer{.file = file,
                           .problem = {.grid = surface.grid,
@@ -51,7 +52,7 @@ HardWallAnswer hard_wall(const std::string& file, const topography::Measurement&
         alerts.push_back({"CONTACT_NOT_CONVERGED", file,
                           fmt::format("pressures may be off: the duality gap is {:.1e}, wanted was {:.1e}",
                                       contact.certificate.duality_gap, request.tolerance),
-                          "raise --tolerance, or resolve the surface's shortest waves with more points"});
+                          "raise `tolerance`, or resolve the surface's shortest waves with more points"});
     quantities = half_space::contact_quantities(problem, contact, stiffness);
     return answer;
 }

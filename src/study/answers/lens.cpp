@@ -24,7 +24,7 @@ const Array1D& length_column(const Table& table, const std::string& file, const 
         if (lengths.size() > place) return lengths[place]->values;
         throw FormatError(file, {},
                           "a profile needs two columns of lengths with their units, such as \"x [mm]\" and "
-                          "\"z [um]\"; name them with --x and --z");
+                          "\"z [um]\"; name them with `x` and `z`");
     }
     const Column* column = table.find(name);
     if (column == nullptr || column->unit != "m")

@@ -112,10 +112,10 @@ tables::ChosenColumns LoopFiles::chosen() const {
     for (const auto& text : columns) {
         const auto equals = text.find('=');
         if (equals == std::string::npos || equals == 0 || trimmed(text.substr(equals + 1)).empty())
-            throw InvalidArgument(fmt::format("--column {}: expected ROLE=COLUMN, such as force=Load", text));
+            throw InvalidArgument(fmt::format("`column = {}`: expected ROLE=COLUMN, such as force=Load", text));
         const std::string role(trimmed(text.substr(0, equals)));
         if (!all.emplace(role, trimmed(text.substr(equals + 1))).second)
-            throw InvalidArgument(fmt::format("--column {}: {} is chosen twice; choose one column", text, role));
+            throw InvalidArgument(fmt::format("`column = {}`: {} is chosen twice; choose one column", text, role));
     }
     return all;
 }
@@ -161,8 +161,7 @@ study::OpenedLoop LoopFiles::open(const std::string& file) const {
 study::StatedBodies LoopBodies::bodies(const Table& loop) const {
     auto bodies = without_radius(loop);
     if (!(bodies.values.radius > 0.0))
-        throw InvalidArgument(
-            "missing --radius, the radius of the sphere, such as --radius \"7.5 um\"; the file does not say it");
+        throw InvalidArgument("no radius of the sphere, and the file contains none; expected `radius = 7.5 um`");
     return bodies;
 }
 
@@ -196,7 +195,8 @@ loops::DriftModel LoopSettings::drift_model() const {
     const loops::DriftModel model = loops::drift_model_named(drift);
     if (!no_drift) return model;
     if (model != loops::DriftModel::automatic && model != loops::DriftModel::constant)
-        throw InvalidArgument(fmt::format("--no-drift and --drift {} contradict each other; give one of them", drift));
+        throw InvalidArgument(
+            fmt::format("`no_drift` and `drift = {}` contradict each other; give one of them", drift));
     return loops::DriftModel::constant;
 }
 

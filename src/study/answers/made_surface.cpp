@@ -67,7 +67,7 @@ const study::SurfaceInput& chosen(const study::Study& study, const std::string& 
         if (surface.name == name || (name.empty() && study.surfaces.size() == 1)) return surface;
         names.push_back(surface.name);
     }
-    throw InvalidArgument(fmt::format("{}: {}; expected --surface with one of {}", path,
+    throw InvalidArgument(fmt::format("{}: {}; expected `surface` with one of {}", path,
                                       name.empty() ? "more than one surface" : "no surface '" + name + "'",
                                       fmt::join(names, ", ")));
 }
@@ -91,7 +91,7 @@ study::SurfaceResult analysed(const std::string& path, const FileRequest& file, 
 synthesis::SurfaceGrid grid_of(const MadeSurfaceRequest& request, const Band& band) {
     if (request.pixels.empty())
         throw InvalidArgument(
-            "a spectrum is no map; expected --pixels 512 and --cell \"2 um\" of the surface to be made");
+            "a spectrum is no map; expected `pixels = 512` and `cell = 2 um` of the surface to be made");
     return surface_grid(request.pixels, request.cell, band);
 }
 
@@ -103,7 +103,7 @@ Band held(const Band& band, const synthesis::SurfaceGrid& grid) {
     if (waves.lower < waves.upper) return waves;
     throw InvalidArgument(fmt::format(
         "the grid holds no wave of the spectrum, which has {} to {}, while four pixels are {} and the cell is {}; "
-        "expected another --cell or more --pixels",
+        "expected another `cell` or more `pixels`",
         format_value(2.0 * pi / band.upper, "m"), format_value(2.0 * pi / band.lower, "m"),
         format_value(pixels_per_wave * pixel, "m"), format_value(std::min(grid.size_x, grid.size_y), "m")));
 }

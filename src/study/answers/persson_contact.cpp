@@ -14,22 +14,16 @@
 #include "setae/core/units.hpp"
 
 namespace setae::answers {
-half_space::Body PerssonRequest::body() const {
-    if (modulus.empty() || pressure.empty())
-        throw InvalidArgument(
-            "expected --contact-modulus and --pressure, such as --contact-modulus 1GPa --pressure 10MPa");
-    require_within(domain::poisson_ratio, poisson_ratio, fmt::format("{}", poisson_ratio));
-    half_space::Body body{.contact_modulus = parse_quantity(modulus, positive(dimension::pressure))};
-    if (!layer.empty())
-        body.layer = {.thickness = parse_quantity(layer, positive(dimension::length)),
-                      .poisson_ratio = poisson_ratio,
-                      .base = frictionless ? half_space::Base::frictionless : half_space::Base::bonded};
-    return body;
+
+void PerssonRequest::require_complete() const {
+    (void)body();
+    if (pressure.empty()) throw InvalidArgument("no pressure; expected `pressure = 10 MPa`");
 }
 
 persson::LoadOptions PerssonRequest::options() const {
     persson::LoadOptions options{.energy_factor = energy_factor};
-    if (!work.empty()) options.work_of_adhesion = parse_quantity(work, non_negative(dimension::surface_energy));
+    if (!work_of_adhesion.empty())
+        options.work_of_adhesion = parse_quantity(work_of_adhesion, non_negative(dimension::surface_energy));
     return options;
 }
 
@@ -43,6 +37,7 @@ study::SurfaceResult surface_for_theory(const study::SurfaceInput& input, study:
 }
 
 PerssonContact persson_contact(const study::SurfaceResult& surface, const PerssonRequest& request) {
+    request.require_complete();
     const auto body = request.body();
     const auto pressures = pressures_of(request.pressure);
     const auto options = request.options();

@@ -22,7 +22,7 @@ namespace {
 Table given(const PowerSpectrumRequest& request) {
     const auto& input = request.surface;
     if (request.abel || request.fit.wanted)
-        throw InvalidArgument(fmt::format("{}: --abel and --fit are for measurements, this is a table of a spectrum",
+        throw InvalidArgument(fmt::format("{}: `abel` and `fit` are for measurements, this is a table of a spectrum",
                                           *input.power_spectrum));
     auto table = tables::read_power_spectrum_table(*input.power_spectrum, input.spectrum_units);
     if (const auto* C_iso = table.find("C_iso")) {

@@ -40,7 +40,7 @@ formats::ReadOptions FileRequest::read_options() const {
     if (!unit.empty()) options.unit = unit;
     if (as == "spectrum")
         throw InvalidArgument(
-            "--as spectrum: a table of a spectrum holds no heights; setae psd, params, adhesion and "
+            "`as = spectrum`: a table of a spectrum holds no heights; setae psd, params, adhesion and "
             "synthesize take it");
     require_word("layout", as, {"matrix", "columns"});
     if (!as.empty()) options.layout = as == "matrix" ? formats::TextLayout::matrix : formats::TextLayout::columns;

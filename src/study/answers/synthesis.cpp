@@ -125,14 +125,14 @@ topography::Measurement SynthesisPlan::make() const {
 
 SynthesisPlan SynthesisRequest::plan(parallel::Threads threads) const {
     require_word("amplitudes", amplitudes, {"gaussian", "exact"});
-    if (size.empty()) throw InvalidArgument("no extent; expected --size, such as \"5 um\"");
+    if (size.empty()) throw InvalidArgument("no extent; expected `size = 5 um`");
     SynthesisPlan plan;
     plan.line = line;
     const auto points = point_counts(pixels);
     const auto extent = extents(size);
     plan.grid = {points[0], points[1], extent[0], extent[1]};
     if (!window_of.empty()) {
-        if (line) throw InvalidArgument("--window-of is for surfaces; leave it out with --line");
+        if (line) throw InvalidArgument("`window_of` is for surfaces; leave it out with `line`");
         const auto whole = extents(window_of);
         const auto count = [&](std::size_t i) {
             return static_cast<Index>(std::llround(whole[i] / extent[i] * static_cast<double>(points[i])));
@@ -143,9 +143,9 @@ SynthesisPlan SynthesisRequest::plan(parallel::Threads threads) const {
                      pixel_y = extent[1] / static_cast<double>(points[1]);
         plan.grid = {nx, ny, pixel_x * static_cast<double>(nx), pixel_y * static_cast<double>(ny)};
         if (nx < points[0] || ny < points[1])
-            throw InvalidArgument(
-                fmt::format("--window-of {} is smaller than --size {}; expected a window no larger than the surface",
-                            window_of, size));
+            throw InvalidArgument(fmt::format(
+                "`window_of = {}` is smaller than `size = {}`; expected a window no larger than the surface", window_of,
+                size));
     }
     plan.options = {
         .key = {seed},
@@ -153,12 +153,12 @@ SynthesisPlan SynthesisRequest::plan(parallel::Threads threads) const {
         .anisotropy = {stretch, angle * pi / 180.0},
         .threads = threads};
     if (skewness || kurtosis) {
-        if (line) throw InvalidArgument("--skewness and --kurtosis are for surfaces; leave them out with --line");
+        if (line) throw InvalidArgument("`skewness` and `kurtosis` are for surfaces; leave them out with `line`");
         plan.heights = synthesis::johnson_heights({skewness.value_or(0.0), kurtosis.value_or(3.0)});
     }
     if (spectrum.empty()) {
         if (!spectrum_unit.empty())
-            throw InvalidArgument("--unit is that of a table's columns; expected --spectrum with it");
+            throw InvalidArgument("`unit` is that of a table's columns; expected `spectrum` with it");
         plan.density = self_affine(plan.grid);
     } else {
         const auto table = tables::read_power_spectrum_table(
@@ -175,16 +175,16 @@ SynthesisPlan SynthesisRequest::plan(parallel::Threads threads) const {
 
 spectra::SpectralDensity SynthesisRequest::self_affine(const synthesis::SurfaceGrid& grid) const {
     if (!hurst || rolloff.empty() || short_cutoff.empty())
-        throw InvalidArgument("no spectrum; expected --hurst, --rolloff and --short-cutoff, or --spectrum table.csv");
+        throw InvalidArgument("no spectrum; expected `hurst`, `rolloff` and `short_cutoff`, or `spectrum = table.csv`");
     if (rms_height.empty() + rms_slope.empty() + plateau.empty() != 2)
-        throw InvalidArgument("how rough? expected one of --rms-height, --rms-slope and --plateau");
-    spectra::SelfAffine model{1.0, wavevector_of(rolloff, "--rolloff"), *hurst,
-                              wavevector_of(short_cutoff, "--short-cutoff")};
+        throw InvalidArgument("no amplitude; expected one of `rms_height`, `rms_slope` and `plateau`");
+    spectra::SelfAffine model{1.0, wavevector_of(rolloff, "`rolloff`"), *hurst,
+                              wavevector_of(short_cutoff, "`short_cutoff`")};
     (void)spectra::density(model);
-    const double longest = long_cutoff.empty() ? 0.0 : wavevector_of(long_cutoff, "--long-cutoff");
+    const double longest = long_cutoff.empty() ? 0.0 : wavevector_of(long_cutoff, "`long_cutoff`");
     if (longest > model.rolloff_wavevector * (1.0 + 1e-12))
         throw InvalidArgument(
-            fmt::format("--long-cutoff {} is shorter than --rolloff {}; expected it longer, or no other than it",
+            fmt::format("`long_cutoff = {}` is shorter than `rolloff = {}`; expected it longer, or no other than it",
                         long_cutoff, rolloff));
     // moments of the unit plateau without the wavevectors that are cut
     const double unit_height = spectra::moment(model, 0.0) - longest * longest / 2.0,
@@ -197,7 +197,7 @@ spectra::SpectralDensity SynthesisRequest::self_affine(const synthesis::SurfaceG
     if (!line) return C_iso;
     if (longest > 0.0)
         throw InvalidArgument(
-            "--long-cutoff is for surfaces; a line crosses its long waves at any angle, give --spectrum with C1D instead");
+            "`long_cutoff` is for surfaces; a line crosses its long waves at any angle, give `spectrum` with C1D instead");
     return spectra::profile_density(
         C_iso, {std::min(0.01 * model.rolloff_wavevector, 2.0 * pi / grid.size_x), model.short_wavevector});
 }

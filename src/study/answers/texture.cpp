@@ -20,9 +20,9 @@ bool TextureRequest::asked() const {
          {s_filter, l_filter, section_length, kind, averages, mean_line, between, format, material_height, only})
         if (!option.empty() || material_ratio)
             throw InvalidArgument(
-                "--only, --s-filter, --l-filter, --section-length, --profile, --averages, --mean-line, --between, --format, "
-                "--material-height and --material-ratio are of a standard's parameters; "
-                "give --standard iso25178 or --standard iso21920");
+                "`only`, `s_filter`, `l_filter`, `section_length`, `profile`, `averages`, `mean_line`, `between`, `format`, "
+                "`material_height` and `material_ratio` are of a standard's parameters; "
+                "give `standard = iso25178` or `standard = iso21920`");
     return false;
 }
 
@@ -30,7 +30,7 @@ texture::Filters TextureRequest::filters() const {
     texture::Filters filters;
     if (!s_filter.empty()) filters.s_filter = parse_quantity(s_filter, dimension::length);
     if (l_filter == "default" && standard != "iso21920")
-        throw InvalidArgument("--l-filter default is of iso21920; give a length, such as 0.8mm");
+        throw InvalidArgument("`l_filter = default` is of iso21920; give a length, such as 0.8mm");
     if (!l_filter.empty() && l_filter != "default") filters.l_filter = parse_quantity(l_filter, dimension::length);
     return filters;
 }

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "setae/crack_front/straight_front.hpp"
+#include "straight_front.hpp"
 
 namespace pinning_survey {
 

@@ -200,7 +200,7 @@ def recall(program, folder, surfaces, count):
         codes, undefined = read(program, folder, heights)
         outcome = "all" if undefined == marked and CODES[0] in codes else "said" if codes & set(CODES) else "missed"
         found[f"{mark:g}"][outcome] += 1
-    lines = ["| mark | files | all marks undefined | only said | missed |", "|---|---|---|---|---|"]
+    lines = ["| mark | files | all marks undefined | only suspected | missed |", "|---|---|---|---|---|"]
     for mark in sorted(found, key=float):
         n = found[mark]
         lines.append(f"| {mark} | {sum(n.values())} | {n['all']} | {n['said']} | {n['missed']} |")

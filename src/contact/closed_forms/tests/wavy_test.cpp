@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/contact/wavy.hpp"
+#include "wavy.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "setae/core/constants.hpp"
-#include "setae/core/errors.hpp"
 
 namespace setae::contact::wavy::wavy_test {
 namespace {
@@ -26,7 +25,6 @@ TEST(WavySurface, ClosesAtThePressuresTabulated) {
 TEST(WavySurface, ClosesByItselfBelowHalfItsWork) {
     EXPECT_NEAR(closing_pressure(closing_energy()), 0.0, 1e-12);
     EXPECT_NEAR(closing_energy(), 0.490, 2e-3);
-    EXPECT_THROW((void)closing_pressure(0.0), InvalidArgument);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/crack_front/straight_front.hpp"
+#include "straight_front.hpp"
 
 #include <cmath>
 #include <vector>

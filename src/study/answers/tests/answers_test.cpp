@@ -82,7 +82,7 @@ study::SurfaceResult self_affine_surface() {
 
 ComparisonRequest comparison(const std::string& pressure) {
     ComparisonRequest request;
-    request.theory.modulus = "1 GPa";
+    request.theory.contact_modulus = "1 GPa";
     request.theory.pressure = pressure;
     request.pixels = "96";
     request.surfaces = 3;

@@ -14,15 +14,12 @@ struct FigureRequest {
 /// Each fills the figure and its caption, or the reason.
 void combined_spectra(const FigureRequest& request, StudyFigure& drawn);              // 1
 void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn);      // 2
-void states_of_the_balance(const FigureRequest& request, StudyFigure& drawn);         // 3
-void apparatus(const FigureRequest& request, StudyFigure& drawn);                     // S4
 void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn);           // 4
 void stylus_scans(const FigureRequest& request, StudyFigure& drawn);                  // S1
 void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn);         // S2
 void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn);             // S3
 void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn);         // S5
 void contact_radius_of_references(const FigureRequest& request, StudyFigure& drawn);  // S6
-void true_area(const FigureRequest& request, StudyFigure& drawn);                     // S7
 void persson_tosatti_prediction(const FigureRequest& request, StudyFigure& drawn);    // S8
 void measured_spectra(const FigureRequest& request, const study::SurfaceResult& surface,
                       StudyFigure& drawn);                                          // spectra:NAME

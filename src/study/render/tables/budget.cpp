@@ -96,9 +96,9 @@ tables::TidyTable budget_table(const study::StudyResult& result) {
 tables::TidyTable left_out_table(const study::StudyResult& result) {
     tables::TidyTable table{
         "",
-        {"left_out", "surface", "elastomer", "method", "W_app measured [J/m2]", "standard_error measured [J/m2]",
-         "W_app (7) by the others [J/m2]", "standard_error (7) [J/m2]", "residual [J/m2]",
-         "standard_error residual [J/m2]", "held by the 95 % interval"},
+        {"left_out", "surface", "elastomer", "method", "W_app measured [J/m2]", "W_app measured standard_error [J/m2]",
+         "W_app (7) by the others [J/m2]", "W_app (7) by the others standard_error [J/m2]", "residual [J/m2]",
+         "residual standard_error [J/m2]", "held by the 95 % interval"},
         {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->left_out)
@@ -110,10 +110,11 @@ tables::TidyTable left_out_table(const study::StudyResult& result) {
 }
 
 tables::TidyTable profile_table(const study::StudyResult& result) {
-    tables::TidyTable table{"",
-                            {"input", "method", "shift [standard errors]", "W_int [J/m2]", "standard_error [J/m2]",
-                             "log likelihood", "input by the pairs [standard errors]", "its standard error"},
-                            {}};
+    tables::TidyTable table{
+        "",
+        {"input", "method", "shift [standard errors]", "W_int [J/m2]", "W_int standard_error [J/m2]", "log likelihood",
+         "input by the pairs [standard errors]", "input by the pairs standard_error"},
+        {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& profile : conclusions->profiles)
             for (const auto& point : profile.points)

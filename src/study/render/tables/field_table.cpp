@@ -14,10 +14,9 @@ using tables::TidyTable;
 void put_headings(TidyTable& table, std::span<const fields::Column> view) {
     for (const auto& column : view) {
         const auto unit = column.row->unit;
-        const auto heading =
-            unit.empty() || unit == "1" ? std::string(column.heading) : fmt::format("{} [{}]", column.heading, unit);
-        table.columns.push_back(heading);
-        if (has_error(column)) table.columns.push_back("standard_error " + heading);
+        const auto in = unit.empty() || unit == "1" ? "" : fmt::format(" [{}]", unit);
+        table.columns.push_back(std::string(column.heading) + in);
+        if (has_error(column)) table.columns.push_back(fmt::format("{} standard_error{}", column.heading, in));
     }
 }
 

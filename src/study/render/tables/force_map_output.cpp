@@ -64,7 +64,7 @@ tables::TidyTable curves_table(const study::ForceMap& map) {
     tables::TidyTable table{"curves", {"curve", "x [m]", "y [m]", "column", "row"}, {}};
     for (const auto& quantity : loops::curve_quantities()) {
         table.columns.push_back(fmt::format("{} [{}]", quantity.column, quantity.unit));
-        table.columns.push_back(fmt::format("{}_standard_error [{}]", quantity.column, quantity.unit));
+        table.columns.push_back(fmt::format("{} standard_error [{}]", quantity.column, quantity.unit));
     }
     table.columns.emplace_back("reason");
     for (const auto& curve : map.curves) {

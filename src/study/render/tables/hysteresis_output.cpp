@@ -469,7 +469,7 @@ TidyTable hysteresis_table(const study::Hysteresis& h) {
 }
 
 TidyTable joint_table(const study::Hysteresis& h) {
-    TidyTable table{"", {"input", "unit", "before", "standard_error before", "after", "standard_error after"}, {}};
+    TidyTable table{"", {"input", "unit", "before", "before standard_error", "after", "after standard_error"}, {}};
     for (const auto& input : h.joint->inputs)
         table.rows.push_back({input.name, input.unit, input.before.value, input.before.standard_error,
                               input.after.value, input.after.standard_error});
@@ -478,7 +478,7 @@ TidyTable joint_table(const study::Hysteresis& h) {
 
 TidyTable model_work_table(const study::Hysteresis& h) {
     TidyTable table{"",
-                    {"surface", "elastomer", "model", "W_ret [J/m2]", "standard_error [J/m2]",
+                    {"surface", "elastomer", "model", "W_ret [J/m2]", "W_ret standard_error [J/m2]",
                      "log_likelihood surface left out", "reason"},
                     {}};
     for (const auto& p : h.pairs)

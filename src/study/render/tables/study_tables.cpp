@@ -99,10 +99,10 @@ std::string method_name(const study::StudyResult& result, const study::Conclusio
 }
 
 std::vector<std::string> uncertainty_columns(const std::string& name, const std::string& unit) {
-    const std::string of = name.empty() ? "" : " " + name, in = unit.empty() ? "" : " [" + unit + "]";
-    return {"standard_error" + of + in, "interval_low" + of + in,
-            "interval_high" + of + in,  "level" + of,
-            "interval_method" + of,     "seed" + of};
+    const std::string of = name.empty() ? "" : name + " ", in = unit.empty() ? "" : " [" + unit + "]";
+    return {of + "standard_error" + in, of + "interval_low" + in,
+            of + "interval_high" + in,  of + "level",
+            of + "interval_method",     of + "seed"};
 }
 
 Cells uncertainty_cells(const std::optional<Estimate>& estimate) {
@@ -137,9 +137,9 @@ tables::TidyTable surface_table(const study::StudyResult& result) {
 
 tables::TidyTable pair_table(const study::StudyResult& result) {
     tables::TidyTable table{"", {"surface", "elastomer", "method", "W_app measured [J/m2]"}, {}};
-    append(table.columns, uncertainty_columns("measured", "J/m2"));
+    append(table.columns, uncertainty_columns("W_app measured", "J/m2"));
     append(table.columns, {"W_app (7) [J/m2]", "W_app (7) raw [J/m2]"});
-    append(table.columns, uncertainty_columns("(7)", "J/m2"));
+    append(table.columns, uncertainty_columns("W_app (7)", "J/m2"));
     append(table.columns, {"W_app (S13) [J/m2]", "W_app (2) [J/m2]", "A_true/A_app [1]", "U_el/A_app [J/m2]"});
     append(table.columns, uncertainty_columns("U_el/A_app", "J/m2"));
     append(table.columns, {"W pull-off [J/m2]", "W retraction [J/m2]", "E_loss [J]"});
@@ -147,7 +147,7 @@ tables::TidyTable pair_table(const study::StudyResult& result) {
     table.columns.emplace_back("E_loss (10) [J]");
     append(table.columns, uncertainty_columns("E_loss (10)", "J"));
     append(table.columns, {"contact area [m2]", "ideal smooth loss [J]", "W_app partial contact [J/m2]"});
-    append(table.columns, uncertainty_columns("partial contact", "J/m2"));
+    append(table.columns, uncertainty_columns("W_app partial contact", "J/m2"));
     table.columns.emplace_back("partial contact A/A_app [1]");
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->pairs) {
@@ -183,9 +183,9 @@ namespace {
 
 tables::TidyTable table_of_fits() {
     tables::TidyTable table{"", {"fit", "variant", "method", "W_int [J/m2]"}, {}};
-    append(table.columns, uncertainty_columns("", "J/m2"));
+    append(table.columns, uncertainty_columns("W_int", "J/m2"));
     append(table.columns, {"R2", "chi2", "extra_scatter", "n", "reported W_int [J/m2]",
-                           "reported standard_error [J/m2]", "reported R2"});
+                           "reported W_int standard_error [J/m2]", "reported R2"});
     return table;
 }
 
@@ -311,9 +311,9 @@ tables::TidyTable loop_energy_table(const study::StudyResult& result) {
 
 tables::TidyTable cutoff_table(const study::StudyResult& result) {
     tables::TidyTable table{"", {"shortest wavelength [m]", "method", "W_int (7) [J/m2]"}, {}};
-    append(table.columns, uncertainty_columns("(7)", "J/m2"));
+    append(table.columns, uncertainty_columns("W_int (7)", "J/m2"));
     append(table.columns, {"R2 (7)", "W_int (S13) [J/m2]", "R2 (S13)", "W_int (7) by generalised least squares [J/m2]",
-                           "its standard error [J/m2]", "log likelihood (7)"});
+                           "W_int (7) by generalised least squares standard_error [J/m2]", "log likelihood (7)"});
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->cutoff_scan) {
             Cells row;
@@ -403,8 +403,8 @@ tables::TidyTable replicate_mean_table(const study::StudyResult& result) {
 tables::TidyTable prediction_test_table(const study::StudyResult& result) {
     tables::TidyTable table{
         "",
-        {"surface", "elastomer", "method", "W_app measured [J/m2]", "standard_error measured [J/m2]",
-         "W_app (7) [J/m2]", "standard_error (7) [J/m2]", "residual [J/m2]", "standard_error residual [J/m2]",
+        {"surface", "elastomer", "method", "W_app measured [J/m2]", "W_app measured standard_error [J/m2]",
+         "W_app (7) [J/m2]", "W_app (7) standard_error [J/m2]", "residual [J/m2]", "residual standard_error [J/m2]",
          "residual [standard errors]", "chi2", "degrees_of_freedom", "probability", "extra_scatter [J/m2]",
          "chi2 with scatter", "probability with scatter"},
         {}};

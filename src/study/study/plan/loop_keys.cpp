@@ -86,7 +86,7 @@ Keys<ExperimentInput> keys_of_loops() {
             [](ExperimentInput& e, const std::string& text) {
                 e.options.segments.drift = loops::drift_model_named(text);
             },
-            "curve that the zero of force follows in time ([loops](../theory/loops.md#drift))")
+            "curve that the zero of force follows in time ([loops](../concepts/loops.md#drift))")
         .by_default("`auto`")
         .add({"force_drift", "true or false", "", "true", "false: the same as `drift = \"none\"`"}, read_force_drift)
         .add(
@@ -129,11 +129,11 @@ Keys<ExperimentInput> keys_of_loops() {
             [](ExperimentInput& e, const std::string& text) {
                 e.options.contact_point = loops::parse_contact_point(text);
             },
-            "where fits of force against displacement begin ([loops](../theory/loops.md))")
+            "where fits of force against displacement begin ([loops](../concepts/loops.md))")
         .by_default("`auto`")
         .add(
             {"models", "list of texts", "", "",
-             "models fitted beside JKR's own routes ([contact models](../theory/contact-models.md)), or `[\"all\"]`; in study.json under "
+             "models fitted beside JKR's own routes ([contact models](../concepts/contact-models.md)), or `[\"all\"]`; in study.json under "
              "`models`"},
             read_models)
         .add("profile", fitted(&Models::profile), "E* and W by profile likelihood")

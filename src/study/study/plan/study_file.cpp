@@ -312,7 +312,7 @@ const Keys<ElastomerInput>& elastomer_keys() {
                 [](Input& e, StatedEdgeSpeed stated) { e.crack_speed = std::move(stated); },
                 "`{ reference_speed = \"1.0 ± 0.1 um/s\", exponent = \"0.60 ± 0.02\" }`: how much more energy an edge asks for "
                 "the faster it recedes; without it, it is fitted to the references on this elastomer "
-                "([hysteresis](../theory/hysteresis.md))")
+                "([hysteresis](../concepts/hysteresis.md))")
             .add(
                 {"relaxation", "list of tables", "", "",
                  "`[{ share = \"0.10 ± 0.02\", time = \"20 s\" }, …]`: terms of E(t)/E∞ = 1 + Σ g e^(−t/τ), by which its bulk "
@@ -374,7 +374,7 @@ const Keys<ExperimentInput>& experiment_keys() {
                 "likewise, in m/V or m/A")
             .add({"segments", "list of texts", "", "",
                   "replace what was found in the record, such as `\"loading=120:900\"`, `\"ignore=30:35 (slip)\"` "
-                  "([loops](../theory/loops.md))"},
+                  "([loops](../concepts/loops.md))"},
                  [](TomlReader& reader, Input& e) {
                      for (const auto& edit : reader.texts("segments"))
                          parse_at(reader, "segments", [&] { loops::add_segment_edit(e.options.segments.edits, edit); });

@@ -70,7 +70,7 @@ std::string page_of(const study::StudyResult& result) {
     return as_html(
         result,
         study_figures::study_figures(
-            result, {.threads = {1}, .area_map_points = 128, .max_of_a_kind = study_figures::max_of_a_kind_in_reports}),
+            result, {.threads = {1}, .max_of_a_kind = study_figures::max_of_a_kind_in_reports}),
         run);
 }
 

@@ -8,8 +8,6 @@
 #include <map>
 
 #include "setae/core/errors.hpp"
-#include "setae/roughness/true_area.hpp"
-#include "setae/study_figures/true_area_of_maps.hpp"
 #include "small_studies.hpp"
 
 namespace setae::study_figures::write_figures_test {
@@ -116,31 +114,6 @@ TEST(FigureNumbers, SayHowTheyAreMadeAgain) {
         text.find("\nA,smooth on soft,smooth on soft,predicted W_app,mJ/m2,30,measured W_app,mJ/m2,33,31,35,28,32\n"),
         std::string::npos)
         << text;
-}
-
-TEST(TrueAreaOfMaps, IsThatOfGaussianSlopesAndTheSameForAnyNumberOfThreads) {
-    const auto one = true_area_of_maps({.points = 128, .threads = {1}}),
-               two = true_area_of_maps({.points = 128, .threads = {2}});
-    ASSERT_EQ(one.size(), 60u);
-    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].area_ratio, two[i].area_ratio) << i;
-    const auto rows = means(one);
-    ASSERT_EQ(rows.size(), 20u);
-    // small slopes: h'²/2, to h'⁴
-    EXPECT_NEAR(rows[0].excess_area, 0.5e-4, 1e-8);
-    EXPECT_NEAR(rows[9].rms_slope, 10.0, 1e-12);
-    // maps of 128² scatter by some 0.2 %
-    EXPECT_NEAR(rows[9].excess_area, roughness::gaussian_area_ratio(10.0) - 1.0, 0.05);
-    EXPECT_THROW((void)true_area_of_maps({.points = 100}), InvalidArgument);
-}
-
-TEST(TrueAreaFigure, IsTheSameFromTheStore) {
-    const Folder folder;
-    const cache::Store store(folder / "store", "1");
-    const auto cold = study_figure({}, "S7", {.area_map_points = 128, .store = &store});
-    EXPECT_EQ(store.traffic().kept, 1u);
-    const auto warm = study_figure({}, "S7", {.area_map_points = 128, .store = &store});
-    EXPECT_EQ(store.traffic().found, 1u);
-    EXPECT_EQ(data_of(cold, "a.toml"), data_of(warm, "a.toml"));
 }
 
 }  // namespace

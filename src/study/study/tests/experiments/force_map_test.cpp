@@ -99,8 +99,8 @@ TEST_F(FittedForceMap, IsWrittenAsTableAndMaps) {
     std::getline(table, first);
     EXPECT_EQ(
         header,
-        "curve,x [m],y [m],column,row,E_star [Pa],E_star_standard_error [Pa],E [Pa],E_standard_error [Pa],W [J/m2],"
-        "W_standard_error [J/m2],F_po [N],F_po_standard_error [N],E_loss [J],E_loss_standard_error [J],reason");
+        "curve,x [m],y [m],column,row,E_star [Pa],E_star standard_error [Pa],E [Pa],E standard_error [Pa],W [J/m2],"
+        "W standard_error [J/m2],F_po [N],F_po standard_error [N],E_loss [J],E_loss standard_error [J],reason");
     EXPECT_TRUE(first.starts_with("0,0,-1.5e-06,0,1,"));
     EXPECT_TRUE(written[1].ends_with("map.gwy"));
 }

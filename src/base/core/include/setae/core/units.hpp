@@ -59,10 +59,10 @@ void require_within(const Domain& domain, double value, std::string_view given);
 struct Expected {
     Dimension dimension;
     Domain domain;
-    Expected(const Dimension& of, const Domain& within = domain::finite) : dimension(of), domain(within) {}
+    constexpr Expected(const Dimension& of, const Domain& within = domain::finite) : dimension(of), domain(within) {}
 };
-[[nodiscard]] inline Expected positive(const Dimension& of) { return {of, domain::positive}; }
-[[nodiscard]] inline Expected non_negative(const Dimension& of) { return {of, domain::non_negative}; }
+[[nodiscard]] constexpr Expected positive(const Dimension& of) { return {of, domain::positive}; }
+[[nodiscard]] constexpr Expected non_negative(const Dimension& of) { return {of, domain::non_negative}; }
 
 /// A unit as its factor to SI and its dimension: "mJ/m2" is {1e-3, surface energy}.
 struct Unit {

@@ -28,6 +28,7 @@
 #include "setae/core/arrays.hpp"
 #include "setae/core/quantity.hpp"
 #include "setae/core/traced_value.hpp"
+#include "setae/fields/member_of.hpp"
 #include "setae/fields/row.hpp"
 
 namespace setae::fields {
@@ -42,14 +43,6 @@ template <class T>
 concept HasRows = requires { Described<T>::description; };
 
 namespace detail {
-
-template <class T>
-struct MemberOf;
-template <class Of, class Value>
-struct MemberOf<Value Of::*> {
-    using Object = Of;
-    using Type = Value;
-};
 
 /// A spelling for each member, or base. (Addresses would do, but GCC compares none in constants under its sanitizers.)
 template <auto Member>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "setae/answers/contact_problem.hpp"
 #include "setae/answers/sweep_maps.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/half_space/adhesive_loop.hpp"
 #include "setae/parallel/for_each.hpp"
 
@@ -14,12 +16,11 @@ namespace setae::answers {
 
 /// What `setae contact sweep` is told beside the surface; see docs/concepts/adhesive-cells.md.
 struct SweepRequest : BodyRequest, InteractionRequest {
-    std::string stage_stiffness;  ///< "10 N/m"; empty: the mean gap is moved
-    std::string to_gap;           ///< where it turns; empty: full contact
-    std::string to_pressure;      ///< or there, where that comes first
-    double largest_move = 1.0;    ///< of any gap in a step, over the range
-    std::string restart;          ///< file a stopped sweep goes on from
-    bool maps = false;            ///< whether states are kept point by point; not with a restart file
+    std::string stage_stiffness;      ///< empty: the mean gap is prescribed
+    std::string to_gap, to_pressure;  ///< what is reached first counts; both empty: full contact
+    double largest_move = 1.0;        ///< of any gap in a step, over the range
+    std::string restart;              ///< file from which a stopped sweep continues
+    bool maps = false;                ///< whether states are kept point by point; not with a restart file
 
     /// @throws InvalidArgument for what is missing or malformed, before heights are read.
     void require_complete() const;
@@ -58,3 +59,29 @@ struct SweepAnswer {
 [[nodiscard]] output::Json to_json(const SweepAnswer& answer, const std::vector<processing::StepRecord>& processing);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::SweepRequest> {
+    using R = answers::SweepRequest;
+    static constexpr std::array options{
+        option<&R::stage_stiffness>("stage_stiffness", "stiffness of the stage that is moved")
+            .of(positive(dimension::stiffness))
+            .such_as("10 N/m")
+            .or_else("the mean gap is prescribed"),
+        option<&R::to_gap>("to_gap", "mean gap, or position of the stage, where the sweep turns")
+            .of(non_negative(dimension::length))
+            .such_as("2 nm")
+            .or_else("0, full contact"),
+        option<&R::to_pressure>("to_pressure", "mean pressure where the sweep turns")
+            .of(positive(dimension::pressure))
+            .such_as("10 kPa"),
+        option<&R::largest_move>("largest_move",
+                                 "largest change of any gap per step, in ranges: 2 takes two thirds of the time, works "
+                                 "change by up to 1 %")
+            .within(domain::positive)
+            .default_shown(),
+        option<&R::restart>("restart",
+                            "file written every 20 steps; where it exists the sweep continues from it, to the same "
+                            "bytes; removed at the end"),
+    };
+};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -18,12 +19,12 @@ namespace setae::answers {
 
 /// Persson's theory beside solved contacts of surfaces with the very spectrum, as `setae contact compare` is told.
 struct ComparisonRequest {
-    PerssonRequest theory;       ///< without adhesion
-    std::string pixels = "512";  ///< "512" or "1024x512"
-    std::string cell;            ///< "2 um" or "2 um x 1 um"; empty: twice the longest wave
+    PerssonRequest theory;  ///< without adhesion
+    std::string pixels = "512";
+    std::string cell;  ///< empty: twice the longest wave
     int surfaces = 4;
-    std::uint64_t seed = 0;   ///< of the first surface; the next ones have the next
-    double tolerance = 1e-6;  ///< of each solution's duality gap
+    std::uint64_t seed = 0;
+    double tolerance = 1e-6;
 
     /// @throws InvalidArgument where something is missing or malformed.
     void require_complete() const;
@@ -60,3 +61,18 @@ struct ContactComparison {
 [[nodiscard]] output::Json to_json(const ContactComparison& comparison);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::ComparisonRequest> {
+    using R = answers::ComparisonRequest;
+    static constexpr std::array options{
+        option<&R::pixels>("pixels", "points of each surface, 512 or 1024x512; at least four per shortest wavelength")
+            .default_shown(),
+        option<&R::cell>("cell", "extent of each surface").such_as("2 um").or_else("twice the longest wavelength"),
+        option<&R::surfaces>("surfaces", "number of surfaces").within(domain::positive).default_shown(),
+        option<&R::seed>("seed", "seed of the first surface; the others have the next ones").default_shown(),
+        option<&R::tolerance>("tolerance", "largest relative duality gap of each contact")
+            .within(domain::positive)
+            .default_shown(),
+    };
+};

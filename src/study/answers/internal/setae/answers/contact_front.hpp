@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,21 +11,22 @@
 #include "setae/contact_line/contact_line.hpp"
 #include "setae/crack_front/front_loop.hpp"
 #include "setae/crack_front/pinning.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/parallel/for_each.hpp"
 
 namespace setae::answers {
 
 /// What `setae contact front` is told beside the surface; see docs/concepts/crack-front.md.
 struct FrontRequest {
-    std::string radius, contact_modulus, work_of_adhesion;  ///< "1 mm", "1 MPa", "50 mJ/m2"
-    std::string to_force, to_displacement;                  ///< where the loop turns: one of them
-    std::string stage_stiffness;                            ///< "100 N/m" of a stage that is moved; empty: δ is held
-    bool dead_load = false;                                 ///< the force is moved
-    std::string shortest_wavelength;                        ///< that counts; empty: four pixels
+    std::string radius, contact_modulus, work_of_adhesion;
+    std::string to_force, to_displacement;  ///< one of them
+    std::string stage_stiffness;            ///< empty: the displacement is prescribed
+    bool dead_load = false;                 ///< the force is prescribed
+    std::string shortest_wavelength;        ///< empty: four pixels
     std::string model = "constant_toughness";
     std::string method = "trust_region";
-    int steps = 500;       ///< on the way there
-    std::string duration;  ///< "100 s" of the way there, at one speed; empty: no edge is kept
+    int steps = 500;
+    std::string duration;  ///< empty: no edge is kept
 
     /// @throws InvalidArgument for what is missing, malformed or contradicts itself, before heights are read.
     void require_complete() const;
@@ -78,3 +80,47 @@ using FrontProgress = std::function<bool(double share)>;
 [[nodiscard]] output::Json to_json(const FrontAnswer& answer, const std::vector<processing::StepRecord>& processing);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::FrontRequest> {
+    using R = answers::FrontRequest;
+    static constexpr std::array<std::string_view, 5> models{"constant_toughness", "variational", "energy_release_rate",
+                                                            "stress_intensity", "mean_circle"};
+    static constexpr std::array<std::string_view, 2> methods{"trust_region", "rosso_krauth"};
+    static constexpr std::array options{
+        option<&R::radius>("radius", "radius of the sphere").of(positive(dimension::length)).such_as("1.25 mm"),
+        option<&R::contact_modulus>("contact_modulus", "contact modulus E* of sphere and surface together")
+            .of(positive(dimension::pressure))
+            .such_as("1 MPa"),
+        option<&R::work_of_adhesion>("work_of_adhesion", "energy gained per unit area of full contact")
+            .of(positive(dimension::surface_energy))
+            .such_as("50 mJ/m2")
+            .short_name("w")
+            .in_python("W_int"),
+        option<&R::to_force>("to_force", "force of a smooth sphere where the loop turns")
+            .of(positive(dimension::force))
+            .such_as("0.1 mN"),
+        option<&R::to_displacement>("to_displacement", "displacement of a smooth sphere where the loop turns")
+            .of(positive(dimension::length))
+            .such_as("1 um"),
+        option<&R::stage_stiffness>("stage_stiffness", "stiffness of the stage that is moved")
+            .of(positive(dimension::stiffness))
+            .such_as("100 N/m")
+            .or_else("the displacement of the sphere is prescribed"),
+        option<&R::dead_load>("dead_load", "the force is prescribed; the loop ends at pull-off"),
+        option<&R::shortest_wavelength>("shortest_wavelength", "shortest wavelength that counts")
+            .of(positive(dimension::length))
+            .such_as("1 um")
+            .or_else("four pixels"),
+        option<&R::steps>("steps", "steps on approach; halved where the edge jumps")
+            .within(domain::positive)
+            .default_shown(),
+        option<&R::duration>("duration", "duration of the approach: times of the edge that is saved")
+            .of(positive(dimension::time))
+            .such_as("100 s"),
+        option<&R::model>("model", "dependence of the energy on the position of the edge")
+            .one_of(models)
+            .default_shown(),
+        option<&R::method>("method", "solver for the equilibria").one_of(methods).default_shown(),
+    };
+};

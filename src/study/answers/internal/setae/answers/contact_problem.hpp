@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "setae/core/quantity.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/half_space/body.hpp"
 #include "setae/half_space/grid.hpp"
 #include "setae/half_space/interaction.hpp"
@@ -14,12 +16,12 @@
 
 namespace setae::answers {
 
-/// The elastic body, as verbs of contacts are told.
+/// The elastic body of every contact command: a half-space, or a layer on a rigid base.
 struct BodyRequest {
-    std::string contact_modulus;                ///< E* "1 GPa"
-    std::string layer;                          ///< thickness "1 um" of a layer on a rigid base; empty: a half-space
-    std::optional<double> poisson_ratio;        ///< of a layer
-    bool bonded = false, frictionless = false;  ///< how a layer lies on its base
+    std::string contact_modulus;
+    std::string layer;  ///< empty: a half-space
+    std::optional<double> poisson_ratio;
+    bool bonded = false, frictionless = false;
 
     /// @throws InvalidArgument for no modulus, a layer without its base or Poisson ratio, these without a layer.
     [[nodiscard]] half_space::Body body() const;
@@ -27,8 +29,8 @@ struct BodyRequest {
 
 /// The attraction between the surfaces.
 struct InteractionRequest {
-    std::string work_of_adhesion, range;  ///< "50 mJ/m2", "0.3 nm"
-    std::string law = "exponential";      ///< "cubic", "dugdale", "lennard_jones"
+    std::string work_of_adhesion, range;
+    std::string law = "exponential";
 
     [[nodiscard]] bool given() const { return !work_of_adhesion.empty() || !range.empty(); }
     /// @throws InvalidArgument where one of work and range is missing.
@@ -61,3 +63,41 @@ void add_input(output::Json& json, const std::string& file, const std::vector<pr
                                                 const half_space::Body& body, const half_space::Grid& grid);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::BodyRequest> {
+    using R = answers::BodyRequest;
+    static constexpr std::array options{
+        option<&R::contact_modulus>("contact_modulus", "contact modulus E* = E/(1 - nu^2) of the soft body")
+            .of(positive(dimension::pressure))
+            .such_as("1 GPa"),
+        option<&R::layer>("layer", "thickness of an elastic layer on a rigid base")
+            .of(positive(dimension::length))
+            .such_as("1 um")
+            .or_else("a half-space"),
+        option<&R::bonded>("bonded", "the layer sticks to its base"),
+        option<&R::frictionless>("frictionless", "the layer slides on its base"),
+        option<&R::poisson_ratio>("poisson_ratio", "Poisson ratio of the layer, from 0 to 0.5")
+            .within(domain::poisson_ratio)
+            .short_name("nu")
+            .in_python("nu"),
+    };
+};
+
+template <>
+struct setae::fields::Asked<setae::answers::InteractionRequest> {
+    using R = answers::InteractionRequest;
+    static constexpr std::array<std::string_view, 4> laws{"exponential", "cubic", "dugdale", "lennard_jones"};
+    static constexpr std::array options{
+        option<&R::work_of_adhesion>("work_of_adhesion", "work of adhesion per unit area in contact")
+            .of(positive(dimension::surface_energy))
+            .such_as("50 mJ/m2")
+            .short_name("w")
+            .in_python("W_int"),
+        option<&R::range>("range",
+                          "range of the attraction: its greatest tension is the work of adhesion over the range")
+            .of(positive(dimension::length))
+            .such_as("0.3 nm"),
+        option<&R::law>("law", "decay of the attraction with the gap").one_of(laws).default_shown(),
+    };
+};

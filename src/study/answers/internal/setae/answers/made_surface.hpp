@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
 #include "setae/answers/surface_request.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/parallel/for_each.hpp"
 #include "setae/processing/pipeline.hpp"
 #include "setae/spectra/spectral_density.hpp"
@@ -33,8 +35,8 @@ inline constexpr double pixels_per_wave = 4.0;  ///< of the shortest wave of a s
 
 /// What a surface that is made from a spectrum is told.
 struct MadeSurfaceRequest {
-    std::string pixels;   ///< "512" or "1024x512"
-    std::string cell;     ///< "2 um" or "2 um x 1 um"; empty: twice the longest wave
+    std::string pixels;
+    std::string cell;     ///< empty: twice the longest wave
     std::string surface;  ///< of a study that has several
     std::uint64_t seed = 1;
 
@@ -58,3 +60,16 @@ struct MadeSurfaceRequest {
 inline constexpr const char* making_step = "synthesize";
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::MadeSurfaceRequest> {
+    using R = answers::MadeSurfaceRequest;
+    static constexpr std::array options{
+        option<&R::pixels>("pixels", "points of a surface made from a spectrum, 512 or 1024x512"),
+        option<&R::cell>("cell", "extent of a surface made from a spectrum")
+            .such_as("2 um")
+            .or_else("twice the longest wavelength"),
+        option<&R::surface>("surface", "name of the surface in a study from whose spectrum one is made"),
+        option<&R::seed>("seed", "seed of the phases of a surface made from a spectrum").default_shown(),
+    };
+};

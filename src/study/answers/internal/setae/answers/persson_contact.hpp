@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "setae/answers/contact_problem.hpp"
+#include "setae/answers/pressures.hpp"
 #include "setae/core/table.hpp"
+#include "setae/fields/option.hpp"
 #include "setae/half_space/body.hpp"
 #include "setae/output/json.hpp"
 #include "setae/persson/load_curve.hpp"
@@ -14,15 +18,13 @@
 namespace setae::answers {
 
 /// What Persson's theory is told beside the surface, as `setae contact persson`; see docs/concepts/persson.md.
-struct PerssonRequest {
-    std::string modulus, pressure;  ///< E* "1 GPa"; "10 MPa", "1MPa,10MPa" or "1MPa:100MPa"
-    std::string work, layer;        ///< "50 mJ/m2", empty: none; thickness "20 um", empty: a half-space
-    double poisson_ratio = 0.5;     ///< of the layer
+struct PerssonRequest : BodyRequest {
+    std::string pressure;
     double energy_factor = persson::usual_energy_factor;
-    bool frictionless = false;  ///< the layer slides on its base
+    std::string work_of_adhesion;  ///< empty: none
 
-    /// @throws InvalidArgument where something is missing or malformed.
-    [[nodiscard]] half_space::Body body() const;
+    /// @throws InvalidArgument where the body or the pressure is missing or malformed, before heights are read.
+    void require_complete() const;
     [[nodiscard]] persson::LoadOptions options() const;
 };
 
@@ -52,3 +54,27 @@ struct PerssonContact {
 [[nodiscard]] output::Json to_json(const PerssonContact& contact);
 
 }  // namespace setae::answers
+
+template <>
+struct setae::fields::Asked<setae::answers::PerssonRequest> {
+    using R = answers::PerssonRequest;
+    static constexpr std::array options{
+        option<&R::pressure>(
+            "pressure",
+            "mean pressure: one, several as 1MPa,10MPa, or ten per decade as 1MPa:100MPa; below 0 with "
+            "adhesion")
+            .read_by([](const std::string& text) { (void)answers::pressures_of(text); }),
+        option<&R::energy_factor>("energy_factor", "factor of the stored energy of partial contact, in (0, 1]")
+            .within(domain::positive)
+            .default_shown(),
+    };
+    /// Beside those of a contact without adhesion.
+    static constexpr std::array adhesion{
+        option<&R::work_of_adhesion>("work_of_adhesion", "work of adhesion per unit projected area")
+            .of(non_negative(dimension::surface_energy))
+            .such_as("50 mJ/m2")
+            .or_else("none")
+            .short_name("w")
+            .in_python("W_int"),
+    };
+};

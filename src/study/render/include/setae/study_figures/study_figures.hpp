@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "setae/cache/store.hpp"
 #include "setae/figures/figure.hpp"
 #include "setae/study/study_result.hpp"
 
@@ -39,14 +38,12 @@ inline constexpr std::size_t max_of_a_kind_in_reports = 200;
 struct GalleryOptions {
     FigureWidth width = FigureWidth::double_column;
     parallel::Threads threads;
-    Index area_map_points = 1024;         ///< along a side of the maps of S7, >= 128
-    const cache::Store* store = nullptr;  ///< keeps what takes long: the true area of the maps of S7
     /// Figures "spectra:NAME", and "loop:NAME", that are made: those of the first surfaces and loops.
     std::size_t max_of_a_kind = std::numeric_limits<std::size_t>::max();
 };
 
-/// Every figure of a study, in the order of the paper and then those of our own: 1, 2, 4, S1, S2, S3, S5, S6, S7, S8 of
-/// THEORY §12; "spectra:NAME" of every measured surface, "scales", "prediction", "replicates", "agreement".
+/// Every figure of a study, in the order of the paper and then those of our own: 1, 2, 4, S1, S2, S3, S5, S6, S8 of
+/// Dalvi et al. (2019); "spectra:NAME" of every measured surface, "scales", "prediction", "replicates", "agreement".
 ///
 /// The same result gives the same figures, for any number of threads. Never throws for what a study lacks: see
 /// `reason`.

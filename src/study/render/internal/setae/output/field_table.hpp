@@ -10,7 +10,7 @@
 
 namespace setae::output {
 
-/// For files: the heading with the field's unit, "W_app [J/m2]", and "standard_error W_app [J/m2]" behind it where
+/// For files: the heading with the field's unit, "W_app [J/m2]", and "W_app standard_error [J/m2]" behind it where
 /// fields have errors.
 void put_headings(tables::TidyTable& table, std::span<const fields::Column> view);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "setae/study_figures/true_area_of_maps.hpp"
+#include "setae/validation/true_area_of_maps.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "setae/spectra/self_affine.hpp"
 #include "setae/synthesis/random_surface.hpp"
 
-namespace setae::study_figures {
+namespace setae::validation {
 namespace {
 
 constexpr std::array hurst_exponents{0.3, 0.8};
@@ -69,4 +69,4 @@ std::vector<MeanArea> means(const std::vector<AreaOfMap>& areas) {
     return result;
 }
 
-}  // namespace setae::study_figures
+}  // namespace setae::validation

@@ -6,9 +6,9 @@
 
 #include "setae/core/constants.hpp"
 #include "setae/roughness/true_area.hpp"
-#include "setae/study_figures/true_area_of_maps.hpp"
+#include "setae/validation/true_area_of_maps.hpp"
 
-namespace setae::study_figures {
+namespace setae::validation {
 namespace {
 
 /// Means of one Hurst exponent, in order of slope.
@@ -106,4 +106,4 @@ Table area_table(const std::vector<AreaOfMap>& areas) {
     return table;
 }
 
-}  // namespace setae::study_figures
+}  // namespace setae::validation

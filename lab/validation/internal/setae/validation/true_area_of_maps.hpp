@@ -9,7 +9,7 @@
 #include "setae/figures/figure.hpp"
 #include "setae/parallel/for_each.hpp"
 
-namespace setae::study_figures {
+namespace setae::validation {
 
 inline constexpr std::uint64_t maps_each = 3;  ///< of each Hurst exponent
 
@@ -55,4 +55,4 @@ struct MeanArea {
 /// Source: [D19] Fig. S7.
 [[nodiscard]] figures::Figure area_figure(const std::vector<MeanArea>& areas);
 
-}  // namespace setae::study_figures
+}  // namespace setae::validation

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "setae/core/units.hpp"
+#include "setae/fields/member_of.hpp"
+
+namespace setae::fields {
+
+/// Where the value of an option is kept in a request.
+using Place = std::variant<bool*, int*, long*, std::uint64_t*, double*, std::string*, std::optional<long>*,
+                           std::optional<std::uint64_t>*, std::optional<double>*, std::optional<std::string>*,
+                           std::vector<std::string>*, std::vector<long>*, std::vector<double>*>;
+
+/// Something a request asks for: its name, its meaning, its domain, and where its value is kept. The command line, the
+/// keys of a study, the Python package and the reference pages are made from it.
+struct Option {
+    std::string_view name{};                           ///< snake_case; --with-dashes on the command line
+    std::string_view meaning{};                        ///< a noun phrase that stands alone: "radius of the sphere"
+    std::string_view also{};                           ///< a second, shorter name on the command line: "w"
+    std::string_view keyword{};                        ///< in Python, where it is not the name: "W_int"
+    std::string_view example{};                        ///< a value: "50 mJ/m2"
+    std::string_view otherwise{};                      ///< what holds where it is not given: "four pixels"
+    std::optional<Expected> quantity{};                ///< of a text with a unit
+    std::optional<Domain> domain{};                    ///< of a number
+    std::span<const std::string_view> choices{};       ///< words that it may be
+    void (*check)(const std::string& text) = nullptr;  ///< throws InvalidArgument where a text is malformed
+    bool shows_default = false;                        ///< the value of a new request is shown as the default
+    Place (*place)(void* request) = nullptr;
+
+    [[nodiscard]] consteval Option of(const Expected& expected) const {
+        Option option = *this;
+        option.quantity = expected;
+        return option;
+    }
+    [[nodiscard]] consteval Option within(const Domain& values) const {
+        Option option = *this;
+        option.domain = values;
+        return option;
+    }
+    [[nodiscard]] consteval Option one_of(std::span<const std::string_view> words) const {
+        Option option = *this;
+        option.choices = words;
+        return option;
+    }
+    [[nodiscard]] consteval Option read_by(void (*reader)(const std::string&)) const {
+        Option option = *this;
+        option.check = reader;
+        return option;
+    }
+    [[nodiscard]] consteval Option such_as(std::string_view value) const {
+        Option option = *this;
+        option.example = value;
+        return option;
+    }
+    [[nodiscard]] consteval Option or_else(std::string_view what_holds) const {
+        Option option = *this;
+        option.otherwise = what_holds;
+        return option;
+    }
+    [[nodiscard]] consteval Option default_shown() const {
+        Option option = *this;
+        option.shows_default = true;
+        return option;
+    }
+    [[nodiscard]] consteval Option short_name(std::string_view letter) const {
+        Option option = *this;
+        option.also = letter;
+        return option;
+    }
+    [[nodiscard]] consteval Option in_python(std::string_view name_there) const {
+        Option option = *this;
+        option.keyword = name_there;
+        return option;
+    }
+};
+
+/// The options of a request type: specialised beside the type, with `static constexpr std::array options`.
+template <class Request>
+struct Asked;
+
+namespace detail {
+
+template <auto Member>
+Place place_of(void* request) {
+    using Request = typename MemberOf<decltype(Member)>::Object;
+    return &(static_cast<Request*>(request)->*Member);
+}
+
+}  // namespace detail
+
+/// A member that is asked for.
+template <auto Member>
+consteval Option option(std::string_view name, std::string_view meaning) {
+    return {.name = name, .meaning = meaning, .place = detail::place_of<Member>};
+}
+
+/// The sentence of help: meaning, an example, and what holds without it.
+[[nodiscard]] std::string help_of(const Option& option);
+
+/// How a front end spells an option, with a value or an empty one; empty where it has no such option.
+using Spelling = std::function<std::string(std::string_view name, std::string_view value)>;
+
+/// A message in which `name` or `name = value` in back quotes stands for an option, spelled as a front end does:
+/// --name "value" on the command line, name="value" in Python. Other words in back quotes stay as they are.
+[[nodiscard]] std::string spelled(std::string_view message, const Spelling& spelling);
+
+}  // namespace setae::fields
