@@ -200,7 +200,7 @@ double read_from(double largest, const HystereticSphere& sphere, const Pressing&
             return contact::jkr::work_of_adhesion_from_pull_off(receding.smallest_force, sphere.radius);
         case Reading::loop_area: return resting_equivalent(largest, sphere, pressing, receding.edge_work);
     }
-    throw InternalError("a reading of W_ret that no one knows");
+    throw InternalError("unknown reading of W_ret");
 }
 
 }  // namespace
@@ -210,7 +210,7 @@ RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing&
     require_valid(edge);
     constexpr int fewest = 8;
     if (steps < fewest)
-        throw InvalidArgument(fmt::format("a receding contact edge in {} steps; expected {} or more", steps, fewest));
+        throw InvalidArgument(fmt::format("a retracting contact edge in {} steps; expected {} or more", steps, fewest));
     const auto loop = sphere_loop(sphere, pressing);
     return course_of(sphere, pressing, edge, loop.turning_point.contact_radius, steps);
 }

@@ -50,7 +50,7 @@ std::vector<Chapter> chapters_of(const study::StudyResult& result,
     std::vector<Chapter> chapters{
         {"verdict", "Verdict", verdict_html(result)},
         {"figures", "Figures", parts.carrying.empty() ? "<p>No figures were requested.</p>" : undrawn + parts.carrying},
-        {"limits", "Findings and limits", limits_html(result)},
+        {"limits", "Conclusions and limits", limits_html(result)},
         {"tables", "Numbers",
          numbers_html(result, study) + way_back_html(result, study, parts.way_back) + tables_html(result, study)},
         {"more-figures", "More figures", parts.others},

@@ -129,7 +129,7 @@ std::string alerts_html(const StudyResult& result) {
         const bool one_action =
             std::all_of(alerts.begin(), alerts.end(), [&](const auto& alert) { return alert.action == action; });
         html += fmt::format(
-            "<details class=\"alerts\"><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary><ul>",
+            "<details class=\"warnings\"><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary><ul>",
             escaped(code), alerts.size() == 1 ? "once" : fmt::format("{} times", alerts.size()),
             one_action ? "What to do: " + prose(action) : "");
         for (const auto& alert : std::span(alerts).first(std::min(alerts.size(), max_rows)))

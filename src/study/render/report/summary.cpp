@@ -175,7 +175,7 @@ std::string limits_html(const StudyResult& result) {
     };
     std::string html;
     if (!said.findings.empty())
-        html += "<p>Findings that the tests support:</p>" + listed(said.findings.begin(), said.findings.end());
+        html += "<p>Conclusions that the tests support:</p>" + listed(said.findings.begin(), said.findings.end());
     if (said.limits.empty())
         return html +
                "<p>Several surfaces and elastomers test the balance against roughness and modulus. No part of the study failed.</p>";

@@ -25,8 +25,8 @@ DataTable pairs(const study::Hysteresis& h, const Json& study) {
         "pairs-way-back",
         "Pairs on retraction: predicted from roughness and measured",
         "The column model names the retraction model of each row. Contact is the share of the area in contact without load, from simulated patches; <i>W</i><sub>app</sub> belongs to this "
-        "contact. <i>E</i><sub>loss</sub> is the energy loss of a whole loop up to the preload of the study, or up to the force that gives the measured contact area. The machine is the one "
-        "stated for the loops; otherwise fixed grips are assumed.",
+        "contact. <i>E</i><sub>loss</sub> is the energy loss of a whole loop up to the preload of the study, or up to the force that gives the measured contact area. The testing machine is "
+        "the one stated for the loops; otherwise fixed grips are assumed.",
         {{"surface", ""},
          {"elastomer", ""},
          {"model", ""},

@@ -63,7 +63,7 @@ StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& cour
     drawn.figure = {.panels = {along, against}, .columns = 2, .width_mm = page_mm, .height_mm = 70.0};
     drawn.caption = fmt::format(
         "{}: cumulative external work, stored elastic energy, surface energy (−W of loading times contact area), and the dissipated rest. The jumps and a contact edge that needs more "
-        "than W to recede dissipate energy. The contact radius is {}. Closed loop: {} {}. Ideal smooth sphere: {} {}.",
+        "than W on retraction dissipate energy. The contact radius is {}. Closed loop: {} {}. Ideal smooth sphere: {} {}.",
         loop.name, course.radius_measured ? "measured" : "calculated from force, displacement and E*",
         fmt::format("{:.4g}", course.work[n - 1] / energy.factor), energy.name,
         figures::number_text(loop.analysis.ledger ? loop.analysis.ledger->ideal_this_machine / energy.factor : 0.0, 3),

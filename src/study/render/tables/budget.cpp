@@ -67,7 +67,7 @@ std::string budget_text(const study::StudyResult& result, std::size_t width) {
     for (const auto& budget : budgets_of(result)) {
         tables::TidyTable table{
             fmt::format("± of {}: {}", place_of(budget), format_value(budget.standard_error, budget.unit, 2)),
-            {"input", "± from it alone", "share of the variance", "± if it is halved"},
+            {"input", "± from it", "share of the variance", "± if it is halved"},
             {}};
         for (const auto& row : budget.rows)
             table.rows.push_back({row.input, format_value(row.standard_error, budget.unit, 2),

@@ -136,7 +136,7 @@ const std::vector<Bearing>& bearings() {
         {{"CONTACT_POINT_UNKNOWN", "CONTACT_POINT_SPREAD"},
          "The point of first contact of {} is not certain: E* from displacement depends on this point."},
         {{"STIFFNESS_UNRESOLVED"},
-         "The machine is compliant compared with the contact of {}: the displacement does not determine E*."},
+         "The testing machine is compliant compared with the contact of {}: the displacement does not determine E*."},
         {{"NO_BASELINE", "DRIFT_UNKNOWN", "ONE_BASELINE", "DRIFT_IRREGULAR", "FORCE_SATURATED"},
          "The zero, the drift or the range of the force of {} is not known: forces may be shifted or cut off."},
         {{"NO_RETRACTION"}, "The record of {} ends before pull-off: the energy loss is not known."},
