@@ -44,15 +44,14 @@ figures::Figure area_figure(const std::vector<MeanArea>& areas) {
         .x = slope,
         .y = {.quantity = "excess area *A*_{true}/*A*_{app} − 1", .logarithmic = true, .from = 1e-5, .to = 20.0}};
     excess.series = {
-        formula_line("equation (9)", 0.008, 12.0, black, 0,
-                     [](double h) { return roughness::gaussian_area_ratio(h) - 1.0; }),
+        formula_line("Eq. 9", 0.008, 12.0, black, 0, [](double h) { return roughness::gaussian_area_ratio(h) - 1.0; }),
         formula_line("h'²/2", 0.008, 4.0, sky_blue, 1,
                      [](double h) { return roughness::small_slope_area_ratio(h) - 1.0; }),
         formula_line("(√π/2) h' − 1", 1.25, 12.0, orange, 2, [](double h) { return 0.5 * std::sqrt(pi) * h - 1.0; })};
     figures::Panel deviation{.title = "B",
                              .shows = "deviation",
                              .x = slope,
-                             .y = {.quantity = "deviation from (9)", .unit = "%"},
+                             .y = {.quantity = "deviation from Eq. 9", .unit = "%"},
                              .horizontal_lines = {0.0}};
     // the hollow symbols last, so that they show what they lie on
     for (const double hurst : {0.8, 0.3}) {

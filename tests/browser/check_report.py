@@ -148,8 +148,8 @@ def check_tables(page, study):
     check(names == sorted(names), f"names are not in order: {names}")
     page.run("document.querySelector('#table-surfaces button.copy').focus()")
     page.enter()
-    page.until("document.querySelector('#table-surfaces .told').textContent !== ''")
-    said = page.run("document.querySelector('#table-surfaces .told').textContent")
+    page.until("document.querySelector('#table-surfaces .notice').textContent !== ''")
+    said = page.run("document.querySelector('#table-surfaces .notice').textContent")
     check(said.startswith("Copied"), f"copying says '{said}'")
     lines = [line.split("\t") for line in page.run("navigator.clipboard.readText()").splitlines()]
     check(all(len(line) == len(lines[0]) for line in lines), "copied rows differ in length")

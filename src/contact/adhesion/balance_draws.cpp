@@ -10,12 +10,14 @@
 #include "setae/adhesion/scatter_effects.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/resampling.hpp"
+#include "setae/core/words.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
 namespace setae::adhesion {
 
 DrawnValue drawn_value(double value, std::vector<double> draws) {
-    if (draws.size() < 2) throw InvalidArgument(fmt::format("{} draws; expected two or more", draws.size()));
+    if (draws.size() < 2)
+        throw InvalidArgument(fmt::format("{}; expected two or more", counted(draws.size(), "draw", "draws")));
     double mean = 0.0, squares = 0.0;
     for (const double draw : draws) mean += draw / static_cast<double>(draws.size());
     for (const double draw : draws) squares += (draw - mean) * (draw - mean);

@@ -11,6 +11,7 @@
 #include "floored_least_squares.hpp"
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/words.hpp"
 #include "setae/numerics/minimum.hpp"
 
 namespace setae::adhesion {
@@ -24,7 +25,7 @@ PairPoint FreeEnergyPoint::storing(double energy_per_modulus) const {
 
 FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs) {
     if (pairs.size() < 2)
-        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
+        throw InvalidArgument(fmt::format("{}; a fit needs at least 2", counted(pairs.size(), "pair", "pairs")));
     std::map<std::string, std::vector<FreeEnergyPoint>> by_surface;
     std::vector<double> measured;
     double largest = 0.0;

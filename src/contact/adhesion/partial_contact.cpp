@@ -20,6 +20,7 @@
 #include "pair_least_squares.hpp"
 #include "setae/adhesion/traced_function.hpp"
 #include "setae/core/errors.hpp"
+#include "setae/core/words.hpp"
 #include "setae/numerics/minimum.hpp"
 
 namespace setae::adhesion {
@@ -142,7 +143,8 @@ double PartialContactPoint::prediction(double work) const {
 
 BalanceScore score_partial_contact(const std::vector<PartialContactPoint>& pairs) {
     if (pairs.size() < 2)
-        throw InvalidArgument(fmt::format("{} pairs, a comparison of balances needs at least 2", pairs.size()));
+        throw InvalidArgument(
+            fmt::format("{}; a comparison of balances needs at least 2", counted(pairs.size(), "pair", "pairs")));
     std::vector<double> values;
     for (const auto& pair : pairs) values.push_back(pair.gained.measured.value);
     const auto [work, residual] = best_work(pairs);

@@ -78,7 +78,7 @@ std::optional<PredictedLoop> predict_loop(const RoughSide& rough, const SoftSide
     const double radius = press.radius.value;
     if (!(radius > 0.0) || !(press.preload >= 0.0) || !std::isfinite(radius + press.preload))
         throw InvalidArgument(
-            fmt::format("a sphere of radius {} m under {} N; expected a radius above 0 and a force of 0 or more",
+            fmt::format("a sphere of radius {} m under {} N; expected a radius above 0 and a force of at least 0",
                         radius, press.preload));
     if (!(partial_prediction(rough, soft, work).value > 0.0)) return std::nullopt;
     const TracedValue patches({.value = 0.0, .standard_error = 1.0}, simulated_patches_input);

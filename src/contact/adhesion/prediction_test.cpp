@@ -10,6 +10,7 @@
 #include "pair_least_squares.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/core/words.hpp"
 
 namespace setae::adhesion {
 namespace {
@@ -19,7 +20,7 @@ double chi_squared_of(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& c
     const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
     if (factor.info() != Eigen::Success)
         throw UndefinedDataError(
-            "the covariance of measured minus predicted is not positive definite: errors that are 0 test nothing");
+            "the covariance of measured minus predicted is not positive definite; give every measured value an error above 0");
     const Eigen::VectorXd weighted = factor.solve(residuals);
     const double all = residuals.dot(weighted);
     if (!slopes) return all;
@@ -35,13 +36,13 @@ PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Arra
     const auto n = static_cast<Index>(pairs.size());
     if (covariance.rows() != n || covariance.cols() != n || (slopes && slopes->size() != n))
         throw InvalidArgument(
-            fmt::format("{} residuals with a covariance of {} x {}; expected as many rows and columns", n,
+            fmt::format("{} residuals with a covariance of {} x {}; expected one row and one column per residual", n,
                         covariance.rows(), covariance.cols()));
     PredictionTest test{.work_fitted = slopes.has_value(), .n = static_cast<int>(n)};
     test.degrees_of_freedom = test.n - (slopes && (*slopes != 0.0).any() ? 1 : 0);
     if (test.degrees_of_freedom < 1)
         throw InvalidArgument(
-            fmt::format("{} residuals leave no degree of freedom; a test needs {}", n, slopes ? 2 : 1));
+            fmt::format("{} residuals leave no degree of freedom; a test needs at least {}", n, slopes ? 2 : 1));
     Eigen::VectorXd residuals(n);
     for (Index i = 0; i < n; ++i) {
         auto& pair = pairs[static_cast<std::size_t>(i)];
@@ -77,7 +78,8 @@ PredictionTest test_predictions(const std::vector<PairPoint>& pairs, const Trace
     const Index least = work_fitted ? 2 : 1;
     if (n < least)
         throw UndefinedDataError(
-            fmt::format("{} pairs with a prediction and a measured value with its error; a test needs {}", n, least));
+            fmt::format("{} with a prediction and a measured value with an error; a test needs at least {}",
+                        counted(static_cast<std::size_t>(n), "pair", "pairs"), least));
     Array1D slopes(n);
     std::vector<Components> inputs;
     std::vector<PredictionResidual> residuals;

@@ -10,14 +10,15 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/layout.hpp"
 #include "setae/core/units.hpp"
+#include "setae/core/words.hpp"
 
 namespace setae::output {
 namespace {
 
-/// A column in words; values of "1" are told in per cent.
+/// A column in words; values of "1" are printed in per cent.
 struct Told {
     const char *column, *words, *unit;
-    bool when_full;  ///< in full contact no gap is left, nor what would give way
+    bool when_full;  ///< in full contact there is no gap and no finite stiffness
 };
 constexpr std::array<Told, 4> told{{{"area_fraction", "area", "1", true},
                                     {"mean_gap", "mean gap", "m", false},
@@ -57,7 +58,7 @@ std::string contact_at(const Table& load, Index i) {
         if (is_full(load, i) && !what.when_full) continue;
         const std::string column = what.column;
         const double error = load.at(column + "_standard_error")[i];
-        line += fmt::format("{}{} {}{} (theory {})", line.empty() ? "" : ", ", what.words,
+        line += fmt::format("{}{} {}{} (theory: {})", line.empty() ? "" : ", ", what.words,
                             shown(load.at(column)[i], what), std::isnan(error) ? "" : " ± " + shown(error, what),
                             shown(load.at(column + "_persson")[i], what));
     }
@@ -69,16 +70,16 @@ std::string contact_at(const Table& load, Index i) {
 std::string comparison_answer(const Table& load, const Band& band, int surfaces, std::size_t columns) {
     std::string deviations;
     for (const auto& what : told) deviations += (deviations.empty() ? "" : ", ") + deviation(load, what);
-    auto text = wrapped(fmt::format("Persson's theory beside {} solved {} with waves from {} to {}: {}", surfaces,
-                                    surfaces == 1 ? "surface" : "surfaces", format_value(2.0 * pi / band.lower, "m", 3),
+    auto text = wrapped(fmt::format("Persson's theory relative to the solved contact of {}, waves from {} to {}: {}",
+                                    counted(static_cast<std::size_t>(surfaces), "surface", "surfaces"),
+                                    format_value(2.0 * pi / band.lower, "m", 3),
                                     format_value(2.0 * pi / band.upper, "m", 3), deviations),
                         columns, 2) +
                 '\n';
     const auto& pressure = load.at("pressure");
     for (const Index i : std::set<Index>{0, pressure.size() / 2, pressure.size() - 1})
-        text +=
-            wrapped(fmt::format("under {}: {}", format_value(pressure[i], "Pa", 3), contact_at(load, i)), columns, 2) +
-            '\n';
+        text += wrapped(fmt::format("at {}: {}", format_value(pressure[i], "Pa", 3), contact_at(load, i)), columns, 2) +
+                '\n';
     return text;
 }
 

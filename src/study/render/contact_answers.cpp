@@ -19,7 +19,7 @@ constexpr double millijoule = 1e-3, hundredth = 1e-2;
 std::string against_jkr(double force, double jkr) {
     constexpr double rounding = 1e-3;
     const double ratio = force / jkr;
-    return std::abs(ratio - 1.0) < rounding ? "JKR" : fmt::format("{:.2f} × JKR: no smooth limit", ratio);
+    return std::abs(ratio - 1.0) < rounding ? "JKR" : fmt::format("{:.2f} × JKR (no smooth limit)", ratio);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ tables::TidyTable theory_table(const study::ContactAnswers& answers) {
 tables::TidyTable retraction_table(const adhesion::PredictedLoop& loop) {
     tables::TidyTable table{
         "Retraction, by model",
-        {"model", "W_ret at pull-off [mJ/m²]", "pull-off force", "loss", "pull-off of a smooth sphere"},
+        {"model", "W_ret at pull-off [mJ/m²]", "pull-off force", "energy loss", "pull-off of a smooth sphere"},
         {}};
     const double jkr = loop.reversible.smooth_pull_off_force;
     const auto add = [&](const char* name, const adhesion::RetractionPrediction& model) {

@@ -32,7 +32,7 @@ BothBranches::BothBranches(const RetractionModel& model, const std::vector<Ranke
     if (by_reference)
         for (const auto& [pair, approach, retraction] : pairs) {
             if (!pair.reference_work)
-                throw InvalidArgument("no smooth reference on " + pair.soft.name + " to take W_int in proportion to");
+                throw InvalidArgument("W_int in proportion to references: no smooth reference on " + pair.soft.name);
             mean_reference += pair.reference_work->value / static_cast<double>(n);
         }
     std::vector<Components> held;

@@ -18,10 +18,10 @@ void require_valid(const MovingEdge& edge) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
     if (!positive(edge.law.reference_speed) || !positive(edge.law.exponent) || !positive(edge.motor_speed) ||
         !(edge.reading_time >= 0.0 && std::isfinite(edge.reading_time)))
-        throw InvalidArgument(
-            fmt::format("a moving edge with v0 {} m/s, n {}, pulled at {} m/s and read over {} s; expected speeds and "
-                        "exponent above 0, and a time from 0",
-                        edge.law.reference_speed, edge.law.exponent, edge.motor_speed, edge.reading_time));
+        throw InvalidArgument(fmt::format(
+            "a moving contact edge with v0 {} m/s, n {}, motor speed {} m/s and reading time {} s; expected "
+            "speeds and exponent above 0, and a time of at least 0",
+            edge.law.reference_speed, edge.law.exponent, edge.motor_speed, edge.reading_time));
 }
 
 /// One sphere in one machine, with its edge.
@@ -200,7 +200,7 @@ double read_from(double largest, const HystereticSphere& sphere, const Pressing&
             return contact::jkr::work_of_adhesion_from_pull_off(receding.smallest_force, sphere.radius);
         case Reading::loop_area: return resting_equivalent(largest, sphere, pressing, receding.edge_work);
     }
-    throw InternalError("a reading of W_ret that no one knows");
+    throw InternalError("unknown reading of W_ret");
 }
 
 }  // namespace
@@ -210,7 +210,7 @@ RecessionCourse recession_course(const HystereticSphere& sphere, const Pressing&
     require_valid(edge);
     constexpr int fewest = 8;
     if (steps < fewest)
-        throw InvalidArgument(fmt::format("a receding edge in {} steps; expected {} or more", steps, fewest));
+        throw InvalidArgument(fmt::format("a retracting contact edge in {} steps; expected {} or more", steps, fewest));
     const auto loop = sphere_loop(sphere, pressing);
     return course_of(sphere, pressing, edge, loop.turning_point.contact_radius, steps);
 }

@@ -14,6 +14,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/statistics.hpp"
+#include "setae/core/words.hpp"
 #include "setae/hysteresis/smooth_limit.hpp"
 #include "setae/numerics/random_numbers.hpp"
 
@@ -30,13 +31,15 @@ GeneralisedFit fit_of(const RetractionModel& model, const std::vector<PairPoint>
     return fit.work_of_adhesion.value > 0.0 ? fit : adhesion::fit_scatter(pairs, 0.0);
 }
 
-/// Why there are too few pairs to judge by; empty where there are enough.
+/// Why there are too few pairs to rank models; empty where there are enough.
 std::string too_few(const std::vector<RankedPair>& pairs) {
     std::set<std::string> surfaces;
     for (const auto& pair : pairs) surfaces.insert(pair.pair.rough.name);
     if (pairs.size() >= fewest_ranked_pairs && surfaces.size() >= fewest_ranked_surfaces) return "";
-    return fmt::format("{} pairs on {} surfaces have W_app and W_ret measured; {} on {} can tell models apart",
-                       pairs.size(), surfaces.size(), fewest_ranked_pairs, fewest_ranked_surfaces);
+    return fmt::format(
+        "{} on {} with measured W_app and W_ret; a ranking of models needs at least {} pairs on {} surfaces",
+        counted(pairs.size(), "pair", "pairs"), counted(surfaces.size(), "surface", "surfaces"), fewest_ranked_pairs,
+        fewest_ranked_surfaces);
 }
 
 double rms_left_out(const std::vector<adhesion::LeftOutPrediction>& predictions, bool surfaces) {
@@ -243,7 +246,9 @@ private:
         std::vector<Judged*> ranked;
         for (auto& of : judged_) {
             if (of.ok() && std::isfinite(of.score.left_out_log_likelihood)) ranked.push_back(&of);
-            else ranking.unranked.push_back({of.score.fitted.model, of.ok() ? "its density is no number" : of.reason});
+            else
+                ranking.unranked.push_back(
+                    {of.score.fitted.model, of.ok() ? "its likelihood is not a finite number" : of.reason});
         }
         if (ranked.empty()) return ranking;
         std::ranges::stable_sort(ranked, [](const Judged* a, const Judged* b) {

@@ -37,8 +37,8 @@ void require_valid(const PairState& state) {
           state.tip_factor > 0.0 && state.conforming_gain() > 0.0))
         throw InvalidArgument(fmt::format(
             "a pair with A_true/A {:.4g}, {:.4g} of it in contact, U_el/A {:.4g} J/m2, W_int {:.4g} J/m2, γ1 {:.4g} J/m2, W_app {:.4g} J/m2 and "
-            "W_ret/W_app {:.4g} of its reference; expected a ratio of areas of 1 or more, contact, works and a factor above 0, and more "
-            "gained by conforming than stretching costs",
+            "W_ret/W_app {:.4g} of its reference; expected an area ratio of at least 1, contact, works and a factor above 0, and a positive "
+            "gain W_int A_true/A − γ1 (A_true/A − 1)",
             state.area_ratio, state.contact_fraction, state.stored_energy, state.work_of_adhesion, state.surface_energy,
             state.work_approach, state.tip_factor));
 }

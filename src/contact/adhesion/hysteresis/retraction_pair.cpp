@@ -118,9 +118,9 @@ Pressing RetractionPair::pressed(const Contact& contact, double area, double sti
 
 std::string RetractionPair::lacks(const RetractionModel& model) const {
     if (model.tip == Tip::reference && !tip_factor) return "no smooth reference on " + soft.name;
-    if (model.tip == Tip::speed && !edge_speed) return "no law of the edge's speed on " + soft.name;
+    if (model.tip == Tip::speed && !edge_speed) return "no speed dependence of the contact edge on " + soft.name;
     if (model.tip == Tip::speed && !speed_factor)
-        return fmt::format("no sphere, machine speed or contact area of {} on {}", soft.name, rough.name);
+        return fmt::format("no sphere radius, machine speed or contact area of {} on {}", soft.name, rough.name);
     if (model.law == Law::pinning_by_bands && bands.empty()) return "no spectrum of " + rough.name;
     return "";
 }
@@ -169,7 +169,7 @@ TracedValue predicted_retraction(const FittedModel& fitted, const RetractionPair
 
 std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& fitted, const RetractionPair& pair) {
     if (!pair.radius || !(pair.pressing || pair.contact_area))
-        throw InvalidArgument(fmt::format("the loop of {} on {}: expected the radius of its sphere and a preload",
+        throw InvalidArgument(fmt::format("the loop of {} on {}: expected a sphere radius and a preload",
                                           pair.soft.name, pair.rough.name));
     PairFunctions functions(pair);
     functions.set(fitted);

@@ -54,11 +54,11 @@ StudyFigure comparison_figure(const Table& load, const std::string& file, const 
     const auto unit = axis_unit(Array1D{{std::sqrt(pressure.maxCoeff() * pressure.minCoeff())}}, "Pa");
     const figures::Axis along{.quantity = "mean pressure *p*", .unit = unit.name, .logarithmic = true};
     StudyFigure drawn{.identifier = "comparison", .name = "contact solved and by theory", .command = look.command};
-    drawn.title = fmt::format("Contact of {}: solved, and by Persson's theory", file_name(file));
+    drawn.title = fmt::format("Contact of {}: solved, and Persson's theory", file_name(file));
     const bool wide = look.wide();
     drawn.caption = fmt::format(
-        "Means over surfaces with the spectrum, with a standard error, and Persson's theory of the same spectrum. A: "
-        "area in contact over the nominal area. B: mean gap.{}",
+        "Solved contact, as mean over surfaces with this spectrum with one standard error, and Persson's theory for this "
+        "spectrum. A: area in contact over the nominal area. B: mean gap.{}",
         wide ? " C: stiffness. D: stored energy." : "");
     const Array1D scaled = pressure / unit.factor;
     std::vector<Shown> panels{{"A", "area_fraction", "area in contact *A*/*A*_0", true},

@@ -48,7 +48,7 @@ figures::Panel spectrum_panel(const contact_line::LineRoughness& found, double n
     figures::Panel panel{.title = "B",
                          .x = {.quantity = "mode *n*", .logarithmic = true},
                          .y = {.quantity = "power |*r_n*|^2", .unit = unit.name + "2", .logarithmic = true}};
-    panel.series.push_back({.label = "the edge, mean of frames",
+    panel.series.push_back({.label = "edge, mean of frames",
                             .x = found.mode,
                             .y = found.power / square,
                             .mark = Mark::points,
@@ -96,28 +96,28 @@ figures::Panel distribution_panel(const char* letter, const figures::Axis& axis,
 }  // namespace
 
 StudyFigure contact_line_figure(const ContactLineData& data, const std::string& file, const Look& look) {
-    StudyFigure drawn{.identifier = "contact_line", .name = "The edge of a contact", .command = look.command};
-    drawn.title = fmt::format("The edge of the contact in {}", file_name(file));
+    StudyFigure drawn{.identifier = "contact_line", .name = "Contact edge", .command = look.command};
+    drawn.title = fmt::format("Contact edge in {}", file_name(file));
     std::vector<figures::Panel> panels{edges_panel(data.line)};
-    drawn.caption = "A: the edge in frames from the first, dark, to the last.";
+    drawn.caption = "A: the edge in all frames, from the first (dark) to the last.";
     if (data.roughness.mode.size() > 0) {
         const auto& noise = data.line.place_error;
         panels.push_back(spectrum_panel(data.roughness, noise * noise / static_cast<double>(data.line.angles())));
-        drawn.caption += " B: power of its modes, and the law fitted.";
+        drawn.caption += " B: power of the modes of the edge, and the fitted power law.";
     }
     if (data.receding_speeds.size() > 1 || data.advancing_speeds.size() > 1) {
         panels.push_back(distribution_panel("C", {.quantity = "speed *v* over its mean", .logarithmic = true},
-                                            "share of places faster", data.receding_speeds, data.advancing_speeds,
+                                            "share of faster places", data.receding_speeds, data.advancing_speeds,
                                             1.0));
-        drawn.caption += " C: share of the places that the edge passes faster.";
+        drawn.caption += " C: share of places where the edge moves faster.";
     }
     if (data.receding_jumps.size() > 1 || data.advancing_jumps.size() > 1) {
         const Array1D& some = data.receding_jumps.size() > 1 ? data.receding_jumps : data.advancing_jumps;
         const auto unit = axis_unit(some.sqrt(), "m");
         panels.push_back(distribution_panel(
             "D", {.quantity = "area of a jump *S*", .unit = unit.name + "2", .logarithmic = true},
-            "share of jumps larger", data.receding_jumps, data.advancing_jumps, unit.factor * unit.factor));
-        drawn.caption += " D: share of the jumps that are larger.";
+            "share of larger jumps", data.receding_jumps, data.advancing_jumps, unit.factor * unit.factor));
+        drawn.caption += " D: share of larger jumps.";
     }
     const bool wide = look.wide();
     const auto rows = static_cast<double>(wide ? (panels.size() + 1) / 2 : panels.size());

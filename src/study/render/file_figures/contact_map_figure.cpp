@@ -74,12 +74,12 @@ Panel map_of(const Array2D& values, std::array<double, 2> size, const Field& sho
 
 StudyFigure contact_map_figure(const std::vector<ContactState>& states, std::array<double, 2> size,
                                const std::string& file, const Look& look) {
-    if (states.empty()) throw InvalidArgument("no state of a contact to draw");
+    if (states.empty()) throw InvalidArgument("there is no contact state to draw");
     const bool line = is_line(states.front().gaps), several = states.size() > 1, wide = look.wide() || several;
     StudyFigure drawn{.identifier = "contact", .name = "Contact point by point", .command = look.command};
     drawn.title = fmt::format("Pressure and gap of {}", file_name(file));
-    drawn.caption = fmt::format("Pressure, below 0 where the body is drawn, and gap.{}",
-                                line ? "" : " Colours end where 0.5 % of the map lies beyond.");
+    drawn.caption = fmt::format("Pressure (negative where the surfaces attract) and gap.{}",
+                                line ? "" : " The colour range excludes 0.5 % of the map at each end.");
     const auto panel = line ? line_of : map_of;
     for (const auto& state : states)
         for (auto of : {panel(state.pressures, size, pressure_field), panel(state.gaps, size, gap_field)}) {

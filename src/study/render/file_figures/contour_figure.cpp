@@ -68,11 +68,11 @@ StudyFigure contour_figure(const study::TracedPicture& picture, const std::vecto
     const auto n = static_cast<double>(segments.size());
     drawn.figure.width_mm = look.wide() ? page_mm : column_mm;
     drawn.figure.height_mm = std::max(55.0, 40.0 * n);
-    drawn.caption = fmt::format("{}; heights and lengths at different scales.{}",
+    drawn.caption = fmt::format("{}. Heights and lengths have different scales.{}",
                                 shape == study::ContourShape::parametric
                                     ? "The curve traced in the picture"
-                                    : "The profile of the contour traced in the picture, from its mean line",
-                                errors ? " Shaded: 95 % of each height." : "");
+                                    : "The profile of the contour traced in the picture, measured from its mean line",
+                                errors ? " Shaded: 95 % interval of each height." : "");
     return drawn;
 }
 

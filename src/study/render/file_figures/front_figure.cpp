@@ -33,8 +33,8 @@ struct Curves {
 
 StudyFigure front_figure(const Table& table, const contact::AdhesiveContact& contact, const std::string& file,
                          const Look& look) {
-    StudyFigure drawn{.identifier = "front", .name = "Edge of a contact", .command = look.command};
-    drawn.title = fmt::format("A soft sphere on {}: its edge as a crack front", file_name(file));
+    StudyFigure drawn{.identifier = "front", .name = "Contact edge", .command = look.command};
+    drawn.title = fmt::format("A soft sphere on {}: the contact edge as a crack front", file_name(file));
     if (table.rows() == 0 || !(table.at("area_radius").maxCoeff() > 0.0)) {
         drawn.reason = "no step of the loop is in contact";
         return drawn;
@@ -77,7 +77,7 @@ StudyFigure front_figure(const Table& table, const contact::AdhesiveContact& con
                     .width_mm = look.wide() ? page_mm : column_mm,
                     .height_mm = look.wide() ? 70.0 : 120.0};
     drawn.caption =
-        "A: force against displacement; the area between the branches is lost. B: radius of the contact, √(A/π), against force. "
+        "A: force against displacement; the area between the branches is the energy loss. B: contact radius, √(A/π), against force. "
         "Dashed: a smooth sphere with the same work of adhesion.";
     return drawn;
 }

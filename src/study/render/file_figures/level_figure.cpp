@@ -91,7 +91,7 @@ StudyFigure level_figure(const topography::Measurement& before, const processing
                     .columns = look.wide() ? 2 : 1,
                     .width_mm = look.wide() ? page_mm : column_mm,
                     .height_mm = look.wide() ? (map ? 75.0 : 60.0) : (map ? 120.0 : 100.0)};
-    drawn.caption = fmt::format("Heights from their mean, before and after {}.{}", steps_of(after),
+    drawn.caption = fmt::format("Heights relative to their mean, before and after {}.{}", steps_of(after),
                                 map ? " White: undefined." : "");
     return drawn;
 }

@@ -39,7 +39,7 @@ StudyFigure parameter_figure(const study::SurfaceResult& surface, const Look& lo
     const Array1D wavelength = 2.0 * pi / below.wavevector(rows);
     const auto length = axis_unit(Array1D{{std::sqrt(wavelength.maxCoeff() * wavelength.minCoeff())}}, "m");
     figures::Panel panel{.x = {.quantity = "wavelength *λ*", .unit = length.name, .logarithmic = true},
-                         .y = {.quantity = "share of waves longer than *λ*", .unit = "%", .from = 0.0, .to = 103.0}};
+                         .y = {.quantity = "share from waves longer than *λ*", .unit = "%", .from = 0.0, .to = 103.0}};
     const auto add = [&](const char* label, const Array1D& values, double power) {
         panel.series.push_back({.label = label,
                                 .x = wavelength / length.factor,
@@ -52,12 +52,13 @@ StudyFigure parameter_figure(const study::SurfaceResult& surface, const Look& lo
     add("mean square curvature", below.rms_curvature, 2.0);
     const auto alone = surface.measurements.size() == 1;
     StudyFigure drawn{.identifier = "parameters", .name = "parameters", .command = look.command};
-    drawn.title = alone ? "Which waves carry the roughness of " + file_name(surface.measurements.front().file)
-                        : "Which waves carry the roughness";
+    drawn.title =
+        alone ? "Contributions of wavelengths to the roughness of " + file_name(surface.measurements.front().file)
+              : "Contributions of wavelengths to the roughness";
     const auto& p = spectrum.parameters;
     drawn.caption = fmt::format(
-        "Shares of h_rms² ({}), stored energy U_el (U_el/(A E*) = {}), h'_rms² (h'_rms = {:.3g}) and h''_rms² ({}) that "
-        "waves longer than λ reach, of the waves between {} and {}. What the data do not reach is in no share.",
+        "Shares of h_rms² (h_rms = {}), stored energy U_el (U_el/(A E*) = {}), h'_rms² (h'_rms = {:.3g}) and h''_rms² (h''_rms = {}) from "
+        "waves longer than λ. The shares include waves between {} and {}; waves outside this band are not measured.",
         format_value(p.rms_height, "m", 3), format_value(p.elastic_energy_per_modulus, "m", 3), p.rms_slope,
         format_value(p.rms_curvature, "1/m", 3), format_value(2.0 * pi / spectrum.curve.band.upper, "m", 3),
         format_value(2.0 * pi / spectrum.curve.band.lower, "m", 3));

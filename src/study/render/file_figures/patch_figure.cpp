@@ -60,9 +60,9 @@ figures::Series points_of(const Kind& kind, PatchMean SurveyRow::*what, int colo
 
 StudyFigure patch_figure(const std::vector<SurveyRow>& rows, const Look& look) {
     StudyFigure drawn{.identifier = "conform", .name = "conform", .command = look.command};
-    drawn.title = "What contact gains where roughness stores energy";
+    drawn.title = "Energy gain and contact area against stored energy";
     const figures::Axis share{.quantity = "stored energy *U*_el/*AW*", .unit = "1", .from = 0.0};
-    figures::Panel gain{.title = "A", .x = share, .y = {.quantity = "gained/*W*", .unit = "1"}},
+    figures::Panel gain{.title = "A", .x = share, .y = {.quantity = "energy gain/*W*", .unit = "1"}},
         area{.title = "B", .x = share, .y = {.quantity = "area in contact", .unit = "1", .from = 0.0, .to = 1.05}};
     double largest = 1.0;
     for (const auto& row : rows) largest = std::max(largest, row.design.energy_share);
@@ -85,8 +85,8 @@ StudyFigure patch_figure(const std::vector<SurveyRow>& rows, const Look& look) {
                     .width_mm = look.wide() ? page_mm : column_mm,
                     .height_mm = look.wide() ? 75.0 : 130.0};
     drawn.caption = fmt::format(
-        "Patches under no load, {} each; bars are one standard error. A: energy gained from far apart, over W; line: (7), "
-        "0 at least. B: area in contact, coming from far (filled) and after a pressure of h'E* (hollow).",
+        "Patches without load, {} each; bars are one standard error. A: energy gain on approach from a large distance, over W; line: full-contact balance (Eq. 7), "
+        "at least 0. B: area in contact after approach from a large distance (filled) and after a pressure of h'E* (hollow).",
         rows.empty() ? 0 : rows.front().patches);
     return drawn;
 }

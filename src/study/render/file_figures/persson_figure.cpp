@@ -67,10 +67,10 @@ StudyFigure persson_figure(const Table& table, const std::string& file, const Lo
     const auto along = abscissa_of(table);
     StudyFigure drawn{.identifier = "persson", .name = "Persson's theory", .command = look.command};
     drawn.title =
-        fmt::format("Contact of {} against {}", file_name(file), along.along_load ? "load" : "the waves counted");
+        fmt::format("Contact of {} against {}", file_name(file), along.along_load ? "load" : "the included waves");
     drawn.caption = fmt::format("Persson's theory. A: area in contact over the nominal area{}. B: mean gap{}.",
                                 table.find("adhesive_area_fraction") ? ", with and without adhesion" : "",
-                                along.along_load ? "" : ", both of the surface with the waves up to q alone");
+                                along.along_load ? "" : ", both for the surface with only the waves up to q");
     const bool wide = look.wide();
     drawn.figure = {.panels = {area_panel(table, along), gap_panel(table, along)},
                     .columns = wide ? 2 : 1,

@@ -27,7 +27,7 @@ struct Course {
           contact_radius(table.at("contact_radius")) {}
 };
 
-/// Works of the way back that lie a standard error off, those that are no less than W_app.
+/// Works of retraction one standard error above and below, those that are at least W_app.
 std::vector<hysteresis::HystereticSphere> spheres_beside(const hysteresis::PredictedRetraction& loop) {
     std::vector<hysteresis::HystereticSphere> beside;
     for (const double sign : {-1.0, 1.0}) {
@@ -90,7 +90,7 @@ StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::Study
     StudyFigure drawn{.identifier = fmt::format("loop:{} {}", pair.surface, pair.elastomer),
                       .name = fmt::format("loop {} {}", pair.surface, pair.elastomer),
                       .command = look.command};
-    drawn.title = fmt::format("{} on {}: the loop predicted from roughness", pair.elastomer, pair.surface);
+    drawn.title = fmt::format("{} on {}: loop predicted from roughness", pair.elastomer, pair.surface);
     if (!pair.loop) {
         drawn.reason = pair.loop.reason;
         return drawn;
@@ -122,11 +122,11 @@ StudyFigure predicted_loop_figure(const PairHysteresis& pair, const study::Study
                     .width_mm = look.wide() ? page_mm : column_mm,
                     .height_mm = look.wide() ? 135.0 : 190.0};
     drawn.caption = fmt::format(
-        "Predicted from roughness by {}: force against displacement, contact radius against force, and where the energy goes. Dashed: "
-        "W_ret a standard error off.{}{}",
+        "Loop predicted from roughness by {}: force against displacement, contact radius against force, and energy budget. Dashed: "
+        "W_ret plus or minus one standard error.{}{}",
         pair.model.name(),
         records > 0 ? fmt::format(" Points: {} of the study.", counted(records, "record", "records")) : "",
-        pair.decomposition ? " Lower bar: where that of the measured loop went, symbol: what it was." : "");
+        pair.decomposition ? " Lower bar: energy budget of the measured loop; symbol: measured energy loss." : "");
     return drawn;
 }
 

@@ -120,8 +120,8 @@ StudyFigure scale_figure(const std::vector<FunctionOfScale>& functions, const sc
                       : fmt::format("{} of {} measurements", in_words(first.quantity), functions.size());
     drawn.caption = fmt::format(
         "{} against distance{}.{}", in_words(first.quantity),
-        combined ? ": each measurement, and black their mean in bins with one standard error between them" : "",
-        cut ? " Dotted and pale: shorter than sampling, tip or resolution can be trusted at." : "");
+        combined ? ": each measurement; black: mean in bins, with one standard error between measurements" : "",
+        cut ? " Dotted and pale: distances below the reliable limit of sampling, tip or resolution." : "");
     drawn.figure = {
         .panels = {panel}, .width_mm = look.wide() ? 140.0 : column_mm, .height_mm = look.wide() ? 95.0 : 70.0};
     return drawn;

@@ -21,7 +21,7 @@ StudyFigure of_measurements(const study::SurfaceResult& surface, const Look& loo
     study::StudyResult result;
     result.surfaces.push_back(surface);
     auto& drawn = result.surfaces.front();
-    drawn.name = "one surface";                                    // as the caption calls it
+    drawn.name = "one surface";                                    // its name in the caption
     if (drawn.measurements.size() == 1) drawn.average.curve = {};  // it would hide the one measurement
     return study_figures::study_figure(result, "spectra:" + drawn.name, {.width = look.width});
 }
@@ -40,7 +40,7 @@ void add_errors(const study::SurfaceResult& surface, const Table& table, StudyFi
                                    .mark = Mark::band,
                                    .colour = black,
                                    .in_legend = false});
-    drawn.caption += " Shaded: one standard error between its lines, mode by mode.";
+    drawn.caption += " Shaded: one standard error between the lines of the map, for each mode.";
 }
 
 /// A table that was given, with its standard errors.
@@ -66,9 +66,9 @@ StudyFigure of_table(const study::SurfaceResult& surface, const Table& table, co
     drawn.figure.width_mm = look.wide() ? 140.0 : column_mm;
     drawn.figure.height_mm = look.wide() ? 95.0 : 75.0;
     drawn.caption =
-        fmt::format("C1D against wavevector q as a table gives it.{}", !errors  ? " It states no errors."
-                                                                       : shaded ? " Shaded: its standard errors."
-                                                                                : " Bars: its standard errors.");
+        fmt::format("C1D against wavevector q from a table.{}", !errors  ? " The table contains no errors."
+                                                                : shaded ? " Shaded: standard errors of the table."
+                                                                         : " Bars: standard errors of the table.");
     return drawn;
 }
 
@@ -98,7 +98,7 @@ void add_model(const Table& table, StudyFigure& drawn) {
     };
     add(shown(model->values, outside, [](bool beyond) { return !beyond; }), false);
     add(shown(model->values, outside, [](bool beyond) { return beyond; }), true);
-    drawn.caption += " Dashed: the self-affine fit, dotted outside the range it was fitted to.";
+    drawn.caption += " Dashed: the self-affine fit; dotted: outside the fitted range.";
 }
 
 /// C_iso in a panel of its own.

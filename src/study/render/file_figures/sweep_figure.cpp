@@ -43,9 +43,9 @@ figures::Panel sweep_panel(const Table& table, const char* title, const char* co
 StudyFigure sweep_figure(const Table& table, const std::string& file, const Look& look) {
     const auto gap = axis_unit(table.at("mean_gap"), "m"), tension = axis_unit(table.at("tension"), "Pa");
     StudyFigure drawn{.identifier = "sweep", .name = "Approach and separation", .command = look.command};
-    drawn.title = fmt::format("{} approached and parted", file_name(file));
+    drawn.title = fmt::format("{}: approach and separation", file_name(file));
     drawn.caption =
-        "A: mean tension, below 0 where it presses; the area between the branches is lost. B: area in contact over the "
+        "A: mean tension (negative under pressure); the area between the branches is the energy loss. B: area in contact over the "
         "nominal area.";
     const bool wide = look.wide();
     drawn.figure = {.panels = {sweep_panel(table, "A", "tension", gap, tension, "mean tension *T*"),

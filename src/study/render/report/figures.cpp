@@ -189,13 +189,13 @@ std::string title_of(const study_figures::StudyFigure& figure) {
 
 std::string caption_html(const study_figures::StudyFigure& figure, const FigurePage& page) {
     std::string html = "<p class=\"caption\">" + prose(figure.caption) +
-                       (is_thinned(figure) ? " This page holds the points that the eye tells apart; figures/" +
-                                                 escaped(figure.name) + ".csv holds all."
+                       (is_thinned(figure) ? " This page contains the points that the eye can distinguish; figures/" +
+                                                 escaped(figure.name) + ".csv contains all points."
                                            : "") +
                        "</p>";
     if (const auto remark = page.remarks.find(figure.identifier); remark != page.remarks.end())
         html += "<p class=\"caption\">" + remark->second + "</p>";
-    return html + fmt::format("<p class=\"command\">Made again by <code>{}</code></p>",
+    return html + fmt::format("<p class=\"command\">Command: <code>{}</code></p>",
                               escaped(fmt::format("setae plot {} --figure {}", shell_word(page.study),
                                                   shell_word(figure.identifier))));
 }
@@ -266,9 +266,11 @@ std::string folded_html(const Figures& figures, const FigurePage& page, int leve
     }
     if (const auto all = count_of(family, figures, page); all > shown)
         html += fmt::format(
-            "<p class=\"reason\">Figures of {} more {} are not in this page, to keep it small: they are in the folder "
-            "figures, and <code>setae plot {} --figure {}:NAME</code> draws one.</p>",
-            all - shown, family == "loop" ? "loops" : "surfaces", escaped(shell_word(page.study)), escaped(family));
+            "<p class=\"reason\">Figures of {} are not in this page, to keep it small. The folder figures contains "
+            "them, and <code>setae plot {} --figure {}:NAME</code> draws one.</p>",
+            family == "loop" ? counted(all - shown, "more loop", "more loops")
+                             : counted(all - shown, "more surface", "more surfaces"),
+            escaped(shell_word(page.study)), escaped(family));
     return html;
 }
 
@@ -301,7 +303,7 @@ std::string undrawable_html(const Figures& figures) {
                              anchor_of(*figure), title_of(*figure), escaped(figure->reason));
     return as_html(Fold{.identifier = "not-drawn",
                         .kind = "text",
-                        .title = "What cannot be drawn",
+                        .title = "Figures not drawn",
                         .remark = counted(figures.size(), "figure", "figures"),
                         .html = "<ul>" + items + "</ul>"});
 }

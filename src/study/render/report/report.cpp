@@ -33,7 +33,7 @@ struct Chapter {
 std::string tables_html(const study::StudyResult& result, const Json& study) {
     std::string html;
     for (const auto& table : parameter_tables(result, study)) html += as_html(table, study);
-    return html.empty() ? "<p>There is no number to show.</p>" : html;
+    return html.empty() ? "<p>The study has no numbers to show.</p>" : html;
 }
 
 /// What a reader meets, in this order; empty ones are left out.
@@ -46,16 +46,16 @@ std::vector<Chapter> chapters_of(const study::StudyResult& result,
     if (result.prediction_test) page.remarks["prediction"] = prose(output::deviation_note(*result.prediction_test));
     const auto parts = figures_html(figures, page);
     const std::string undrawn =
-        "<noscript><p>Figures are drawn by a program in this page, which this browser does not run.</p></noscript>";
+        "<noscript><p>A script in this page draws the figures. This browser does not run scripts.</p></noscript>";
     std::vector<Chapter> chapters{
         {"verdict", "Verdict", verdict_html(result)},
-        {"figures", "Figures", parts.carrying.empty() ? "<p>No figure was asked for.</p>" : undrawn + parts.carrying},
-        {"limits", "What can and cannot be concluded", limits_html(result)},
+        {"figures", "Figures", parts.carrying.empty() ? "<p>No figures were requested.</p>" : undrawn + parts.carrying},
+        {"limits", "Conclusions and limits", limits_html(result)},
         {"tables", "Numbers",
          numbers_html(result, study) + way_back_html(result, study, parts.way_back) + tables_html(result, study)},
         {"more-figures", "More figures", parts.others},
-        {"cut", "What was cut and why", cut_html(result)},
-        {"alerts", "Alerts", alerts_html(result)},
+        {"cut", "Excluded data", cut_html(result)},
+        {"alerts", "Warnings", alerts_html(result)},
         {"steps", "Steps and methods", steps_html(result) + methods_html(result)},
         {"provenance", "Provenance", provenance_html(result, run)},
         {"references", "References", references_html()},

@@ -15,6 +15,7 @@
 #include "markup.hpp"
 #include "setae/core/constants.hpp"
 #include "setae/core/units.hpp"
+#include "setae/core/words.hpp"
 #include "setae/output/verdict.hpp"
 #include "table.hpp"
 
@@ -45,17 +46,17 @@ std::string wavelengths(const MeasurementResult& m) {
            format_value(2.0 * pi / m.spectrum.band.lower, "m", 3);
 }
 
-/// What of the alerts speaks of data that were cut or changed.
+/// Those of the alerts that concern data that were cut or changed.
 std::string cuts_of(const MeasurementResult& m) {
     static const std::set<std::string> codes{"TIP_CUTOFF", "REENTRANT",   "CONTOUR_STEPS",     "TRACE_NOISE",
                                              "UNDEFINED",  "PIXEL_NOISE", "LIKELIHOOD_FAILED", "COVERAGE_GAP"};
     std::string text;
     for (const auto& alert : m.alerts)
         if (codes.contains(alert.code)) text += (text.empty() ? "" : "; ") + alert.code + ": " + alert.message;
-    return text.empty() ? "size at long and sampling at short wavelengths" : text;
+    return text.empty() ? "size at long wavelengths, sampling at short wavelengths" : text;
 }
 
-/// What a study says of each file of a surface.
+/// The study's inputs of each file of a surface.
 std::map<std::string_view, const study::MeasurementInput*> inputs_of(const StudyResult& result,
                                                                      const std::string& surface) {
     std::map<std::string_view, const study::MeasurementInput*> inputs;
@@ -67,8 +68,8 @@ std::map<std::string_view, const study::MeasurementInput*> inputs_of(const Study
 std::string steps_of(const MeasurementResult& m, const study::MeasurementInput* input) {
     std::string text = "read" + (m.spectrum.metadata.format.empty() ? "" : " as " + m.spectrum.metadata.format);
     if (input && !input->references.empty())
-        text += fmt::format("; the instrument's artefact, found on {} scans of a smooth standard, subtracted",
-                            input->references.size());
+        text += fmt::format("; artefact of the instrument subtracted, from {} of a smooth reference",
+                            counted(input->references.size(), "scan", "scans"));
     for (const auto& step : m.processing) text += "; " + step.step;
     for (const auto& alert : m.alerts) {
         if (alert.code == "REENTRANT") text += "; contour cleaned: " + alert.message;
@@ -78,10 +79,10 @@ std::string steps_of(const MeasurementResult& m, const study::MeasurementInput* 
                                                : fmt::format("; {} removed", topography::name(m.trend));
     text += fmt::format("; window {}", m.spectrum.window.empty() ? "none" : m.spectrum.window);
     if (input && input->tip_radius)
-        text += fmt::format("; tip of {} taken into account", format_value(input->tip_radius->value, "m", 3));
+        text += fmt::format("; tip radius of {} included", format_value(input->tip_radius->value, "m", 3));
     if (input && input->resolution)
         text += fmt::format("; cut at the instrument's resolution of {}", format_value(*input->resolution, "m", 3));
-    return text + "; trusted for wavelengths " + wavelengths(m);
+    return text + "; reliable for wavelengths " + wavelengths(m);
 }
 
 }  // namespace
@@ -100,8 +101,8 @@ std::string cut_html(const StudyResult& result) {
     for (const auto& e : result.experiments)
         if (e.failed())
             failed.push_back({"experiment", e.input.reference ? "reference" : e.input.surface, e.input.file, e.error});
-    std::string html = failed.empty() ? "<p>Nothing failed.</p>"
-                                      : plain_table("failed", "What failed, and why",
+    std::string html = failed.empty() ? "<p>No part of the study failed.</p>"
+                                      : plain_table("failed", "Failed parts, with the reason",
                                                     {"kind", "surface", "file", "reason"}, failed, true);
     std::vector<std::vector<std::string>> excluded;
     for (const auto& e : result.experiments)
@@ -109,16 +110,16 @@ std::string cut_html(const StudyResult& result) {
             excluded.push_back({e.input.reference ? "reference" : e.input.surface, e.input.elastomer, e.input.file,
                                 e.input.exclusion});
     if (!excluded.empty())
-        html += plain_table("excluded", "Loops left out of every mean, and why",
+        html += plain_table("excluded", "Loops excluded from every mean, with the reason",
                             {"surface", "elastomer", "file", "reason"}, excluded);
     const auto limits = result.study.analysis.limits();
     if (limits.shortest || limits.longest)
-        html += fmt::format("<p>Every spectrum is cut to wavelengths from {} to {}, as the study says.</p>",
+        html += fmt::format("<p>The study limits every spectrum to wavelengths from {} to {}.</p>",
                             limits.shortest ? format_value(*limits.shortest, "m", 3) : "the shortest measured",
                             limits.longest ? format_value(*limits.longest, "m", 3) : "the longest measured");
-    if (rows.empty()) return html + "<p>No surface was measured in this study; nothing was cut from measurements.</p>";
-    return html + plain_table("cuts", "Band trusted of each measurement, and what limits it",
-                              {"surface", "file", "instrument", "wavelengths trusted", "limited by"}, rows);
+    if (rows.empty()) return html + "<p>The study contains no measurement of a surface.</p>";
+    return html + plain_table("cuts", "Reliable band of each measurement, with its limits",
+                              {"surface", "file", "instrument", "reliable wavelengths", "limited by"}, rows);
 }
 
 std::string alerts_html(const StudyResult& result) {
@@ -128,17 +129,18 @@ std::string alerts_html(const StudyResult& result) {
         const bool one_action =
             std::all_of(alerts.begin(), alerts.end(), [&](const auto& alert) { return alert.action == action; });
         html += fmt::format(
-            "<details class=\"alerts\"><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary><ul>",
+            "<details class=\"warnings\"><summary><span class=\"code\">{}</span> <span class=\"count\">{}</span> {}</summary><ul>",
             escaped(code), alerts.size() == 1 ? "once" : fmt::format("{} times", alerts.size()),
             one_action ? "What to do: " + prose(action) : "");
         for (const auto& alert : std::span(alerts).first(std::min(alerts.size(), max_rows)))
             html += fmt::format("<li><strong>{}</strong>: {}{}</li>", escaped(alert.subject), prose(alert.message),
                                 one_action ? "" : " — " + prose(alert.action));
         if (alerts.size() > max_rows)
-            html += fmt::format("<li>{} more. The file alerts.csv contains all alerts.</li>", alerts.size() - max_rows);
+            html +=
+                fmt::format("<li>{} more. The file alerts.csv contains all warnings.</li>", alerts.size() - max_rows);
         html += "</ul></details>\n";
     }
-    return html.empty() ? "<p>No alert.</p>" : "<p>By kind, what misleads most first.</p>" + html;
+    return html.empty() ? "<p>No warning.</p>" : "<p>Warnings by kind, the most important first.</p>" + html;
 }
 
 std::string steps_html(const StudyResult& result) {
@@ -153,7 +155,7 @@ std::string steps_html(const StudyResult& result) {
         }
     }
     return rows.empty()
-               ? "<p>No surface was measured in this study.</p>"
+               ? "<p>The study contains no measurement of a surface.</p>"
                : plain_table("steps", "Steps from file to spectrum", {"surface", "file", "steps in order"}, rows);
 }
 
@@ -167,23 +169,23 @@ std::string methods_html(const StudyResult& result) {
     const auto say = [&html](const std::string& sentence) { html += "<li>" + sentence + "</li>"; };
     if (measured)
         say("Power spectral density <i>C</i><sub>1D</sub>(<i>q</i>) = |<i>h̃</i>(<i>q</i>)|²/<i>L</i>, two-sided, <i>q</i> = 2π/wavelength, so that <i>h</i>²<sub>rms</sub> = (1/π) ∫ "
-            "<i>C</i><sub>1D</sub> d<i>q</i>; trend and window of each measurement stand above [J17].");
+            "<i>C</i><sub>1D</sub> d<i>q</i> [J17]. The table above gives the trend and the window of each measurement.");
     if (fitted)
-        say("The spectrum of a surface is fitted to all its measurements at once, each seen through its window, trend, sampling and tip (Whittle likelihood); the plain average over "
-            "measurements stands beside it.");
+        say("The spectrum of a surface is fitted to all its measurements together (Whittle likelihood). The fit includes the window, trend, sampling and tip of each measurement. The "
+            "plain average over the measurements is given for comparison.");
     say(options.conversion == roughness::Conversion::exact
             ? std::string(
-                  "Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area exactly for isotropic surfaces.")
+                  "Rms height, slope, curvature and stored energy are moments of the spectrum. The conversion from line to area is exact for isotropic surfaces.")
             : std::string(
-                  "Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area by (11) of [D19]."));
-    say("True area: <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> of a surface with Gaussian slopes, (9) of [D19].");
-    say("Work of adhesion of loops by JKR [JKR]; energy lost is ∮ <i>F</i> d<i>δ</i>.");
+                  "Rms height, slope, curvature and stored energy are moments of the spectrum, converted from line to area by Eq. 11 of [D19]."));
+    say("<i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> is the true area ratio of a surface with Gaussian slopes, Eq. 9 of [D19].");
+    say("The work of adhesion of loops follows from JKR fits [JKR]. The energy loss is ∮ <i>F</i> d<i>δ</i>.");
     if (!result.replicates.empty())
-        say("Measured values of pairs are means by a linear mixed model over lenses, spots and repeats, fitted by restricted likelihood beside the loops' own errors; degrees of freedom by "
-            "Satterthwaite's formula.");
-    say("Balance (7) of [D19]: <i>W</i><sub>app</sub> = <i>W</i><sub>int</sub> <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − <i>γ</i><sub>1</sub> (<i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − 1) − "
-        "<i>U</i><sub>el</sub>/<i>A</i><sub>app</sub>; (2) leaves the soft side's term, <i>γ</i><sub>1</sub>, out; (S13), after [PT01], does so with the area of small slopes, 1 + <i>h</i>′²/2. (10): <i>E</i><sub>loss</sub> = <i>W</i><sub>int</sub> "
-        "<i>A</i><sub>true</sub>. One <i>W</i><sub>int</sub> is fitted to all pairs.");
+        say("Measured values of pairs are means of a linear mixed model over lenses, spots and repeats. The fit by restricted likelihood includes the errors of the loops. Degrees of "
+            "freedom follow Satterthwaite's formula.");
+    say("Full-contact balance (Eq. 7 of [D19]): <i>W</i><sub>app</sub> = <i>W</i><sub>int</sub> <i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − <i>γ</i><sub>1</sub> (<i>A</i><sub>true</sub>/<i>A</i><sub>app</sub> − 1) − "
+        "<i>U</i><sub>el</sub>/<i>A</i><sub>app</sub>. The small-slope balance (Eq. 2) omits the term with <i>γ</i><sub>1</sub> of the soft side. The Persson–Tosatti balance (Eq. S13, [PT01]) omits this term too and uses the area of small slopes, "
+        "1 + <i>h</i>′²/2. True-area loss (Eq. 10): <i>E</i><sub>loss</sub> = <i>W</i><sub>int</sub> <i>A</i><sub>true</sub>. One <i>W</i><sub>int</sub> is fitted to all pairs.");
     return as_html(Fold{.identifier = "methods", .kind = "text", .title = "Methods", .html = html + "</ul>"});
 }
 
@@ -193,24 +195,25 @@ std::string provenance_html(const StudyResult& result, const RunRecord& run) {
     const auto line = [&html](const std::string& term, const std::string& definition) {
         html += "<dt>" + term + "</dt><dd>" + definition + "</dd>";
     };
-    line("Made by", "setae " + escaped(study::version()));
+    line("Program", "setae " + escaped(study::version()));
     line("Command", "<code>" + escaped(run.command) + "</code>");
     line("Time", escaped(run.time));
     line("Study", "<code>" + escaped(result.study.path) + "</code>");
     line("Conversion from line to area",
-         options.conversion == roughness::Conversion::exact ? "exact moments" : "(11) of [D19]");
+         options.conversion == roughness::Conversion::exact ? "exact moments" : "Eq. 11 of [D19]");
     line("Spectrum", options.spectrum
                          ? *options.spectrum == study::SpectrumMethod::likelihood ? "likelihood" : "average"
-                         : "likelihood of surfaces with several measurements, average of one alone");
+                         : "likelihood for surfaces with several measurements, average for a single measurement");
     line("Bootstrap resamples", std::to_string(options.bootstrap_resamples));
     line("Seed", std::to_string(options.seed));
     if (options.tip_percentile > 0.0) line("Tip percentile", fmt::format("{}", options.tip_percentile));
     line("Rough solid", format_value(result.study.counter_youngs_modulus, "Pa", 4) +
                             fmt::format(", Poisson ratio {}", result.study.counter_poisson_ratio));
-    line("<i>W</i><sub>int</sub> given", result.study.work_of_adhesion
+    line("Given <i>W</i><sub>int</sub>", result.study.work_of_adhesion
                                              ? escaped(format_value(result.study.work_of_adhesion->value, "J/m2"))
                                              : std::string("no"));
-    html = as_html(Fold{.identifier = "run", .kind = "text", .title = "How this was made", .html = html + "</dl>"});
+    html = as_html(
+        Fold{.identifier = "run", .kind = "text", .title = "Program, command and options", .html = html + "</dl>"});
     std::vector<std::vector<std::string>> rows;
     for (const auto& input : result.inputs)
         rows.push_back({input.path,
@@ -233,9 +236,9 @@ std::string references_html() {
         "<li>[JKR] K. L. Johnson, K. Kendall, A. D. Roberts: Surface energy and the contact of elastic solids. Proc. R. Soc. Lond. A 324 (1971) 301. doi:10.1098/rspa.1971.0141</li>"
         "<li>[setae] The setae developers: setae, from measured roughness to soft adhesion, version " +
         escaped(study::version()) + ". GPL-3.0-or-later.</li></ul>";
-    return "<p>Whoever publishes numbers or figures of this page cites the paper whose method they follow, and setae.</p>" +
-           as_html(Fold{.identifier = "cited", .kind = "text", .title = "What to cite", .html = list}) +
-           "<p class=\"note\">Figures are drawn by plotly.js 4.1.1, © 2012–2026 Plotly, Inc., MIT licence; it is part of this page. The page asks no network for anything.</p>";
+    return "<p>Publications with numbers or figures of this page should cite the paper of the method and setae.</p>" +
+           as_html(Fold{.identifier = "cited", .kind = "text", .title = "References to cite", .html = list}) +
+           "<p class=\"note\">plotly.js 4.1.1 (© 2012–2026 Plotly, Inc., MIT licence) draws the figures. It is part of this page, and the page loads nothing from the network.</p>";
 }
 
 }  // namespace setae::report

@@ -32,14 +32,13 @@ std::string sentence_of_contents(const StudyResult& result) {
         static_cast<std::size_t>(std::count_if(result.study.published.begin(), result.study.published.end(),
                                                [](const auto& p) { return !p.surface.empty(); }));
     std::string text =
-        fmt::format("This study holds {} with {}, {} and {}", counted(result.surfaces.size(), "surface", "surfaces"),
+        fmt::format("The study contains {} with {}, {} and {}", counted(result.surfaces.size(), "surface", "surfaces"),
                     counted(count_measurements(result), "measurement", "measurements"),
                     counted(result.elastomers.size(), "elastomer", "elastomers"),
                     counted(result.experiments.size(), "experiment", "experiments"));
     if (references > 0) text += fmt::format(" ({} on the smooth reference)", references);
     if (published > 0)
-        text += fmt::format("; {} of surface and elastomer come from published tables",
-                            counted(published, "pair", "pairs"));
+        text += fmt::format(". Values of {} come from published tables", counted(published, "pair", "pairs"));
     return text + ".";
 }
 
@@ -54,7 +53,7 @@ std::string sentence_of_failures(const StudyResult& result) {
         if (e.failed()) failed.push_back("experiment " + e.input.file);
     if (failed.empty()) return result.surfaces.empty() && result.experiments.empty() ? "" : " Nothing failed.";
     return fmt::format(
-        " <strong>{} failed</strong>: {}; the reasons stand under <a href=\"#cut\">What was cut and why</a>.",
+        " <strong>{} failed</strong>: {}. The section <a href=\"#cut\">Excluded data</a> gives the reasons.",
         failed.size(), escaped(listed(failed)));
 }
 
@@ -63,7 +62,7 @@ std::string r_squared(const Json& study, const std::string& fit) {
     return entry(study, pointer).is_number() ? fmt::format("<i>R</i>² = {}", number_html(study, pointer, {}, 3)) : "";
 }
 
-/// "reported: W_int = 37.0 ± 3.7 mJ m⁻², R² = 0.6700 ([D19], Fig. 4A)"; empty where nobody reported anything for a fit.
+/// "reported: W_int = 37.0 ± 3.7 mJ m⁻², R² = 0.6700 ([D19], Fig. 4A)"; empty where nothing is reported for a fit.
 std::string reported_of(const StudyResult& result, const Json& study, const std::string& fit) {
     std::string text, source;
     for (std::size_t i = 0; i < result.study.reported.size(); ++i) {
@@ -81,7 +80,7 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
     std::string text;
     if (result.work_of_adhesion)
         text += fmt::format(
-            "<p>Intrinsic work of adhesion used for predictions: <i>W</i><sub>int</sub> = <strong>{}</strong> ({}; ± by {}).</p>",
+            "<p>Predictions use the intrinsic work of adhesion <i>W</i><sub>int</sub> = <strong>{}</strong> (source: {}; ± from {}).</p>",
             quantity_html(study, "/work_of_adhesion"), escaped(result.work_of_adhesion_source),
             escaped(result.work_of_adhesion->method.empty() ? "the study" : result.work_of_adhesion->method));
     std::string items;
@@ -89,7 +88,7 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
         const auto place = joined("/fits", key);
         const auto reported = reported_of(result, study, key);
         if (!entry(study, place).is_object()) {
-            if (!reported.empty()) items += fmt::format("<li>{}: no fit; {}.</li>", lead, reported);
+            if (!reported.empty()) items += fmt::format("<li>{}: not fitted; {}.</li>", lead, reported);
             return;
         }
         const auto stated = joined(
@@ -98,13 +97,16 @@ std::string work_sentences(const StudyResult& result, const Json& study) {
                              quantity_html(study, stated), r_squared(study, joined(place, "generalised")),
                              number_html(study, joined(place, "n"), {}, 0), reported.empty() ? "" : "; " + reported);
     };
-    item("modified", "By approach, balance (7)");
-    item("persson_tosatti",
-         "By approach, balance (S13), area for small slopes, nothing for stretching the soft surface");
-    item("without_area_change", "By approach, balance (2), nothing for stretching the soft surface");
-    item("loop", "By the energy lost in loops, (10)");
+    item("modified", "Approach, full-contact balance (Eq. 7)");
+    item(
+        "persson_tosatti",
+        "Approach, Persson–Tosatti balance (Eq. S13), with the area of small slopes and without the cost of stretching the soft surface");
+    item("without_area_change",
+         "Approach, small-slope balance (Eq. 2), without the cost of stretching the soft surface");
+    item("loop", "Energy loss of loops, true-area loss (Eq. 10)");
     if (!items.empty())
-        text += "<details><summary>By each balance and by the energy loss</summary><ul>" + items + "</ul></details>";
+        text += "<details><summary><i>W</i><sub>int</sub> from each balance and from the energy loss</summary><ul>" +
+                items + "</ul></details>";
     return text;
 }
 
@@ -147,8 +149,14 @@ std::string verdict_html(const StudyResult& result) {
     const auto said = output::verdict(result);
     std::string html;
     for (const auto& sentence : said.answer) html += "<p class=\"lead\">" + prose(sentence) + "</p>";
+    if (!said.reservations.empty()) {
+        html += fmt::format("<p>The most important of <a href=\"#limits\">{}</a>:</p><ul>",
+                            counted(said.limits.size(), "reservation", "reservations"));
+        for (const auto& sentence : said.reservations) html += "<li>" + prose(sentence) + "</li>";
+        html += "</ul>";
+    }
     html += "<p>" + sentence_of_contents(result) + sentence_of_failures(result);
-    if (!said.limits.empty())
+    if (said.reservations.empty() && !said.limits.empty())
         html += fmt::format(" The answer has <a href=\"#limits\">{}</a>.",
                             counted(said.limits.size(), "reservation", "reservations"));
     return html + "</p>";
@@ -167,13 +175,13 @@ std::string limits_html(const StudyResult& result) {
     };
     std::string html;
     if (!said.findings.empty())
-        html += "<p>What tests support:</p>" + listed(said.findings.begin(), said.findings.end());
+        html += "<p>Conclusions that the tests support:</p>" + listed(said.findings.begin(), said.findings.end());
     if (said.limits.empty())
         return html +
-               "<p>Several surfaces and elastomers test the balance against roughness and modulus; nothing failed. How certain each number is stands beside it.</p>";
+               "<p>Several surfaces and elastomers test the balance against roughness and modulus. No part of the study failed.</p>";
     constexpr std::size_t seen = 8;
     const auto folded = said.limits.begin() + static_cast<std::ptrdiff_t>(std::min(seen, said.limits.size()));
-    html += "<p>What cannot be concluded, and why:</p>" + listed(said.limits.begin(), folded);
+    html += "<p>Limits of the conclusions:</p>" + listed(said.limits.begin(), folded);
     if (folded != said.limits.end())
         html += fmt::format("<details><summary>{} more</summary>{}</details>", said.limits.end() - folded,
                             listed(folded, said.limits.end()));

@@ -213,7 +213,7 @@ std::string as_html(const DataTable& table, const Json& study) {
                         rows.size(), table.rows.size(), escaped(table.file));
     html += fmt::format(
         "<div class=\"tools\"><button type=\"button\" class=\"copy\" aria-label=\"Copy table: {0}\">Copy</button>"
-        "<span class=\"told\" role=\"status\"></span></div>"
+        "<span class=\"notice\" role=\"status\"></span></div>"
         "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Table: {0}\"><table><thead><tr>",
         title);
     std::vector<DisplayUnit> units;

@@ -38,8 +38,8 @@ DataTable surfaces(const StudyResult& result, const Json& study) {
     DataTable table{
         "surfaces",
         "Surfaces",
-        "Each row is one spectrum; the first of a surface is the one everything else rests on. ± is one standard error, [ ] the 95 % interval, "
-        "both by the method named. Heights are unfiltered; the band says which wavevectors the numbers rest on, n how many measurements.",
+        "Each row is one spectrum. All other results use the first spectrum of a surface. ± is one standard error, [ ] the 95 % interval, both by the method of the last column. "
+        "Heights are unfiltered. The band gives the wavevectors of the numbers; <i>n</i> counts measurements.",
         {{"surface", ""},
          {"spectrum", ""},
          {"*h*_rms", "m"},
@@ -49,7 +49,7 @@ DataTable surfaces(const StudyResult& result, const Json& study) {
          {"*U*_el/(*A*_app *E*\\*)", "m"},
          {"band *q*", "1/m"},
          {"*n*", "1"},
-         {"± and [ ] by", ""}},
+         {"± and [ ] from", ""}},
         {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) {
@@ -74,8 +74,8 @@ DataTable surfaces(const StudyResult& result, const Json& study) {
 DataTable decades(const StudyResult& result, const Json& study) {
     DataTable table{"decades",
                     "Spectra by decade",
-                    "Mean of ln C1D over ln <i>q</i> in each decade of wavevectors, as C1D.",
-                    {{"surface", ""}, {"spectrum", ""}, {"band *q*", "1/m"}, {"*C*_1D", "m3"}, {"± and [ ] by", ""}},
+                    "Geometric mean of <i>C</i><sub>1D</sub> over ln <i>q</i> in each decade of wavevectors.",
+                    {{"surface", ""}, {"spectrum", ""}, {"band *q*", "1/m"}, {"*C*_1D", "m3"}, {"± and [ ] from", ""}},
                     {}};
     for (const auto& surface : result.surfaces) {
         if (surface.failed()) continue;
@@ -94,8 +94,8 @@ DataTable decades(const StudyResult& result, const Json& study) {
 DataTable agreement(const StudyResult& result, const Json& study) {
     DataTable table{
         "agreement",
-        "Instruments against the fitted spectra",
-        "Measured periodograms over those the fitted spectrum makes this instrument expect; <i>p</i> is the probability of so large a χ² by chance.",
+        "Agreement of instruments with the fitted spectra",
+        "Ratio of measured to expected periodograms of each instrument, the latter from the fitted spectrum. <i>p</i> is the probability of a χ² at least as large by chance.",
         {{"surface", ""},
          {"instrument", ""},
          {"band *q*", "1/m"},
@@ -144,13 +144,13 @@ DataTable pairs_measured(const StudyResult& result) {
     DataTable table{
         "pairs-measured",
         "Pairs: measured",
-        "Work of adhesion of loading; at pull-off by the force (S1) and by the last points (S2); energy lost in a loop and what a smooth sphere would lose; contact at the largest preload.",
+        "Work of adhesion on approach, and at pull-off from the force (Eq. S1) and from the last points (Eq. S2). Energy loss of a loop and of an ideal smooth sphere. Contact area at the largest preload.",
         {{"surface", ""},
          {"elastomer", ""},
          {"loops *n*", "1"},
          {"*W*_app approach", "J/m2"},
-         {"*W* at pull-off (S1)", "J/m2"},
-         {"*W* at pull-off (S2)", "J/m2"},
+         {"*W* at pull-off (Eq. S1)", "J/m2"},
+         {"*W* at pull-off (Eq. S2)", "J/m2"},
          {"*E*_loss", "J"},
          {"*E*_loss of a smooth sphere", "J"},
          {"π*a*_max^2", "m2"},
@@ -174,18 +174,19 @@ DataTable pairs_predicted(const StudyResult& result) {
     DataTable table{
         "pairs-predicted",
         "Pairs: predicted from roughness",
-        "<i>W</i><sub>app</sub> of contact without load as every command answers (simulated patches; where contact is full that is (7)); by (7) with its value before the floor at 0, by (S13) and (2); measured minus predicted; energy stored; half of it at wavelengths longer than <i>λ</i><sub>1/2</sub>.",
+        "The first <i>W</i><sub>app</sub> is the recommended prediction for contact without load, from simulated patches; for full contact it equals the full-contact balance (Eq. 7). The following columns give the balances of Eqs. 7, S13 and 2, "
+        "Eq. 7 also before it is set to 0. Half of the stored energy comes from wavelengths longer than <i>λ</i><sub>1/2</sub>.",
         {{"surface", ""},
          {"elastomer", ""},
          {"*W*_app", "J/m2"},
-         {"*W*_app (7)", "J/m2"},
-         {"*W*_app (S13)", "J/m2"},
-         {"*W*_app (2)", "J/m2"},
-         {"measured − max(0, (7))", "J/m2"},
+         {"*W*_app (Eq. 7)", "J/m2"},
+         {"*W*_app (Eq. S13)", "J/m2"},
+         {"*W*_app (Eq. 2)", "J/m2"},
+         {"measured − max(0, Eq. 7)", "J/m2"},
          {"*U*_el/*A*_app", "J/m2"},
          {"*A*_true/*A*_app", "1"},
          {"*λ*_{1/2}", "m"},
-         {"*E*_loss (10)", "J"},
+         {"*E*_loss (Eq. 10)", "J"},
          {"note", ""}},
         {}};
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
@@ -205,8 +206,8 @@ DataTable pairs_predicted(const StudyResult& result) {
 
 DataTable budget(const StudyResult& result) {
     DataTable table{"budget",
-                    "What the ± of a prediction by (7) is made of",
-                    "Each uncertain input alone.",
+                    "Contributions to the ± of the full-contact balance (Eq. 7)",
+                    "Each column gives the ± from one uncertain input only.",
                     {{"surface", ""},
                      {"elastomer", ""},
                      {"spectrum", "J/m2"},
@@ -230,16 +231,16 @@ DataTable inputs_of_numbers(const Json& study) {
     constexpr double least = 0.01;
     DataTable table{
         "budget-inputs",
-        "Which input gives how much of a ±",
-        "Inputs by their names in the study's file; those with less than 1 % of a variance stand in budget.csv. The last column is the ± that is left when this input is known to "
-        "half its ±.",
+        "Contributions of inputs to the ± of each number",
+        "Inputs have the names of the study file. The file budget.csv also contains inputs with less than 1 % of a variance. The last column gives the remaining ± if the ± of "
+        "this input is halved.",
         {{"number", ""},
          {"surface", ""},
          {"elastomer", ""},
          {"input", ""},
-         {"± alone", ""},
+         {"± from this input", ""},
          {"share of the variance", "1"},
-         {"± with half of it", ""}},
+         {"± if halved", ""}},
         {}};
     const auto& budgets = entry(study, "/budgets");
     for (std::size_t i = 0; i < budgets.size(); ++i) {
@@ -267,9 +268,9 @@ DataTable inputs_of_numbers(const Json& study) {
 DataTable left_out(const Json& study) {
     DataTable table{
         "left-out",
-        "How well the others predict a pair",
-        "Every pair is predicted by (7) at the <i>W</i><sub>int</sub> of all pairs but those of its surface, then but those of its elastomer; the ± hold the scatter that the "
-        "others show. This is what to expect of the next surface, the next elastomer.",
+        "Leave-one-out predictions of pairs",
+        "The full-contact balance (Eq. 7) predicts every pair, with <i>W</i><sub>int</sub> from all pairs on other surfaces, then from all pairs on other elastomers. The ± "
+        "include the scatter between the other pairs. The residuals estimate the error for a new surface or a new elastomer.",
         {{"left out", ""},
          {"surface", ""},
          {"elastomer", ""},
@@ -289,17 +290,17 @@ DataTable left_out(const Json& study) {
     return table;
 }
 
-/// What the pairs alone say of what somebody told.
+/// Stated inputs against their values from the pairs.
 DataTable profiles(const Json& study) {
     DataTable table{
         "profiles",
-        "Inputs against the pairs",
-        "Each input taken for exact: <i>W</i><sub>int</sub> with two of its ± less and more than told, and what the pairs alone say of it, in its ± from what is told. Beyond 2, "
-        "look at the input again; a ± far above 1 means that the pairs do not tell.",
+        "Stated inputs against the pairs",
+        "Each input is shifted by two of its ± and treated as exact. The last column gives the value of the input from the pairs only, as difference from the stated value in units of "
+        "its ±. Check an input whose difference exceeds 2. A ± much larger than 1 means that the pairs do not determine the input.",
         {{"input", ""},
-         {"*W*_int, input 2 ± less", "J/m2"},
-         {"*W*_int, input 2 ± more", "J/m2"},
-         {"by the pairs, in its ±", "1"}},
+         {"*W*_int, input lower by 2 ±", "J/m2"},
+         {"*W*_int, input higher by 2 ±", "J/m2"},
+         {"input from the pairs, in its ±", "1"}},
         {}};
     const auto& list = entry(study, "/profiles");
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -310,12 +311,12 @@ DataTable profiles(const Json& study) {
         const bool told = list[i].at("by_pairs").contains("standard_error");
         table.rows.push_back({TextCell{list[i].at("input").get<std::string>()}, work(0),
                               work(list[i].at("points").size() - 1),
-                              told ? Cell(QuantityCell{joined(at, "by_pairs")}) : Cell(TextCell{"not told"})});
+                              told ? Cell(QuantityCell{joined(at, "by_pairs")}) : Cell(TextCell{"not determined"})});
     }
     return table;
 }
 
-/// Rows of one set of fits; `spectra` says what they rest on.
+/// Rows of one set of fits; `spectra` names their spectra.
 void add_fits(DataTable& table, const Json& study, const std::string& base, const std::string& spectra, bool reported) {
     const auto row = [&](const std::string& fit, const std::string& variant, const std::string& place,
                          const std::string& n) {
@@ -355,14 +356,14 @@ void add_fits(DataTable& table, const Json& study, const std::string& base, cons
     for (const char* fit : {"modified", "persson_tosatti", "without_area_change", "loop"})
         whole(fit, joined(base, fit), "");
     const auto loop = joined(base, "loop");
-    whole("loop", joined(loop, "without_ideal_loss"), "smooth sphere's loss subtracted");
+    whole("loop", joined(loop, "without_ideal_loss"), "loss of a smooth sphere subtracted");
     for (const auto& [key, name] :
          {std::pair{"with_intercept", "with intercept"},
-          {"without_ideal_loss_with_intercept", "smooth sphere's loss subtracted, with intercept"}})
+          {"without_ideal_loss_with_intercept", "loss of a smooth sphere subtracted, with intercept"}})
         if (entry(study, joined(loop, key)).is_object())
             row("loop", name, joined(loop, key), joined(loop, std::string(key) + "/n"));
     if (entry(study, joined(base, "strained_interface")).is_object())
-        row("modified", "interface changes with stretch, *χ* fitted", joined(base, "strained_interface"),
+        row("modified", "interface energy changes with stretch, χ fitted", joined(base, "strained_interface"),
             joined(base, "strained_interface/n"));
     if (entry(study, joined(base, "free_energies")).is_object())
         row("modified", "stored energy free for each surface", joined(base, "free_energies"),
@@ -378,16 +379,16 @@ DataTable replicate_means(const StudyResult& result, const std::string& unit, co
     DataTable table{
         identifier,
         title,
-        "Means over lenses, spots and repeats by a linear mixed model; [ ] the 95 % interval, another one: where 95 % of further measurements with another lens lie. Variances are "
-        "pooled over the surfaces of an elastomer. <i>n</i> counts the loops behind a mean, beside those left out; <i>I</i>² is the share of their scatter that the fits' own errors do "
-        "not explain.",
+        "Means of a linear mixed model over lenses, spots and repeats, with the 95 % interval in [ ]. The prediction interval covers 95 % of further measurements with another lens. "
+        "Variances are pooled over the surfaces of an elastomer. <i>n</i> counts the loops of a mean without the excluded ones. <i>I</i>² is the share of the scatter that the errors of "
+        "the fits do not explain.",
         {{"surface", ""},
          {"elastomer", ""},
          {"quantity", ""},
          {"mean", unit},
-         {"another one, from", unit},
-         {"to", unit},
-         {"with the excluded", unit},
+         {"another lens, from", unit},
+         {"another lens, to", unit},
+         {"mean with excluded loops", unit},
          {"*n*", "1"},
          {"excluded", "1"},
          {"*I*²", "1"},
@@ -419,7 +420,7 @@ DataTable replicate_variances(const StudyResult& result, const std::string& unit
     DataTable table{
         identifier,
         title,
-        "Standard deviations at the largest restricted likelihood, pooled over the surfaces of an elastomer; levels whose groups are the same are one.",
+        "Standard deviations from restricted maximum likelihood, pooled over the surfaces of an elastomer. Levels with identical groups are combined.",
         {{"elastomer", ""},
          {"quantity", ""},
          {"between", ""},
@@ -447,12 +448,12 @@ DataTable replicate_variances(const StudyResult& result, const std::string& unit
 
 DataTable prediction_test(const StudyResult& result, const Json& study) {
     DataTable table{"prediction-test",
-                    "Measured against predicted, both errors",
+                    "Measured against predicted, with the errors of both",
                     "",
                     {{"surface", ""},
                      {"elastomer", ""},
                      {"measured *W*_app", "J/m2"},
-                     {"max(0, (7))", "J/m2"},
+                     {"max(0, Eq. 7)", "J/m2"},
                      {"difference", "J/m2"},
                      {"in standard errors", "1"}},
                     {}};
@@ -461,10 +462,10 @@ DataTable prediction_test(const StudyResult& result, const Json& study) {
         return number_html(study, "/prediction_test/" + name, {}, decimals);
     };
     table.note = fmt::format(
-        "<i>χ</i>² = {} with {} degrees of freedom, <i>p</i> = {}, over the covariance of measured values and predictions: pairs of one surface share its spectrum, those of one "
-        "elastomer its modulus and surface energy{}. With a further scatter of the model of {}, <i>χ</i>² = {}. {}",
+        "<i>χ</i>² = {} for {} degrees of freedom, <i>p</i> = {}. The test uses the covariance of measured values and predictions: pairs on one surface share a spectrum, and pairs on "
+        "one elastomer share a modulus and a surface energy{}. With an additional scatter of the model of {}, <i>χ</i>² = {}. {}",
         number("chi_squared/value", 2), number("degrees_of_freedom", 0), number("probability", 4),
-        result.prediction_test->work_fitted ? "; <i>W</i><sub>int</sub> is fitted to these pairs" : "",
+        result.prediction_test->work_fitted ? ". <i>W</i><sub>int</sub> is fitted to these pairs" : "",
         quantity_html(study, "/prediction_test/extra_scatter"), number("chi_squared_with_scatter/value", 2),
         prose(output::deviation_note(*result.prediction_test)));
     for (std::size_t i = 0; i < result.prediction_test->pairs.size(); ++i) {
@@ -481,7 +482,7 @@ DataTable fits(const StudyResult& result, const Json& study) {
     DataTable table{
         "fits",
         "Intrinsic work of adhesion from all pairs",
-        "(7) with, (2) without the energy of stretching the soft surface, (S13) without it and with the area of small slopes, energy lost against true area (10). Reported values are what others found.",
+        "Fits of the full-contact balance (Eq. 7), the small-slope balance (Eq. 2), the Persson–Tosatti balance (Eq. S13) and the true-area loss (Eq. 10). Reported values come from the literature.",
         {{"fit", ""},
          {"variant", ""},
          {"spectra", ""},
@@ -503,7 +504,7 @@ DataTable fits(const StudyResult& result, const Json& study) {
 
 TextCell verdict(const statistics::Equivalence& test) {
     switch (test.verdict) {
-        case statistics::Verdict::equivalent: return {"shown"};
+        case statistics::Verdict::equivalent: return {"yes"};
         case statistics::Verdict::different: return {"no"};
         case statistics::Verdict::undecided: break;
     }
@@ -514,19 +515,20 @@ DataTable references(const StudyResult& result) {
     DataTable table{
         "references",
         "Smooth references",
-        fmt::format("Without roughness both branches give the same <i>W</i> and a loop costs what an ideal smooth "
-                    "sphere's jumps do: two one-sided tests against a margin of {}.",
-                    format_value(result.study.comparison.margin, "J/m2")),
+        fmt::format(
+            "Without roughness, both branches should give one <i>W</i>, and a loop should lose only the energy of "
+            "the jumps of an ideal smooth sphere. Two one-sided tests compare each difference with a margin of {}.",
+            format_value(result.study.comparison.margin, "J/m2")),
         {{"elastomer", ""},
          {"stage", ""},
          {"*W* approach", "J/m2"},
-         {"*W* at pull-off (S2)", "J/m2"},
+         {"*W* at pull-off (Eq. S2)", "J/m2"},
          {"excess energy", "J"},
          {"loss of a smooth sphere", "J"},
          {"rough loss/excess", "1"},
          {"*W*_ret − *W*_app", "J/m2"},
          {"within the margin?", ""},
-         {"loss per area beyond a smooth sphere's", "J/m2"},
+         {"loss per area beyond a smooth sphere", "J/m2"},
          {"within the margin?", ""}},
         {}};
     for (std::size_t i = 0; i < result.references.size(); ++i) {
@@ -562,9 +564,9 @@ DataTable reference_changes(const StudyResult& result) {
 DataTable balances(const StudyResult& result, const Json&) {
     DataTable table{
         "balances",
-        "Which balance",
-        "Each balance against all pairs, <i>W</i>_int fitted anew: as the study takes the spectra, with every spectrum cut, and with γ1 scaled. ln <i>L</i> counts from the "
-        "best of all; 2 is what chance leaves open. Left out: the rms residual of each surface under the fit to the others.",
+        "Comparison of balances",
+        "Every balance is fitted to all pairs with its own <i>W</i><sub>int</sub>: with the spectra of the study, with every spectrum cut, and with <i>γ</i><sub>1</sub> scaled. "
+        "ln <i>L</i> is given relative to the best; a difference of 2 is within chance. Left out: rms residual of leave-one-surface-out predictions.",
         {{"balance", ""},
          {"spectra", ""},
          {"cut at", "m"},
@@ -581,11 +583,11 @@ DataTable balances(const StudyResult& result, const Json&) {
             const auto place = joined(base, std::to_string(i));
             const auto quantity = [&place](const char* name) { return QuantityCell{joined(place, name)}; };
             const auto& b = compared[i];
-            table.rows.push_back({TextCell{b.balance == "free_energies"        ? "(7), *U*_el free"
-                                           : b.balance == "strained_interface" ? "(7), *χ* fitted"
-                                           : b.balance == "reference_scaled"   ? "(7), *W*_int by reference"
-                                           : b.balance == "pinned_1"           ? "(7) with 2 *U*_el"
-                                           : b.balance == "pinned_2"           ? "(7) with 3 *U*_el"
+            table.rows.push_back({TextCell{b.balance == "free_energies"        ? "Eq. 7, U_el free"
+                                           : b.balance == "strained_interface" ? "Eq. 7, χ fitted"
+                                           : b.balance == "reference_scaled"   ? "Eq. 7, W_int from references"
+                                           : b.balance == "pinned_1"           ? "Eq. 7 with 2 U_el"
+                                           : b.balance == "pinned_2"           ? "Eq. 7 with 3 U_el"
                                                                                : balance_name(b.balance)},
                                   TextCell{spectra},
                                   b.shortest_wavelength > 0.0 ? Cell(quantity("shortest_wavelength")) : TextCell{"–"},
@@ -602,15 +604,15 @@ DataTable balances(const StudyResult& result, const Json&) {
 DataTable cutoff_scan(const StudyResult& result, const Json& study) {
     DataTable table{"cutoff-scan",
                     "Intrinsic work of adhesion against the short cutoff",
-                    "Every spectrum cut at one shortest wavelength.",
+                    "Every spectrum is cut at the shortest wavelength of the row.",
                     {{"shortest wavelength", "m"},
                      {"spectra", ""},
-                     {"*W*_int (7)", "J/m2"},
-                     {"*R*² (7)", "1"},
-                     {"*W*_int (S13)", "J/m2"},
-                     {"*R*² (S13)", "1"},
-                     {"*W*_int (7), all errors", "J/m2"},
-                     {"ln *L* (7)", "1"}},
+                     {"*W*_int (Eq. 7)", "J/m2"},
+                     {"*R*² (Eq. 7)", "1"},
+                     {"*W*_int (Eq. S13)", "J/m2"},
+                     {"*R*² (Eq. S13)", "1"},
+                     {"*W*_int (Eq. 7), all errors", "J/m2"},
+                     {"ln *L* (Eq. 7)", "1"}},
                     {}};
     const auto add = [&](const std::string& base, const char* spectra) {
         for (std::size_t i = 0; i < entry(study, base).size(); ++i) {
@@ -631,19 +633,19 @@ DataTable cutoff_scan(const StudyResult& result, const Json& study) {
 }  // namespace
 
 std::string balance_name(const std::string& fit) {
-    if (fit == "modified") return "(7)";
-    if (fit == "persson_tosatti") return "(S13)";
-    if (fit == "without_area_change") return "(2)";
-    if (fit == "partial_contact") return "(7), partial contact";
-    return fit == "loop" ? "(10), loops" : fit;
+    if (fit == "modified") return "full-contact balance (Eq. 7)";
+    if (fit == "persson_tosatti") return "Persson–Tosatti balance (Eq. S13)";
+    if (fit == "without_area_change") return "small-slope balance (Eq. 2)";
+    if (fit == "partial_contact") return "Eq. 7, partial contact";
+    return fit == "loop" ? "true-area loss of loops (Eq. 10)" : fit;
 }
 
 DataTable measurement_table(const StudyResult& result) {
     DataTable table{
         "measurements",
         "Measurements",
-        "Heights as measured, unfiltered: root mean square and mean height (<i>Sq</i>, <i>Sa</i> of maps, <i>Rq</i>, <i>Ra</i> of lines), slope and curvature by differences at the "
-        "resolution of the data. The band is what the spectrum is trusted in; <i>n</i> counts points.",
+        "Heights are as measured, unfiltered: root mean square and mean height (<i>Sq</i>, <i>Sa</i> of maps, <i>Rq</i>, <i>Ra</i> of lines). Slope and curvature are finite differences "
+        "at the resolution of the data. The spectrum is reliable within the band; <i>n</i> counts points.",
         {{"surface", ""},
          {"file", ""},
          {"measurement", ""},
@@ -674,14 +676,14 @@ DataTable loop_table(const StudyResult& result) {
     DataTable table{
         "loops",
         "Loops",
-        "Contact modulus and work of adhesion by the JKR fit of loading, work of adhesion at pull-off by the force (S1) and by the last points (S2), energy lost; <i>n</i> counts the samples of the loading fit.",
+        "Contact modulus and work of adhesion from the JKR fit of loading. Work of adhesion at pull-off from the force (Eq. S1) and from the last points (Eq. S2). <i>n</i> counts the samples of the loading fit.",
         {{"file", ""},
          {"surface", ""},
          {"elastomer", ""},
          {"*E*\\*", "Pa"},
          {"*W* approach", "J/m2"},
-         {"*W* at pull-off (S1)", "J/m2"},
-         {"*W* at pull-off (S2)", "J/m2"},
+         {"*W* at pull-off (Eq. S1)", "J/m2"},
+         {"*W* at pull-off (Eq. S2)", "J/m2"},
          {"*E*_loss", "J"},
          {"*a*_max", "m"},
          {"*n*", "1"},
@@ -706,17 +708,17 @@ DataTable loop_table(const StudyResult& result) {
 DataTable loop_check_table(const StudyResult& result) {
     DataTable table{
         "loop-checks",
-        "Loops: other routes, contact point and energy",
-        "The joint fit of force, displacement and contact radius beside the routes above; E* free of W; first touch and how far its estimates lie apart; "
-        "the loss of an ideal smooth sphere in this machine, and the share of the work of approach that is recovered. Every fit stands in loop_fits.csv, every part of the energy in "
-        "loop_energies.csv.",
+        "Loops: other fits, contact point and energy",
+        "Joint fit of force, displacement and contact radius. <i>E</i>* without assuming <i>W</i>. Point of first contact with the spread of its estimates. "
+        "Loss of an ideal smooth sphere in this machine, and recovered share of the work of approach. The file loop_fits.csv contains every fit, loop_energies.csv every part of "
+        "the energy.",
         {{"file", ""},
          {"*E*\\* joint", "Pa"},
          {"*W* joint", "J/m2"},
-         {"*E*\\* free of *W*", "Pa"},
+         {"*E*\\* without *W*", "Pa"},
          {"*W* unloading", "J/m2"},
          {"contact point", "m"},
-         {"its spread", "m"},
+         {"spread of contact point", "m"},
          {"*E*_ideal", "J"},
          {"recovered", "1"}},
         {}};
@@ -737,7 +739,7 @@ DataTable loop_check_table(const StudyResult& result) {
 
 namespace {
 
-/// Names the files that hold what a table has too many rows for.
+/// Names the files with all rows of tables that have too many.
 void name_files(std::vector<DataTable>& tables) {
     static const std::map<std::string_view, const char*> files{
         {"surfaces", "surfaces.csv"},      {"decades", "decades.csv"},       {"measurements", "measurements.csv"},
@@ -764,9 +766,9 @@ std::vector<DataTable> parameter_tables(const StudyResult& result, const Json& s
         left_out(study),
         profiles(study),
         replicate_means(result, "J/m2", "replicates-work", "Work of adhesion over lenses, spots and repeats"),
-        replicate_means(result, "J", "replicates-loss", "Energy lost over lenses, spots and repeats"),
+        replicate_means(result, "J", "replicates-loss", "Energy loss over lenses, spots and repeats"),
         replicate_variances(result, "J/m2", "variances-work", "Scatter of the work of adhesion"),
-        replicate_variances(result, "J", "variances-loss", "Scatter of the energy lost"),
+        replicate_variances(result, "J", "variances-loss", "Scatter of the energy loss"),
         surfaces(result, study),
         decades(result, study),
         measurement_table(result),

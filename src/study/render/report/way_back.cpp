@@ -23,12 +23,13 @@ Cell quantity_or_none(const Json& study, const std::string& pointer) {
 DataTable pairs(const study::Hysteresis& h, const Json& study) {
     DataTable table{
         "pairs-way-back",
-        "Pairs on the way back: predicted from roughness, and measured",
-        "By the law named. Contact: share of the area in contact without load, as simulated patches have it; <i>W</i><sub>app</sub> is that contact's. <i>E</i><sub>loss</sub> is of a "
-        "whole loop in the machine that loops state, else under fixed grips, to the preload of the study or the force that the measured contact area takes.",
+        "Pairs on retraction: predicted from roughness and measured",
+        "The column model names the retraction model of each row. Contact is the share of the area in contact without load, from simulated patches; <i>W</i><sub>app</sub> belongs to this "
+        "contact. <i>E</i><sub>loss</sub> is the energy loss of a whole loop up to the preload of the study, or up to the force that gives the measured contact area. The testing machine is "
+        "the one stated for the loops; otherwise fixed grips are assumed.",
         {{"surface", ""},
          {"elastomer", ""},
-         {"law", ""},
+         {"model", ""},
          {"contact", "1"},
          {"*W*_app", "J/m2"},
          {"*W*_ret at pull-off", "J/m2"},
@@ -51,12 +52,12 @@ DataTable pairs(const study::Hysteresis& h, const Json& study) {
 DataTable losses(const study::Hysteresis& h, const Json& study) {
     DataTable table{
         "losses-way-back",
-        "Where the joules of measured loops went",
-        "By the law of each pair, with <i>W</i><sub>app</sub> and contact area as measured. Works: the loop's own area is not known, <i>E</i><sub>loss</sub> follows from both works "
-        "and the contact area.",
+        "Energy budget of measured loops",
+        "The shares follow from the retraction model of each pair, with measured <i>W</i><sub>app</sub> and contact area. In rows from works, the loop energy was not measured: "
+        "<i>E</i><sub>loss</sub> follows from <i>W</i><sub>app</sub>, <i>W</i><sub>ret</sub> and the contact area.",
         {{"surface", ""},
          {"elastomer", ""},
-         {"of", ""},
+         {"from", ""},
          {"*E*_loss", "J"},
          {"jump in", "J"},
          {"jump out", "J"},
@@ -82,15 +83,15 @@ DataTable laws(const char* ranking, const char* title, const Json& study) {
     DataTable table{
         fmt::format("laws-{}", ranking),
         title,
-        "Off: measured less law, rms; of all pairs, of surfaces and of elastomers that the fit has not seen. Weight: the law's share among all, by how well the other surfaces "
-        "say each surface.",
-        {{"law", ""},
+        "Residual: rms of measured minus model, for all pairs, for surfaces left out and for elastomers left out of the fit. Weight: the share of the model among all models, from "
+        "leave-one-surface-out predictions.",
+        {{"model", ""},
          {"*W*_ret", ""},
          {"*W*_x", "J/m2"},
          {"*k*", "1"},
-         {"off", "J/m2"},
-         {"next surface", "J/m2"},
-         {"next elastomer", "J/m2"},
+         {"residual", "J/m2"},
+         {"surface left out", "J/m2"},
+         {"elastomer left out", "J/m2"},
          {"weight", "1"}},
         {}};
     const auto base = fmt::format("/hysteresis/rankings/{}/models", ranking);
@@ -110,10 +111,10 @@ DataTable laws(const char* ranking, const char* title, const Json& study) {
 DataTable joint(const study::JointLossFit& fit, const Json& study) {
     DataTable table{
         "joint-way-back",
-        "What one fit of all loops makes of what they rest on",
+        "Inputs before and after the joint fit of all loops",
         fmt::format(
-            "<i>E</i><sub>loss</sub> of {} and <i>W</i><sub>ret</sub> of {} against what their laws say, every input within its ±: "
-            "<i>χ</i>² {:.3g} of {}. The shares above are those after it.",
+            "The joint fit compares <i>E</i><sub>loss</sub> of {} and <i>W</i><sub>ret</sub> of {} with their models, every input free within its ±: "
+            "<i>χ</i>² = {:.3g} for {} values. The shares of the energy budget use the inputs after the fit.",
             setae::counted(static_cast<std::size_t>(fit.energies), "loop", "loops"),
             setae::counted(static_cast<std::size_t>(fit.works), "pair", "pairs"), fit.chi2, fit.energies + fit.works),
         {{"input", ""}, {"unit", ""}, {"before", ""}, {"after", ""}},
@@ -130,14 +131,15 @@ DataTable joint(const study::JointLossFit& fit, const Json& study) {
 
 std::string contents_html(const study::Hysteresis& h, const Json& study) {
     std::string html;
-    for (const auto& sentence : output::hysteresis_sentences(h)) html += "<p>" + prose(sentence) + ".</p>";
+    for (const auto& sentence : output::hysteresis_sentences(h)) html += "<p>" + prose(sentence) + "</p>";
     html += as_html(pairs(h, study), study) + as_html(losses(h, study), study);
     if (h.joint && !h.joint->inputs.empty()) html += as_html(joint(*h.joint, study), study);
     if (h.conforming_pairs < h.measured_pairs)
-        html += as_html(laws("conforming_pairs", "Laws of pairs in full contact", study), study);
-    html += as_html(laws("all_pairs", "Laws of all pairs", study), study);
-    return h.by_area.best() ? html + as_html(laws("loop_areas", "Laws of loops, by what they lose", study), study)
-                            : html;
+        html += as_html(laws("conforming_pairs", "Retraction models of pairs in full contact", study), study);
+    html += as_html(laws("all_pairs", "Retraction models of all pairs", study), study);
+    return h.by_area.best()
+               ? html + as_html(laws("loop_areas", "Retraction models from the energy loss of loops", study), study)
+               : html;
 }
 
 }  // namespace
@@ -146,10 +148,10 @@ std::string way_back_html(const study::StudyResult& result, const Json& study, c
     if (!result.work_of_adhesion) return "";
     const auto& hysteresis = result.hysteresis;
     if (!hysteresis)
-        return fmt::format("<p class=\"reason\">The way back is not predicted: {}.</p>", prose(hysteresis.reason));
+        return fmt::format("<p class=\"reason\">Retraction is not predicted: {}.</p>", prose(hysteresis.reason));
     return as_html(Fold{.identifier = "way-back",
                         .kind = "family",
-                        .title = "The way back: retraction, pull-off, energy lost",
+                        .title = "Retraction: pull-off and energy loss",
                         .html = contents_html(*hysteresis, study) + figures});
 }
 

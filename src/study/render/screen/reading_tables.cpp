@@ -10,6 +10,7 @@
 
 #include "setae/core/uncertain_text.hpp"
 #include "setae/core/units.hpp"
+#include "setae/core/words.hpp"
 #include "setae/output/json.hpp"
 #include "setae/output/study_tables.hpp"
 #include "setae/study/contact_answers.hpp"
@@ -38,7 +39,7 @@ std::vector<tables::TidyTable::Cell> row_of_reason(const tables::TidyTable& tabl
     return row;
 }
 
-/// How far a pair's measured value is from its prediction, in standard errors.
+/// Deviation of the measured value of a pair from its prediction, in standard errors.
 std::string deviation_of(const StudyResult& result, const study::PairResult& pair) {
     if (!result.prediction_test) return "–";
     for (const auto& tested : result.prediction_test->pairs)
@@ -55,7 +56,7 @@ std::string work_by(const std::optional<adhesion::PredictedWork>& predicted) {
     return uncertain_number(predicted->estimate, mJ_per_m2);
 }
 
-/// The program's answer for a pair, the same in every command.
+/// The recommended prediction for a pair, the same in every command.
 std::string answer_of(const study::PairResult& pair) {
     if (!pair.partial_contact) return "–";
     return uncertain_number(study::recommended_answer(pair).work_of_adhesion, mJ_per_m2);
@@ -109,8 +110,8 @@ tables::TidyTable surfaces(const StudyResult& result, Spectra spectra) {
 
 tables::TidyTable agreement(const StudyResult& result) {
     tables::TidyTable table{
-        "Measured periodograms against what the fitted spectra expect",
-        {"surface", "instrument", "q [1/m]", "χ²", "groups of modes", "least p", "there q [1/m]", "measured/expected"},
+        "Measured periodograms against those expected from the fitted spectra",
+        {"surface", "instrument", "q [1/m]", "χ²", "groups of modes", "smallest p", "at q [1/m]", "measured/expected"},
         {}};
     const auto decades = [](int first, int last) { return fmt::format("1e{} … 1e{}", first, last + 1); };
     for (const auto& surface : result.surfaces) {
@@ -151,10 +152,11 @@ tables::TidyTable elastomers(const StudyResult& result) {
 }
 
 tables::TidyTable loops(const StudyResult& result) {
-    tables::TidyTable table{"Loops",
-                            {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]",
-                             "W_ret at pull-off (S1) [mJ/m²]", "W_ret at pull-off (S2) [mJ/m²]", "E_loss [nJ]", ""},
-                            {}};
+    tables::TidyTable table{
+        "Loops",
+        {"file", "surface", "elastomer", "E* [MPa]", "W loading [mJ/m²]", "W_ret at pull-off (Eq. S1) [mJ/m²]",
+         "W_ret at pull-off (Eq. S2) [mJ/m²]", "E_loss [nJ]", ""},
+        {}};
     for (const auto& e : result.experiments) {
         const auto file = std::filesystem::path(e.input.file).filename().string();
         if (e.failed()) {
@@ -164,8 +166,7 @@ tables::TidyTable loops(const StudyResult& result) {
         const auto& a = *e.analysis;
         std::string note = e.input.excluded() ? "excluded: " + e.input.exclusion : "";
         if (!e.alerts.empty())
-            note +=
-                fmt::format("{}{} alert{}", note.empty() ? "" : ", ", e.alerts.size(), e.alerts.size() == 1 ? "" : "s");
+            note += fmt::format("{}{}", note.empty() ? "" : ", ", counted(e.alerts.size(), "warning", "warnings"));
         table.rows.push_back({file, e.input.reference ? "(reference)" : e.input.surface, e.input.elastomer,
                               uncertain_number(a.loading.primary().contact_modulus, MPa),
                               uncertain_number(a.loading.primary().work_of_adhesion, mJ_per_m2),
@@ -191,7 +192,7 @@ tables::TidyTable references(const StudyResult& result) {
 tables::TidyTable work_along(const StudyResult& result) {
     tables::TidyTable table{"W_ret along the retraction of recorded loops",
                             {"surface", "elastomer", "at the largest contact [mJ/m²]", "at pull-off [mJ/m²]",
-                             "slope [mJ/m² per µm]", "E_loss by it [nJ]", "recorded [nJ]"},
+                             "slope [mJ/m² per µm]", "E_loss from W_ret [nJ]", "recorded [nJ]"},
                             {}};
     constexpr double per_um = 1e3;  // mJ/m² per µm in J/m³
     for (const auto& pair : result.pairs)
@@ -205,7 +206,7 @@ tables::TidyTable work_along(const StudyResult& result) {
 
 tables::TidyTable pairs(const StudyResult& result) {
     tables::TidyTable table{"Work of adhesion on approach [mJ/m²]",
-                            {"surface", "elastomer", "measured", "predicted", "by (7)", "deviation", ""},
+                            {"surface", "elastomer", "measured", "predicted", "Eq. 7", "deviation", ""},
                             {}};
     for (const auto& p : result.pairs)
         if (p.modified || p.approach)
@@ -217,7 +218,7 @@ tables::TidyTable pairs(const StudyResult& result) {
 tables::TidyTable all_pairs(const StudyResult& result) {
     tables::TidyTable table{
         "Work of adhesion on approach [mJ/m²]",
-        {"surface", "elastomer", "method", "E* [MPa]", "measured", "predicted (7)", "raw (7)", "(S13)", "residual", ""},
+        {"surface", "elastomer", "method", "E* [MPa]", "measured", "Eq. 7", "Eq. 7, raw", "Eq. S13", "residual", ""},
         {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->pairs) {
@@ -236,11 +237,11 @@ tables::TidyTable all_pairs(const StudyResult& result) {
 }
 
 tables::TidyTable fits(const StudyResult& result) {
-    tables::TidyTable table{"W_int from all pairs [mJ/m²]", {"from", "W_int", "R²", "scatter beyond ±", "pairs"}, {}};
-    if (result.modified) add_fit(table, "approach, (7)", *result.modified);
-    if (result.loop) add_fit(table, "loss, (10)", result.loop->through_origin, "J");
-    if (result.persson_tosatti) add_fit(table, "approach, (S13)", *result.persson_tosatti);
-    if (result.without_area_change) add_fit(table, "approach, (2)", *result.without_area_change);
+    tables::TidyTable table{"W_int from all pairs [mJ/m²]", {"from", "W_int", "R²", "additional scatter", "pairs"}, {}};
+    if (result.modified) add_fit(table, "approach, Eq. 7", *result.modified);
+    if (result.loop) add_fit(table, "loss, Eq. 10", result.loop->through_origin, "J");
+    if (result.persson_tosatti) add_fit(table, "approach, Eq. S13", *result.persson_tosatti);
+    if (result.without_area_change) add_fit(table, "approach, Eq. 2", *result.without_area_change);
     return table;
 }
 
@@ -269,9 +270,10 @@ tables::TidyTable all_fits(const StudyResult& result) {
 }
 
 tables::TidyTable cutoffs(const StudyResult& result) {
-    tables::TidyTable table{"W_int against the short cutoff",
-                            {"shortest wavelength", "method", "(7) [mJ/m²]", "R² (7)", "(S13) [mJ/m²]", "R² (S13)"},
-                            {}};
+    tables::TidyTable table{
+        "W_int against the short cutoff",
+        {"shortest wavelength", "method", "Eq. 7 [mJ/m²]", "R² Eq. 7", "Eq. S13 [mJ/m²]", "R² Eq. S13"},
+        {}};
     for (const auto* conclusions : by_method(result))
         for (const auto& p : conclusions->cutoff_scan)
             table.rows.push_back({format_value(p.shortest_wavelength, "m"), method_name(result, *conclusions),

@@ -8,6 +8,7 @@
 
 #include "reading_tables.hpp"
 #include "setae/core/layout.hpp"
+#include "setae/core/words.hpp"
 #include "setae/output/verdict.hpp"
 
 namespace setae::output {
@@ -25,11 +26,32 @@ std::string unbroken(std::string text) {
     return text;
 }
 
-/// The title, then the verdict's sentences.
-std::string title_and_answer(const StudyResult& result, const std::vector<std::string>& sentences, std::size_t width) {
-    auto text = result.study.title.empty() ? std::string() : shortened(result.study.title, width) + "\n\n";
-    for (const auto& sentence : sentences) text += wrapped(unbroken(sentence), width) + "\n";
-    return text + "\n";
+std::string title_of(const StudyResult& result, std::size_t width) {
+    return result.study.title.empty() ? std::string() : shortened(result.study.title, width) + "\n\n";
+}
+
+/// Leading sentences in so many lines, at least the first.
+std::string leading(const std::vector<std::string>& sentences, std::size_t lines, std::size_t width) {
+    std::string text;
+    for (const auto& sentence : sentences) {
+        const auto next = wrapped(unbroken(sentence), width) + "\n";
+        if (!text.empty() && lines_in(text) + lines_in(next) > lines) break;
+        text += next;
+    }
+    return text;
+}
+
+/// "Reservation 1 of 9: …" in so many lines; those that do not fit are left to the report.
+std::string reservation_lines(const Verdict& said, std::size_t lines, std::size_t width) {
+    std::string text;
+    for (std::size_t i = 0; i < said.reservations.size(); ++i) {
+        const auto next =
+            wrapped(unbroken(fmt::format("Reservation {} of {}: {}", i + 1, said.limits.size(), said.reservations[i])),
+                    width, 2) +
+            "\n";
+        if (lines_in(text) + lines_in(next) <= lines) text += next;
+    }
+    return text;
 }
 
 /// What an alert is about, without the folders of files.
@@ -38,7 +60,7 @@ std::string name_of(const Alert& alert) { return alert.subject.substr(alert.subj
 /// "  NO_TIP_RADIUS (3)  scan.spm: no radius of the afm's tip is known: …".
 std::string alert_lines(const std::vector<AlertGroup>& groups, std::size_t most, std::size_t width) {
     if (groups.empty() || most == 0) return "";
-    std::string text = "Alerts\n";
+    std::string text = "Warnings\n";
     const bool cut = groups.size() > most;
     for (std::size_t i = 0; i < (cut ? most - 1 : groups.size()); ++i) {
         const auto& [code, alerts] = groups[i];
@@ -47,7 +69,8 @@ std::string alert_lines(const std::vector<AlertGroup>& groups, std::size_t most,
                           width) +
                 "\n";
     }
-    if (cut) text += fmt::format("  and {} more kinds\n", groups.size() - (most - 1));
+    if (const auto left = groups.size() - (most - 1); cut)
+        text += fmt::format("  and {}\n", counted(left, "more kind", "more kinds"));
     return text + "\n";
 }
 
@@ -113,11 +136,17 @@ private:
 }  // namespace
 
 std::string screen(const StudyResult& result, const Screen& size, std::size_t reserved) {
-    constexpr std::size_t most_kinds = 6;
+    constexpr std::size_t most_kinds = 6, least_kinds = 2;
+    constexpr std::size_t of_tables = 3 * (frame + 1);  // a row of each
     const auto said = verdict(result);
     const auto groups = grouped_alerts(result);
-    const auto head = title_and_answer(result, said.answer, size.width),
-               alerts = alert_lines(groups, most_kinds, size.width);
+    // reservations state consequences of warnings: they replace as many of their lines
+    const auto reservations = reservation_lines(said, most_kinds - least_kinds, size.width);
+    const auto alerts = alert_lines(groups, most_kinds - lines_in(reservations), size.width);
+    const auto title = title_of(result, size.width);
+    const auto others = lines_in(title) + lines_in(reservations) + 1 + of_tables + lines_in(alerts) + reserved;
+    const auto head =
+        title + leading(said.answer, size.lines > others ? size.lines - others : 0, size.width) + reservations + "\n";
     Shared shared;
     shared.add(reading::surfaces(result, reading::Spectra::used), "surfaces.csv", size.width);
     auto pairs = reading::pairs(result);
@@ -143,7 +172,7 @@ std::string summary(const StudyResult& result, std::size_t width) {
           reading::all_fits(result), reading::cutoffs(result)})
         if (!table.rows.empty()) text += tables::as_text_within(table, width) + "\n";
     if (const auto groups = grouped_alerts(result); !groups.empty()) {
-        text += "Alerts\n";
+        text += "Warnings\n";
         for (const auto& [code, alerts] : groups)
             for (const auto& alert : alerts)
                 text += wrapped(fmt::format("  {}: {}: {}; {}", code, alert.subject, alert.message, alert.action),

@@ -19,13 +19,13 @@ struct NamedBalance {
     const char* label;
 };
 
-constexpr std::array<NamedBalance, 7> balances{{{"modified", "(7)"},
-                                                {"without_area_change", "(2)"},
-                                                {"persson_tosatti", "(S13)"},
-                                                {"strained_interface", "(7), χ fitted"},
-                                                {"free_energies", "(7), U free"},
-                                                {"partial_contact", "(7), partial"},
-                                                {"reference_scaled", "(7), W_int by reference"}}};
+constexpr std::array<NamedBalance, 7> balances{{{"modified", "Eq. 7"},
+                                                {"without_area_change", "Eq. 2"},
+                                                {"persson_tosatti", "Eq. S13"},
+                                                {"strained_interface", "Eq. 7, χ fitted"},
+                                                {"free_energies", "Eq. 7, U free"},
+                                                {"partial_contact", "Eq. 7, partial"},
+                                                {"reference_scaled", "Eq. 7, reference W_int"}}};
 
 /// One balance along a choice, in the order of that choice.
 template <class ChoiceOf, class ValueOf>
@@ -66,12 +66,12 @@ void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn) {
     const double end = end_of_spectra(request.result);
     Panel cuts{.title = "A",
                .shows = "roughness below λ cut",
-               .x = {.quantity = "every spectrum cut at *λ*", .unit = "m", .logarithmic = true},
+               .x = {.quantity = "short cutoff *λ*", .unit = "m", .logarithmic = true},
                .y = {.quantity = "*R*²"}};
     Panel energies{.title = "B",
                    .shows = "γ₁ scaled",
-                   .x = {.quantity = "*γ*₁ over that given"},
-                   .y = {.quantity = "ln *L* below the best"}};
+                   .x = {.quantity = "*γ*₁ over its given value"},
+                   .y = {.quantity = "ln *L* minus that of the best"}};
     for (std::size_t place = 0; place < balances.size(); ++place) {
         std::vector<study::ComparedBalance> over_cuts, over_energies;
         for (const auto& row : all) {
@@ -99,11 +99,11 @@ void comparison_of_balances(const FigureRequest& request, StudyFigure& drawn) {
     drawn.figure.panels = panels;
     arrange(drawn.figure, request.options.width, 62.0);
     drawn.caption = fmt::format(
-        "Which balance the {} pairs of work of adhesion speak for; W_int fitted anew for each point. A: share of the scatter explained, R², with the roughness below a wavelength "
-        "cut from every spectrum, on the left none. B: logarithm of the likelihood below the best of all with γ1 of every elastomer scaled; 2 is what chance leaves open, and each further fitted "
-        "parameter gains about half by chance. (7) asks for the stretched surface, (2) for nothing, (S13) is Persson and Tosatti's; χ is a change of the interface with stretch; "
-        "with U_el free each surface has a stored energy of its own, which no spectrum can beat.",
-        all.front().score.n);
+        "Comparison of balances for {} with a measured work of adhesion; every point has its own fitted W_int. A: R² with the roughness below the wavelength λ removed from every spectrum; the first points are without cut. "
+        "B: logarithm of the likelihood minus that of the best balance, with γ1 of every elastomer scaled. A difference of 2 is within chance, and each additional fitted parameter gains about one half by chance. "
+        "Eq. 7 is the full-contact balance, Eq. 2 the small-slope balance without stretching of the soft surface, and Eq. S13 the Persson–Tosatti balance. χ: the interface energy changes with stretch. "
+        "U free: the stored energy of each surface is fitted, an upper limit for every spectrum.",
+        counted(static_cast<std::size_t>(all.front().score.n), "pair"));
 }
 
 }  // namespace setae::study_figures

@@ -16,7 +16,7 @@ namespace {
 
 using figures::Mark;
 
-/// The end of a long name says more than its beginning: "…E07.surface_energy".
+/// The end of a long name is more specific than the beginning: "…E07.surface_energy".
 std::string shortened_name(std::string_view name) {
     constexpr std::size_t longest = 34;
     if (display_width(name) <= longest) return std::string(name);
@@ -65,10 +65,10 @@ void budget_of_work(const FigureRequest& request, StudyFigure& drawn) {
     drawn.figure.panels = {std::move(panel)};
     arrange(drawn.figure, request.options.width, 22.0 + 7.0 * static_cast<double>(count));
     drawn.caption = fmt::format(
-        "What the ± of W_int, {}, is made of: the share of its variance that each input gives{}. Beside each bar the ± that "
-        "is left when this input is known to half its ±.",
+        "Contributions of the inputs to the variance of W_int, whose ± is {}{}. The number beside each bar is the remaining ± "
+        "if the ± of this input is halved.",
         format_value(budget.standard_error, budget.unit, 2),
-        budget.rows.size() > count ? fmt::format(", the {} largest of {}", count, budget.rows.size()) : "");
+        budget.rows.size() > count ? fmt::format("; the {} largest of {}", count, budget.rows.size()) : "");
 }
 
 }  // namespace setae::study_figures

@@ -182,8 +182,7 @@ std::string why_no_prediction(const StudyResult& result) {
                      [](const auto& pair) { return pair.approach.has_value(); }))
         return "no pair has a measured work of adhesion";
     if (!result.work_of_adhesion)
-        return result.work_of_adhesion.reason.empty() ? "there is no work of adhesion to predict with"
-                                                      : result.work_of_adhesion.reason;
+        return result.work_of_adhesion.reason.empty() ? "W_int is not known" : result.work_of_adhesion.reason;
     return "no pair has both a measured and a predicted work of adhesion";
 }
 
@@ -246,7 +245,7 @@ std::optional<Comparison> loss_comparison(const StudyResult& result, std::vector
     }
     Comparison drawn;
     drawn.values = {.x = {.quantity = "true area *A*_{true}", .unit = "mm2"},
-                    .y = {.quantity = "energy lost *E*_{loss}", .unit = "nJ"}};
+                    .y = {.quantity = "energy loss *E*_{loss}", .unit = "nJ"}};
     drawn.residuals = {.x = drawn.values.x,
                        .y = {.quantity = "residual Δ*E*", .unit = "nJ"},
                        .horizontal_lines = {0.0},
@@ -280,19 +279,19 @@ void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn) {
         comparisons.back().values.title = "A";
         comparisons.back().values.shows = "work of adhesion";
         text = fmt::format(
-            "A: work of adhesion measured on approach against that predicted by (7), floored at 0, for {}, with W_int = {} ({}); line: y = x{}. ",
+            "A: measured work of adhesion on approach against the prediction of the full-contact balance (Eq. 7), at least 0, for {}, with W_int = {} ({}). Line: y = x{}. ",
             counted(points.size(), "pair"), with_error(*result.work_of_adhesion, 1e3, "mJ/m2"),
             result.work_of_adhesion_source,
-            result.modified ? fmt::format("; fit of (7): {}", fit_in_words(*result.modified)) : "");
+            result.modified ? fmt::format("; fit of Eq. 7: {}", fit_in_words(*result.modified)) : "");
     } else {
         text = "A is missing: " + why_no_prediction(result) + ". ";
     }
     if (lost) {
         comparisons.push_back(*lost);
         comparisons.back().values.title = "B";
-        comparisons.back().values.shows = "energy lost";
+        comparisons.back().values.shows = "energy loss";
         text += fmt::format(
-            "B: energy lost in a closed loop against the true area at maximum preload, A_true = r π a_max²; line through the origin (10): {}. ",
+            "B: energy loss of closed loops against the true area at maximum preload, A_true = r π a_max². Line through the origin (Eq. 10): {}. ",
             fit_in_words(result.loop->through_origin));
     } else {
         text += "B is missing: " + (result.loop.reason.empty() ? std::string("no loop energies") : result.loop.reason) +
@@ -305,9 +304,9 @@ void prediction_and_loss(const FigureRequest& request, StudyFigure& drawn) {
     drawn.caption =
         text +
         fmt::format(
-            "Below each: measured minus line. Symbol: surface; colour: elastomer. Bars are ± one standard error of measured and predicted values"
-            "{}; fits are generalised least squares with the covariance of all errors.{} Compare Fig. 4 of Dalvi et al. 2019.",
-            points.empty() ? "" : " (spectrum, modulus, surface energy and W_int), cut at 0",
+            "Lower panels: measured minus line. Symbol: surface; colour: elastomer. Bars are ± one standard error of measured and predicted values"
+            "{}. Fits are generalised least squares with the covariance of all errors.{} Compare Fig. 4 of Dalvi et al. 2019.",
+            points.empty() ? "" : " (from spectrum, modulus, surface energy and W_int), cut at 0",
             reconstruction_note(result) + floored_note(result));
 }
 
@@ -325,7 +324,7 @@ void persson_tosatti_prediction(const FigureRequest& request, StudyFigure& drawn
                 if (pair.surface == point.surface && pair.elastomer == point.elastomer)
                     points.push_back(point_of(pair, raw, error, point.measured));
         }
-        source = "its own fit: " + fit_in_words(fit);
+        source = "fitted: " + fit_in_words(fit);
     } else {
         points = predicted_points(result, &study::PairResult::persson_tosatti);
         source = "W_int " + result.work_of_adhesion_source;
@@ -339,8 +338,8 @@ void persson_tosatti_prediction(const FigureRequest& request, StudyFigure& drawn
     comparison.values.legend_beside = true;
     drawn.figure = arranged(request, {comparison});
     drawn.caption = fmt::format(
-        "Work of adhesion measured on approach against that predicted by (S13), Persson and Tosatti's balance W_int (1 + h'²/2) − U_el/A_app, "
-        "floored at 0, for {} ({}); line: y = x; below: measured minus predicted. Symbol: surface; colour: elastomer. Bars are ± one standard "
+        "Measured work of adhesion on approach against the prediction of the Persson–Tosatti balance (Eq. S13), W_int (1 + h'²/2) − U_el/A_app, "
+        "at least 0, for {} ({}). Line: y = x; lower panel: measured minus predicted. Symbol: surface; colour: elastomer. Bars are ± one standard "
         "error, cut at 0.{} Compare Fig. S8 of Dalvi et al. 2019.",
         counted(points.size(), "pair"), source, reconstruction_note(result));
 }

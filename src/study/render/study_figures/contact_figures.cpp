@@ -44,7 +44,7 @@ std::string left_out_loops(const StudyResult& result) {
     for (const auto& e : result.experiments)
         if (e.analysis) ++loops[e.input.elastomer];
     const bool cut = std::ranges::any_of(loops, [](const auto& entry) { return entry.second > max_loops; });
-    return cut ? fmt::format(" The figure shows the first {} loops on an elastomer.", max_loops) : "";
+    return cut ? fmt::format(" The figure shows the first {} loops on each elastomer.", max_loops) : "";
 }
 
 bool has_radius(const ExperimentResult& e) { return e.analysis->corrected.contact_radius.size() > 0; }
@@ -324,10 +324,10 @@ void contact_of_one_elastomer(const FigureRequest& request, StudyFigure& drawn) 
     if (!with_displacement.empty()) drawn.figure.panels.push_back(force);
     arrange(drawn.figure, request.options.width, 75.0);
     drawn.caption = fmt::format(
-        "Contact on {} ({}). A: contact radius against force, loading hollow, unloading filled; dashed: JKR (1) fitted to loading.{}{} Each branch is thinned to about {} "
-        "symbols, each loop to at most {} points, jumps kept.{} Compare Fig. 2 of Dalvi et al. 2019.",
+        "Contact on {} ({}). A: contact radius against force. Hollow symbols: loading; filled symbols: unloading; dashed: JKR (Eq. 1) fitted to loading.{}{} Each branch is thinned to about {} "
+        "symbols and each loop to at most {} points; jumps are kept.{} Compare Fig. 2 of Dalvi et al. 2019.",
         modulus_of(*elastomer), counted(with_radius.size(), "loop"),
-        with_displacement.empty() ? "" : " B: force against displacement from first touch.",
+        with_displacement.empty() ? "" : " B: force against displacement from first contact.",
         shaded
             ? fmt::format(
                   " Shaded: the closed loop on {}, which loses {}; ± is one standard error (noise, drift, sampling).",
@@ -357,8 +357,8 @@ void contact_radius_of_all(const FigureRequest& request, StudyFigure& drawn) {
         return;
     }
     drawn.caption = fmt::format(
-        "Contact radius against force on each elastomer ({}), loading hollow, unloading filled; dashed: JKR (1) fitted to loading; solid: (S2) "
-        "through the last points before pull-off, with the modulus of loading ({}). Symbols and colours in all panels as in the first.{} "
+        "Contact radius against force on each elastomer ({}). Hollow symbols: loading; filled symbols: unloading; dashed: JKR (Eq. 1) fitted to loading; solid: Eq. S2 "
+        "through the last points before pull-off, with the modulus of loading ({}). All panels use the symbols and colours of the first panel.{} "
         "Compare Fig. S5 of Dalvi et al. 2019.",
         counted(n, "loop"), counted(retractions, "fit"), left_out_loops(result));
 }
@@ -398,7 +398,7 @@ void contact_radius_of_references(const FigureRequest& request, StudyFigure& dra
                         reference.stage.empty() ? "" : " " + reference.stage,
                         with_error(reference.approach, 1e3, "mJ/m2"), with_error(reference.retraction, 1e3, "mJ/m2"));
     drawn.caption = fmt::format(
-        "Contact radius against force on the smooth reference ({}), loading hollow, unloading filled; JKR (1) fitted to loading (dashed) and to "
+        "Contact radius against force on the smooth reference ({}). Hollow symbols: loading; filled symbols: unloading. JKR (Eq. 1) is fitted to loading (dashed) and to "
         "unloading (solid). W of loading and unloading: {}; ± is one standard error.{} Compare Fig. S6 of Dalvi et al. 2019.",
         counted(n, "loop"), works, left_out_loops(result));
 }

@@ -118,7 +118,7 @@ std::optional<SurfaceCurve> C_iso_of(const study::SurfaceResult& surface, roughn
 }
 
 std::string method_in_words(const std::string& method) {
-    if (method == "likelihood") return "fitted to all measurements at once";
+    if (method == "likelihood") return "fitted to all measurements together";
     if (method == "average") return "averaged over the measurements";
     return method == "moments" ? "reconstructed from published moments" : "given as a table";
 }

@@ -131,8 +131,8 @@ std::string reconstruction_note(const study::StudyResult& result) {
         if (surface.reconstructed) names += (names.empty() ? "" : ", ") + surface.name;
     if (names.empty()) return {};
     return " Reconstruction: the spectrum of " + names +
-           " is self-affine with the three published moments (rms height, slope and curvature); what lies between them is "
-           "the model's, the stored energy too.";
+           " is self-affine, with the three published moments (rms height, slope and curvature). All other properties, also the "
+           "stored energy, follow from this model.";
 }
 
 std::string floored_note(const study::StudyResult& result) {
@@ -152,7 +152,7 @@ std::string floored_note(const study::StudyResult& result) {
     }
     if (pairs.empty()) return {};
     return fmt::format(
-        " With it (7) is floored at 0 where adhesion was measured: for (7) to give any at W_int = {:.1f} mJ/m2, the surface's own U_el/(A_app E*) must be "
+        " With this spectrum, the full-contact balance (Eq. 7) predicts 0 for pairs with measured adhesion. Eq. 7 with W_int = {:.1f} mJ/m2 requires U_el/(A_app E*) of the surface "
         "below the first length: {}.",
         1e3 * result.work_of_adhesion->value, pairs);
 }

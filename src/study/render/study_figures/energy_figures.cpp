@@ -34,7 +34,7 @@ figures::Series line(const std::string& label, const Array1D& x, const Array1D& 
 StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& course, const std::string& command) {
     StudyFigure drawn{.identifier = "energy",
                       .name = loop.name + "_energy",
-                      .title = fmt::format("{}: where every joule goes", loop.name),
+                      .title = fmt::format("{}: energy budget of the loop", loop.name),
                       .command = command};
     const auto& record = loop.analysis.corrected;
     const bool timed = record.time.size() > 0;
@@ -62,9 +62,9 @@ StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& cour
     against.legend = false;
     drawn.figure = {.panels = {along, against}, .columns = 2, .width_mm = page_mm, .height_mm = 70.0};
     drawn.caption = fmt::format(
-        "{}: work done from outside, cumulative; stored elastic energy; −W times contact area, W of loading; and what is left, dissipated in the jumps and by a "
-        "contact edge that asks for more than W to recede. Contact radius {}. Closed loop: {} {}. Smooth ideal sphere: {} {}.",
-        loop.name, course.radius_measured ? "measured" : "implied by force, displacement and E*",
+        "{}: cumulative external work, stored elastic energy, surface energy (−W of loading times contact area), and the dissipated rest. The jumps and a contact edge that needs more "
+        "than W on retraction dissipate energy. The contact radius is {}. Closed loop: {} {}. Ideal smooth sphere: {} {}.",
+        loop.name, course.radius_measured ? "measured" : "calculated from force, displacement and E*",
         fmt::format("{:.4g}", course.work[n - 1] / energy.factor), energy.name,
         figures::number_text(loop.analysis.ledger ? loop.analysis.ledger->ideal_this_machine / energy.factor : 0.0, 3),
         energy.name);
@@ -73,7 +73,7 @@ StudyFigure course_figure(const DrawnLoop& loop, const loops::EnergyCourse& cour
 
 StudyFigure loss_figure(const std::vector<NamedLoss>& losses, const std::string& command) {
     StudyFigure drawn{
-        .identifier = "losses", .name = "losses", .title = "Energy lost against true area", .command = command};
+        .identifier = "losses", .name = "losses", .title = "Energy loss against true area", .command = command};
     if (losses.empty()) {
         drawn.reason = "no loop is closed";
         return drawn;
@@ -105,7 +105,7 @@ StudyFigure loss_figure(const std::vector<NamedLoss>& losses, const std::string&
                      .mark = Mark::points,
                      .colour = colour::blue,
                      .names = names},
-                    {.label = "smooth sphere alone",
+                    {.label = "ideal smooth sphere",
                      .x = area / square.factor,
                      .y = ideal / energy.factor,
                      .mark = Mark::points,
@@ -120,8 +120,8 @@ StudyFigure loss_figure(const std::vector<NamedLoss>& losses, const std::string&
                      .dash = 1}};
     drawn.figure = {.panels = {panel}, .width_mm = column_mm, .height_mm = 70.0};
     drawn.caption = fmt::format(
-        "Energy lost in {} against true contact area at the largest preload; bars are one standard error. Line through the origin, least squares: {:.4g} mJ/m²; with what a "
-        "smooth sphere loses in its jumps taken off (hollow), {:.4g} mJ/m².",
+        "Energy loss of {} against the true contact area at the largest preload; bars are one standard error. Line through the origin by least squares: {:.4g} mJ/m²; after "
+        "subtracting the loss of a smooth sphere in its jumps (hollow): {:.4g} mJ/m².",
         counted(losses.size(), "loop"), 1e3 * work, 1e3 * beyond);
     return drawn;
 }

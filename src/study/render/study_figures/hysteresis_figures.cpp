@@ -111,7 +111,7 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
         largest = std::max({largest, points.back().upper[0], points.back().right[0]});
     }
     if (points.empty()) {
-        drawn.reason = "no pair has W_ret at pull-off measured";
+        drawn.reason = "no pair has a measured W_ret at pull-off";
         return drawn;
     }
     panel.series.push_back({.label = "equal",
@@ -132,8 +132,8 @@ StudyFigure hysteresis_figure(const study::Hysteresis& h, FigureWidth width) {
     std::vector<std::string> laws;
     for (const auto& pair : h.pairs) (void)place_of(laws, pair.model.name());
     drawn.caption = fmt::format(
-        "W_ret at pull-off of {} against what roughness predicts by {}; bars are one standard error. Symbol: surface; colour: elastomer; "
-        "hollow: bodies that do not come into full contact of themselves. Dashed: equal.",
+        "Measured W_ret at pull-off of {} against the prediction from roughness, by {}; bars are one standard error. Symbol: surface; colour: elastomer; "
+        "hollow: pairs without spontaneous full contact. Dashed: measured = predicted.",
         setae::counted(points.size(), "pair", "pairs"), fmt::join(laws, ", "));
     return drawn;
 }
@@ -148,7 +148,7 @@ Panel losses_panel(const std::vector<LossBar>& bars) {
     }
     const auto unit = display_unit(losses.maxCoeff(), "J");
     const auto count = static_cast<double>(bars.size());
-    Panel panel{.x = {.quantity = "energy lost", .unit = unit.name, .from = 0.0},
+    Panel panel{.x = {.quantity = "energy loss", .unit = unit.name, .from = 0.0},
                 .y = {.from = -0.6, .to = count - 0.4}};
     panel.y.tick_labels.resize(bars.size());
     const auto& shares = EnergyShares::all();
@@ -186,9 +186,10 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
     auto bars = bars_of(h, true);
     const bool measured = !bars.empty();
     if (!measured) bars = bars_of(h, false);
-    drawn.title = measured ? "Where the joules of measured loops went" : "Where the joules of predicted loops go";
+    drawn.title = measured ? "Energy budget of measured loops" : "Energy budget of predicted loops";
     if (bars.empty()) {
-        drawn.reason = "no loop is measured, and none predicted: elastomers need sphere_radius and preload";
+        drawn.reason =
+            "no loop is measured or predicted; a prediction needs sphere_radius and preload of the elastomers";
         return drawn;
     }
     auto panel = losses_panel(bars);
@@ -197,10 +198,10 @@ StudyFigure loss_shares_figure(const study::Hysteresis& h, FigureWidth width) {
     drawn.figure = {.panels = {panel}, .width_mm = wide ? page_mm : column_mm, .height_mm = 35.0 + 5.0 * count};
     if (!wide) figures::put_legend_above(drawn.figure);
     drawn.caption = fmt::format(
-        "{} {}: the sphere's jumps into contact and out of it, what the crack tip needs more on the way back on a "
-        "smooth reference, and what roughness adds by the law of each pair.{}",
+        "{} {}: energy loss in the jumps of the sphere into and out of contact, the additional loss at the crack tip on retraction from a "
+        "smooth reference, and the loss due to roughness by the retraction model of each pair.{}",
         measured ? "Measured loops of" : "Predicted loops of", setae::counted(bars.size(), "pair", "pairs"),
-        measured ? " Symbols: measured, with one standard error." : "");
+        measured ? " Symbols: measured energy loss, with one standard error." : "");
     return drawn;
 }
 

@@ -241,7 +241,7 @@ std::string closed_loop(const loops::LoopEnergy& loop) {
     return fmt::format(" Shaded: the closed loop, {}.", with_error(loop.estimate(), 1.0 / unit.factor, unit.name));
 }
 
-/// One legend for all panels: what the first does not show stands in it alone.
+/// One legend for all panels, in the first panel.
 void explain(std::vector<Panel>& panels) {
     auto& first = panels.front();
     for (std::size_t p = 1; p < panels.size(); ++p)
@@ -267,10 +267,10 @@ void draw_loop(const DrawnLoop& loop, const Units& units, FigureWidth width, Stu
     explain(drawn.figure.panels);
     line_up(drawn.figure, width, drawn.figure.panels.size() == 3 ? 62.0 : 75.0);
     drawn.caption = fmt::format(
-        "{}. {}Contact radius {}. Dashed: JKR.{} ± is one standard error.", loop.name,
-        loop.analysis.corrected.displacement.size() > 0 ? "Force against displacement from the fitted first touch; "
+        "{}. {}The contact radius is {}. Dashed: JKR.{} ± is one standard error.", loop.name,
+        loop.analysis.corrected.displacement.size() > 0 ? "Force against displacement from the fitted first contact. "
                                                         : "",
-        loop.analysis.context.radius_measured ? "measured" : "implied by force, displacement and E*",
+        loop.analysis.context.radius_measured ? "measured" : "calculated from force, displacement and E*",
         " " + works_of(loop.analysis) + ".");
     if (loop.analysis.loop) drawn.caption += closed_loop(*loop.analysis.loop);
 }
@@ -286,11 +286,12 @@ void loop_of(const study::ExperimentResult& experiment, FigureWidth width, Study
 }
 
 void ranges_of_loops(const FigureRequest& request, StudyFigure& drawn) {
-    constexpr std::size_t most = 7;  // colours that can be told apart
+    constexpr std::size_t most = 7;  // colours that can be distinguished
     const auto& experiments = request.result.experiments;
     if (static_cast<std::size_t>(std::count_if(experiments.begin(), experiments.end(),
                                                [](const auto& e) { return e.analysis.has_value(); })) > most) {
-        drawn.reason = fmt::format("more than {} loops; `setae jkr fit --figures` draws those you choose", most);
+        drawn.reason =
+            fmt::format("the study has more than {} loops; `setae jkr fit --figures` draws selected ones", most);
         return;
     }
     std::vector<NamedScan> scans;
@@ -327,7 +328,7 @@ std::vector<StudyFigure> loop_figures(const DrawnLoop& loop, const std::string& 
         residuals.figure.panels.push_back(residual_panel(branch, titles[k++], units));
     line_up(residuals.figure, width, 65.0);
     residuals.caption = fmt::format(
-        "{}: what each fit leaves, over its root mean square. Residuals that follow their neighbours show that the model, not noise, makes them.",
+        "{}: residuals of each fit over their root mean square. Residuals that vary smoothly show a deviation of the model, not noise.",
         loop.name);
     return {drawn, residuals};
 }

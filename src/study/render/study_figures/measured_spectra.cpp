@@ -79,14 +79,14 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
     const auto curve = C1D_of(surface);
     if (curve) {
         if (curve->lower.size() > 0)
-            panel.series.push_back({.label = "together, 95 %",
+            panel.series.push_back({.label = "all measurements, 95 %",
                                     .x = curve->wavevector,
                                     .lower = curve->lower,
                                     .upper = curve->upper,
                                     .mark = Mark::band,
                                     .colour = colour::black,
                                     .in_legend = false});
-        panel.series.push_back({.label = curve->method == "likelihood" ? "fitted to all" : "average",
+        panel.series.push_back({.label = curve->method == "likelihood" ? "fit to all" : "average",
                                 .x = curve->wavevector,
                                 .y = curve->values,
                                 .mark = Mark::line,
@@ -115,15 +115,15 @@ void measured_spectra(const FigureRequest& request, const study::SurfaceResult& 
     drawn.figure = {
         .panels = {panel}, .width_mm = wide(request) ? 140.0 : column_mm, .height_mm = wide(request) ? 95.0 : 75.0};
     drawn.caption = fmt::format(
-        "C1D of each of {} of {}, coloured by instrument: solid where the instrument is reliable, dotted and pale where it was cut "
-        "(below its first mode, beyond its sampling, its resolution or what its tip can show).{}{}{} Curves of more than {} points are means "
-        "over even steps of ln q.",
+        "C1D of {} of {}, coloured by instrument. Solid: reliable band of the instrument. Dotted and pale: cut, "
+        "because of the first mode, sampling, resolution or tip.{}{}{} Curves of more than {} points are means "
+        "over equal steps of ln q.",
         counted(n, "measurement"), surface.name,
         !curve ? ""
         : curve->method == "likelihood"
-            ? " Black: C1D fitted to all at once, shaded 95 %; it accounts for window, trend, aliases and tips."
-            : " Black: their average, shaded 95 % where two or more overlap.",
-        shown == n ? "" : fmt::format(" The figure shows {} of them, at even steps through the list.", shown),
+            ? " Black: C1D fitted to all measurements together, shaded 95 %; the fit includes window, trend, aliases and tips."
+            : " Black: the average of all measurements, shaded 95 % where two or more overlap.",
+        shown == n ? "" : fmt::format(" The figure shows {} of them, at equal steps through the list.", shown),
         failed == 0 ? "" : fmt::format(" {} failed.", counted(failed, "measurement")), points_a_measurement);
 }
 

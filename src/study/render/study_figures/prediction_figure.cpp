@@ -151,12 +151,12 @@ void add_test(Panel& panel, const adhesion::PredictionTest& test, bool page) {
 
 std::string test_in_words(const adhesion::PredictionTest& test) {
     auto text = fmt::format(
-        "χ² = {:.1f} with {} degrees of freedom (p = {}) of measured minus predicted over {}, both errors and what pairs share taken into account",
+        "Measured minus predicted over {3} gives χ² = {0:.1f} for {1} degrees of freedom (p = {2}), with both errors and the errors that pairs share",
         test.chi_squared, test.degrees_of_freedom, probability_text(test.probability),
         counted(static_cast<std::size_t>(test.n), "pair"));
-    if (test.work_fitted) text += ", W_int fitted to them";
+    if (test.work_fitted) text += "; W_int is fitted to these pairs";
     if (test.extra_scatter > 0.0)
-        text += fmt::format("; with {} mJ/m2 more scatter of the model χ² = {:.1f} (p = {})",
+        text += fmt::format("; with an additional scatter of the model of {} mJ/m2, χ² = {:.1f} (p = {})",
                             figures::number_text(mJ * test.extra_scatter, 2), test.chi_squared_with_scatter,
                             probability_text(test.probability_with_scatter));
     if (!test.left_out.empty()) text += fmt::format("; left out: {}", fmt::join(test.left_out, ", "));
@@ -193,7 +193,7 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
         const auto curve =
             adhesion::prediction_curve({surface->name, surface->used().parameters, surface->used().spread}, energy.mean,
                                        result.traced_work_of_adhesion, moduli);
-        panel.series.push_back({.label = "predicted by (7), 95 %",
+        panel.series.push_back({.label = "Eq. 7, 95 % band",
                                 .x = MPa * curve.contact_modulus,
                                 .y = mJ * curve.work_of_adhesion,
                                 .lower = mJ * curve.lower,
@@ -236,15 +236,15 @@ void prediction_against_modulus(const FigureRequest& request, StudyFigure& drawn
     arrange(figure, request.options.width, 66.0);
     drawn.figure = figure;
     drawn.caption = fmt::format(
-        "Work of adhesion measured on approach and predicted by (7) at W_int = {} ({}), against the contact modulus, for each surface. Line: prediction, floored at 0; shaded: its 95 % band, "
-        "errors of spectrum, surface energy and W_int. {}Bars: one standard error of measured work and modulus; {} measured minus predicted in standard errors of both{}. {}.{}{}",
+        "Work of adhesion on approach against the contact modulus, for each surface: measured, and predicted by the full-contact balance (Eq. 7) with W_int = {} ({}). Line: prediction, at least 0; shaded: 95 % band "
+        "from the errors of spectrum, surface energy and W_int. {}Bars: one standard error of measured work and modulus; {} measured minus predicted, in standard errors of both{}. {}.{}{}",
         with_error(*result.work_of_adhesion, mJ, "mJ/m2"), result.work_of_adhesion_source,
         std::any_of(result.pairs.begin(), result.pairs.end(),
                     [](const auto& pair) { return pair.modified && !pair.approach; })
             ? "Hollow: predicted, not measured. "
             : "",
-        page ? "below the data" : "in the file of its numbers",
-        result.study.work_of_adhesion ? "" : ", that of the fitted W_int left out",
+        page ? "numbers below the data:" : "the file of numbers contains",
+        result.study.work_of_adhesion ? "" : " without the error of the fitted W_int",
         result.prediction_test ? test_in_words(*result.prediction_test) : "No χ²: " + result.prediction_test.reason,
         energy.differ ? fmt::format(" Elastomers have different surface energies: curves are drawn at their mean, {}.",
                                     with_error(energy.mean.estimate(), mJ, "mJ/m2"))

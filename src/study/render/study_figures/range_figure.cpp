@@ -133,9 +133,9 @@ StudyFigure range_figure(const std::vector<NamedScan>& scans, const std::string&
     drawn.figure.panels = std::move(panels);
     place(drawn.figure, width);
     drawn.caption = fmt::format(
-        "E* and W of the loading fit against where its range begins (A, D) and ends (B, E), bars one standard error, and against each other (C; hollow: other "
-        "starts, filled: other ends; line: one standard error of the fit over the whole range). Slope of W against E* over all ranges, and of the ellipse [mJ/m² per MPa]: {}. "
-        "Where both agree, W and E* trade against each other, and a W that grows with the range is no growth of adhesion.",
+        "E* and W of the loading fit against the start (A, D) and the end (B, E) of the fitted range, and W against E* (C). Bars are one standard error. In C, hollow: other starts, filled: other ends, "
+        "line: one standard error of the fit over the whole range. Slope of W against E* over all ranges, and slope of the ellipse [mJ/m² per MPa]: {}. "
+        "If both slopes agree, W and E* are correlated, and an increase of W with the range is not an increase of adhesion.",
         slopes);
     return drawn;
 }

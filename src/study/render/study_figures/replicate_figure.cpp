@@ -28,7 +28,7 @@ void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn) {
                                 {.quantity = "work of adhesion *W*_app", .unit = "mJ/m2", .factor = 1e3});
         auto& panel = plot.panels.front();
         panel.title = replicates.elastomer;
-        // files stand in the data alone
+        // files are in the data only
         heights.push_back(plot.height_mm + 4.0);
         figure.height_mm += heights.back();
         figure.panels.push_back(std::move(panel));
@@ -36,7 +36,7 @@ void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn) {
         excluded += replicates.data.exclusions.size();
     }
     if (figure.panels.empty()) {
-        drawn.reason = why.empty() ? "no loop on such an elastomer has a work of adhesion" : why;
+        drawn.reason = why.empty() ? "no loop with replicates has a work of adhesion" : why;
         return;
     }
     double top = 0.0;
@@ -46,12 +46,13 @@ void replicates_of_pairs(const FigureRequest& request, StudyFigure& drawn) {
     }
     drawn.figure = figure;
     drawn.caption = fmt::format(
-        "Work of adhesion of approach of {}, by elastomer and surface. Points: fits with the 95 % interval of their own standard errors; diamonds: means of surfaces by a linear mixed model with "
-        "their 95 % interval, its variances pooled over the surfaces of an elastomer; thin lines: where 95 % of further measurements with another lens lie.{}",
+        "Work of adhesion on approach of {}, by elastomer and surface. Points: fits, with the 95 % interval of their standard errors. Diamonds: means of surfaces from a linear mixed model, with "
+        "their 95 % interval; variances are pooled over the surfaces of an elastomer. Thin lines: range of 95 % of further measurements with another lens.{}",
         counted(loops, "loop"),
-        excluded > 0 ? fmt::format(" Hollow: {} excluded, with the reason; hollow diamonds are means with them.",
-                                   counted(excluded, "loop"))
-                     : "");
+        excluded > 0
+            ? fmt::format(" Hollow points: {} excluded, with the reason; hollow diamonds: means that include them.",
+                          counted(excluded, "loop"))
+            : "");
 }
 
 }  // namespace setae::study_figures

@@ -84,9 +84,9 @@ void scales_of_cost(const FigureRequest& request, StudyFigure& drawn) {
     drawn.figure.panels = {energy, area, work};
     line_up(drawn.figure, request.options.width, 62.0);
     drawn.caption = fmt::format(
-        "Which scales cost the energy: shares reached by the roughness with wavevectors below q, for {} on {}. A: of the stored energy U_el (8), whatever the modulus. B: of the "
-        "excess area A_true/A_app − 1 (9), which rises with the slope. C: of the change ΔW_app = W_app − W_int by (7) on this elastomer, with W_int = {}; where gain and cost of "
-        "different scales have different signs it leaves 0 … 100 %.{}",
+        "Contributions of scales: share from roughness with wavevectors below q, for {} on {}. A: stored energy U_el (Eq. 8), independent of the modulus. B: "
+        "excess area A_true/A_app − 1 (Eq. 9), which increases with the slope. C: change ΔW_app = W_app − W_int of the full-contact balance (Eq. 7) on this elastomer, with W_int = {}. The share leaves the "
+        "range 0 … 100 % if some scales increase and others decrease W_app.{}",
         counted(n, "surface"), elastomer->input.name, with_error(*result.work_of_adhesion, 1e3, "mJ/m2"),
         reconstruction_note(result) + floored_note(result));
 }
@@ -97,7 +97,7 @@ void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn) 
     for (const auto& surface : result.surfaces)
         if (!surface.failed() && surface.fitted && !surface.fitted->agreement.empty()) fitted.push_back(&surface);
     if (fitted.empty()) {
-        drawn.reason = "no surface's spectrum was fitted to its measurements by likelihood";
+        drawn.reason = "no spectrum was fitted to the measurements of a surface by likelihood";
         return;
     }
     figures::Figure figure;
@@ -169,9 +169,9 @@ void agreement_of_instruments(const FigureRequest& request, StudyFigure& drawn) 
     arrange(figure, request.options.width, 55.0);
     drawn.figure = figure;
     drawn.caption =
-        "Measured periodograms over those the fitted spectrum expects, by instrument and decade of q, weighted by degrees of freedom: 1 where all instruments tell "
-        "of one surface. Bars: one standard error of an instrument that agrees. A decade in which an instrument has a few modes alone scatters widely: χ², its groups and its "
-        "probability stand with the data.";
+        "Ratio of measured to expected periodograms, by instrument and decade of q, weighted by degrees of freedom. The fitted spectrum gives the expected ones; the ratio is 1 if all instruments "
+        "agree. Bars: one standard error of an instrument that agrees. Decades with only a few modes of an instrument scatter widely. The data of the figure contain χ², the groups of modes "
+        "and the probability.";
 }
 
 }  // namespace setae::study_figures

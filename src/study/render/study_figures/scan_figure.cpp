@@ -85,7 +85,7 @@ void stylus_scans(const FigureRequest& request, StudyFigure& drawn) {
     arrange(figure, request.options.width, 40.0);
     drawn.figure = figure;
     drawn.caption = fmt::format(
-        "The longest stylus scan of each surface, trend removed ({}). Thinned to the lowest and the highest point of each of 200 stretches.{} "
+        "The longest stylus scan of each surface, trend removed ({}). The figure shows the lowest and the highest point of each of 200 intervals.{} "
         "Compare Fig. S1 of Dalvi et al. 2019.",
         names, left_out_surfaces(request.result));
 }

@@ -43,7 +43,7 @@ void add_curve(Panel& panel, const SurfaceCurve& curve, const std::string& label
         {.label = label, .x = curve.wavevector, .y = curve.values, .mark = Mark::line, .colour = colour, .dash = 0});
 }
 
-/// What a study's curves are, "NAME fitted to …".
+/// How the curves of a study were made, "NAME fitted to …".
 class Methods {
 public:
     void add(const SurfaceResult& surface, const SurfaceCurve& curve) {
@@ -206,7 +206,7 @@ std::string failed_surfaces(const StudyResult& result) {
     std::string names;
     for (const auto& surface : drawn_surfaces(result))
         if (surface.failed()) names += (names.empty() ? "" : ", ") + surface.name;
-    return names.empty() ? "" : " Not drawn, because they failed: " + names + ".";
+    return names.empty() ? "" : " Failed and not drawn: " + names + ".";
 }
 
 bool nothing_to_show(const FigureRequest& request, StudyFigure& drawn) {
@@ -266,9 +266,8 @@ void combined_spectra(const FigureRequest& request, StudyFigure& drawn) {
     drawn.caption = fmt::format(
         "{}C1D against wavevector q of {} ({}).{}{}{}{}{} Conventions of C1D: Jacobs et al. 2017; compare Fig. 1 of Dalvi et al. 2019.",
         pictures ? "A: " : "", counted(n, "surface"), methods.text(), bands ? " Shaded: 95 %." : "",
-        instruments.empty() ? "" : " Bars: wavevectors that some measurement of the instrument shows reliably.",
-        pictured, left_out_surfaces(result) + failed_surfaces(result),
-        reconstruction_note(result) + floored_note(result));
+        instruments.empty() ? "" : " Bars: reliable wavevectors of each instrument.", pictured,
+        left_out_surfaces(result) + failed_surfaces(result), reconstruction_note(result) + floored_note(result));
 }
 
 void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn) {
@@ -301,8 +300,8 @@ void isotropic_spectra(const FigureRequest& request, StudyFigure& drawn) {
                                 counted(n, "surface"), methods.text(),
                                 !converted ? ""
                                 : conversion == roughness::Conversion::exact
-                                    ? " Averages become C_iso by the inverse Abel integral."
-                                    : " Averages become C_iso by (11).",
+                                    ? " Averages are converted to C_iso by the inverse Abel integral."
+                                    : " Averages are converted to C_iso by Eq. 11.",
                                 bands ? " Shaded: 95 %." : "", left_out_surfaces(result) + failed_surfaces(result),
                                 reconstruction_note(result) + floored_note(result));
 }
@@ -312,7 +311,7 @@ void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn) {
     const auto& result = request.result;
     const auto instruments = instrument_bands(surfaces_of(result));
     if (instruments.empty()) {
-        drawn.reason = "no surface has measurements: their spectra were published or given, not measured here";
+        drawn.reason = "no surface has measurements: all spectra are published or given";
         return;
     }
     double lowest = HUGE_VAL, highest = 0.0, least = HUGE_VAL, most = 0.0;
@@ -359,8 +358,8 @@ void spectra_by_instrument(const FigureRequest& request, StudyFigure& drawn) {
     }
     arrange(drawn.figure, request.options.width, 75.0);
     drawn.caption = fmt::format(
-        "C1D of each surface by technique: the mean over the measurements of that technique, each within its own reliable band, "
-        "in ten bins a decade. Where lines part, techniques disagree.{} Compare Fig. S2 of Dalvi et al. 2019.",
+        "C1D of each surface by technique: the mean over the measurements of a technique, each within its own reliable band, "
+        "in ten bins per decade. Techniques disagree where their lines differ.{} Compare Fig. S2 of Dalvi et al. 2019.",
         left_out_surfaces(result) + failed_surfaces(result));
 }
 

@@ -38,7 +38,7 @@ std::string data_of(const StudyFigure& figure, const std::string& study, FigureW
            on_one_line(fmt::format("# figure: {}", figure.identifier)) + "\n" +
            on_one_line(fmt::format("# caption: {}", figure.caption)) + "\n" +
            fmt::format("# written by: setae {}\n", study::version()) +
-           on_one_line(fmt::format("# made again by: {}", command_of(figure, study, width))) + "\n" +
+           on_one_line(fmt::format("# command: {}", command_of(figure, study, width))) + "\n" +
            figures::data_text(figure.figure);
 }
 

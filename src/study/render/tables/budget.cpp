@@ -14,7 +14,7 @@
 namespace setae::output {
 namespace {
 
-/// Noise that no two measured values share, as one row: nobody halves it pair by pair.
+/// Noise that no two measured values share, as one row: it is not halved pair by pair.
 std::vector<BudgetRow> with_noise_as_one(const TracedValue& value) {
     const auto is_noise = [](const std::string& input) { return input.starts_with(adhesion::own_noise_of); };
     const auto count = std::count_if(value.components.begin(), value.components.end(),
@@ -54,9 +54,12 @@ std::string budget_sentence(const QuotedBudget& budget) {
     if (budget.rows.empty()) return "";
     const auto& first = budget.rows.front();
     const auto error = [&](double value) { return format_value(value, budget.unit, 2); };
-    return fmt::format("{:.0f} % of the variance of {} is {}; with half of it, ± falls from {} to {}",
-                       100.0 * first.share, place_of(budget), first.input, error(budget.standard_error),
-                       error(first.halved));
+    const bool is_error = first.input.starts_with("scatter of") || first.input.starts_with("noise of");
+    const bool described = first.input.find(' ') != std::string::npos;  // else a name, such as "lab.surface_energy"
+    return fmt::format(
+        "The {}{} contributes {:.0f} % of the variance of {}. Halving {} would reduce the standard error from {} to {}",
+        described ? "" : "input ", first.input, 100.0 * first.share, place_of(budget), is_error ? "it" : "its ±",
+        error(budget.standard_error), error(first.halved));
 }
 
 std::string budget_text(const study::StudyResult& result, std::size_t width) {
@@ -64,7 +67,7 @@ std::string budget_text(const study::StudyResult& result, std::size_t width) {
     for (const auto& budget : budgets_of(result)) {
         tables::TidyTable table{
             fmt::format("± of {}: {}", place_of(budget), format_value(budget.standard_error, budget.unit, 2)),
-            {"input", "± alone", "share of the variance", "± with half of it"},
+            {"input", "± from it", "share of the variance", "± if it is halved"},
             {}};
         for (const auto& row : budget.rows)
             table.rows.push_back({row.input, format_value(row.standard_error, budget.unit, 2),

@@ -38,12 +38,12 @@ std::string range_of_conforming(const study::Hysteresis& h) {
     return range.lower == range.upper ? "" : fmt::format(" ({} to {} within their ±)", range.lower, range.upper);
 }
 
-/// The one of conforming pairs only where it differs.
+/// The one of pairs in full contact only where it differs.
 std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
     std::vector<NamedRanking> list;
     if (h.conforming_pairs < h.measured_pairs && h.conforming.best())
         list.push_back({"conforming_pairs",
-                        fmt::format("{}{} that come into full contact of themselves",
+                        fmt::format("{}{} in spontaneous full contact",
                                     counted(static_cast<std::size_t>(h.conforming_pairs), "pair", "pairs"),
                                     range_of_conforming(h)),
                         h.conforming});
@@ -52,13 +52,13 @@ std::vector<NamedRanking> rankings_of(const study::Hysteresis& h) {
             {"all_pairs",
              fmt::format(
                  "all {} pairs{}", h.measured_pairs,
-                 h.conforming_pairs < h.measured_pairs ? ", each in the contact that simulated patches come to" : ""),
+                 h.conforming_pairs < h.measured_pairs ? ", each with the contact area of simulated patches" : ""),
              h.all});
     if (h.by_area.best())
-        list.push_back(
-            {"loop_areas",
-             fmt::format("{}, by what they lose", counted(static_cast<std::size_t>(h.pairs_by_area), "loop", "loops")),
-             h.by_area});
+        list.push_back({"loop_areas",
+                        fmt::format("{}, from the energy loss",
+                                    counted(static_cast<std::size_t>(h.pairs_by_area), "loop", "loops")),
+                        h.by_area});
     return list;
 }
 
@@ -95,48 +95,51 @@ std::string parameter_text(const ModelScore& score) {
     return fmt::format("{} = {}", parameter.symbol, fitted_number(score));
 }
 
-/// "opening_work (21 mJ/m² off)"
+/// "opening_work (21 mJ/m²)"
 std::string with_miss(const ModelScore& score) {
-    return fmt::format("{} ({} off)", score.fitted.model.name(), work(score.surface_left_out));
+    return fmt::format("{} ({})", score.fitted.model.name(), work(score.surface_left_out));
 }
 
-/// What is left of a ranking: the likeliest model, those that cannot be excluded beside it, and those that a constant
-/// refuses.
+/// What is left of a ranking: the most likely model, those that cannot be excluded, and those that a constant refuses.
 std::string best_sentence(const NamedRanking& of) {
     const auto& best = *of.ranking.best();
     const auto parameter = parameter_text(best);
-    auto text =
-        fmt::format("W_ret at pull-off of {}: {}{}, W_ret = {}{}, misses a surface that was not fitted by {}", of.words,
-                    of.ranking.all_refused() ? "every model is off by a constant, least so " : "likeliest is ",
-                    best.fitted.model.name(), best.fitted.model.formula(),
-                    parameter.empty() ? "" : " with " + parameter, work(best.surface_left_out));
+    const bool refused_all = of.ranking.all_refused();
+    auto text = fmt::format(
+        "For {}, the model {} fits W_ret at pull-off best{}: W_ret = {}{}. Leaving out one surface at a time, this model "
+        "predicts that surface to {} (rms)",
+        of.words, best.fitted.model.name(), refused_all ? ", although every model is off by a constant" : "",
+        best.fitted.model.formula(), parameter.empty() ? "" : " with " + parameter, work(best.surface_left_out));
     std::vector<std::string> possible, refused;
     for (const auto* score : of.ranking.possible())
         if (score != &best) possible.push_back(with_miss(*score));
     for (const auto& score : of.ranking.models)
         if (score.bias.refuses_model) refused.push_back(score.fitted.model.name());
-    text += possible.empty() ? "; it is clearly better than every other model"
-                             : fmt::format("; not excluded beside it: {}", fmt::join(possible, ", "));
-    if (!refused.empty() && !of.ranking.all_refused())
-        text += fmt::format("; off by a constant on all pairs, and refused: {}", fmt::join(refused, ", "));
+    text += possible.empty() ? ". This model is clearly better than every other model"
+                             : fmt::format(". These models cannot be excluded: {}", fmt::join(possible, ", "));
+    if (!refused.empty() && !refused_all)
+        text += fmt::format(". These models are off by a constant on all pairs and are refused: {}",
+                            fmt::join(refused, ", "));
     return text;
 }
 
 std::string deciding_sentence(const study::DecidingPair& pair) {
     constexpr double apart = 2.0;
-    const auto there =
-        fmt::format("W_ret at pull-off of {} on {}, {} or {}, {:.2g} standard errors apart", pair.elastomer,
+    const auto difference =
+        fmt::format("{} on {}: W_ret at pull-off would be {} or {}, {:.2g} standard errors apart", pair.elastomer,
                     pair.surface, work(pair.first_work), work(pair.second_work), pair.standard_errors);
-    const auto rests = pair.largest_input.empty()
-                           ? ""
-                           : fmt::format("; most of what the difference rests on is {}", pair.largest_input);
+    const auto uncertain =
+        pair.largest_input.empty()
+            ? ""
+            : fmt::format(". The largest uncertainty of this difference comes from {}", pair.largest_input);
     if (pair.standard_errors >= apart)
-        return fmt::format("what tells {} from {}: {}{}", pair.first, pair.second, there, rests);
-    return fmt::format("no pair of the study tells {} from {}; the furthest apart: {}{}", pair.first, pair.second,
-                       there, rests);
+        return fmt::format("The pair that best distinguishes {} from {} is {}{}", pair.first, pair.second, difference,
+                           uncertain);
+    return fmt::format("No pair of the study distinguishes {} from {}. The largest difference is for {}{}", pair.first,
+                       pair.second, difference, uncertain);
 }
 
-/// One digit, at most "> 10⁴": no more is known of odds.
+/// One digit, at most "> 10⁴": odds are not known better.
 std::string odds_number(double odds) {
     if (odds > 1e4) return "> 10⁴";
     if (odds < 1.0) return "< 1";
@@ -144,26 +147,27 @@ std::string odds_number(double odds) {
     return fmt::format("{:.0f}", std::round(odds / unit) * unit);
 }
 
+/// "200 : 1 [20, 1000]".
 std::string odds_text(const hysteresis::Odds& odds) {
-    return fmt::format("{} [{}, {}]", odds_number(odds.value), odds_number(odds.lower), odds_number(odds.upper));
+    return fmt::format("{} : 1 [{}, {}]", odds_number(odds.value), odds_number(odds.lower), odds_number(odds.upper));
 }
 
-/// What the ranking says of a model against the likeliest.
+/// How a model compares with the most likely one.
 std::string verdict_cell(const Ranking& ranking, const ModelScore& score) {
-    if (score.bias.refuses_model) return fmt::format("off by {}", uncertain_number(score.bias.value, milli));
-    if (&score == ranking.best()) return "likeliest";
+    if (score.bias.refuses_model) return fmt::format("constant error {}", uncertain_number(score.bias.value, milli));
+    if (&score == ranking.best()) return "most likely";
     switch (score.odds_against.distinction()) {
         case hysteresis::Distinction::clearly_better: return "clearly worse";
         case hysteresis::Distinction::better: return "worse";
-        case hysteresis::Distinction::cannot_be_distinguished: return "as good";
+        case hysteresis::Distinction::cannot_be_distinguished: return "not distinguished";
     }
     return "";
 }
 
-/// Models for a reader, what cannot be judged below the others.
+/// Models for a reader, those that cannot be ranked below the others.
 TidyTable shown_models(const study::Hysteresis& h, const NamedRanking& of) {
     TidyTable table{fmt::format("models of W_ret at pull-off, {}", of.words),
-                    {"model", "fitted [mJ/m²]", "off [mJ/m²]", "odds against", "which is"},
+                    {"model", "fitted [mJ/m²]", "left-out error [mJ/m²]", "odds against it", "rating"},
                     {}};
     const auto in_milli = [](double value) { return fmt::format("{:.1f}", value / milli); };
     for (const auto& s : of.ranking.models)
@@ -176,7 +180,7 @@ TidyTable shown_models(const study::Hysteresis& h, const NamedRanking& of) {
 
 std::string in_unit(const TracedValue& value, double unit) { return uncertain_number(value.estimate(), unit); }
 
-/// By which model, and which likelier one is beside it.
+/// By which model, and which more likely one is shown with it.
 struct Answered {
     std::string by, likelier;
 
@@ -191,11 +195,13 @@ TidyTable shown_pairs(const Answered& answered, const std::vector<const study::P
         {"measured", "measured", milli},
         {"pull-off", "pull_off_force", milli},
         {"E_loss", "energy_loss", nano},
-        {"beside", "likelier.work_of_adhesion_retraction", milli},
+        {"more likely", "likelier.work_of_adhesion_retraction", milli},
     });
     const auto shown = std::span(view).first(view.size() - (answered.likelier.empty() ? 1 : 0));
-    TidyTable table{fmt::format("from roughness alone, by {} [mJ/m², mN, nJ]", answered.by), {"pair", "contact"}, {}};
-    if (!answered.likelier.empty()) table.title += fmt::format("; beside it W_ret by {}", answered.likelier);
+    TidyTable table{
+        fmt::format("predicted from roughness only, by {} [mJ/m², mN, nJ]", answered.by), {"pair", "contact"}, {}};
+    if (!answered.likelier.empty())
+        table.title += fmt::format("; last column: W_ret by the more likely {}", answered.likelier);
     for (const auto& column : shown) table.columns.emplace_back(column.heading);
     for (const auto* p : pairs) {
         auto& row = table.rows.emplace_back();
@@ -218,9 +224,9 @@ std::string shown_pairs(const study::Hysteresis& h, std::size_t width) {
     return text;
 }
 
-/// How far records are from the loops predicted; nothing without records.
+/// Differences between records and predicted loops; nothing without records.
 std::string shown_residuals(const study::Hysteresis& h, std::size_t width) {
-    TidyTable table{"records less predicted loops, rms of the force at the same displacement [µN]",
+    TidyTable table{"record minus predicted loop: rms of the force at equal displacement [µN]",
                     {"pair", "approach", "retraction", "largest force"},
                     {}};
     const auto in_micro = [](double force) { return fmt::format("{:.3g}", force / micro); };
@@ -242,7 +248,7 @@ std::vector<std::string> decomposing_models(const study::Hysteresis& h) {
 
 /// Shares without their ±, which the JSON has, so that a row is a line.
 TidyTable shown_losses(const study::Hysteresis& h) {
-    TidyTable table{fmt::format("where the joules went, by {} [nJ]", fmt::join(decomposing_models(h), " and ")),
+    TidyTable table{fmt::format("energy budget of the loops, by {} [nJ]", fmt::join(decomposing_models(h), " and ")),
                     {"pair", "E_loss"},
                     {}};
     std::vector<TracedValue EnergyShares::*> shown;  // that of the bulk only where an elastomer's relaxes
@@ -267,11 +273,10 @@ TidyTable shown_losses(const study::Hysteresis& h) {
 }
 
 TidyTable shown_trials(const study::Hysteresis& h) {
-    TidyTable table{
-        fmt::format("each law planted {} times with every ± as it is: what measurements like these would say",
-                    h.trials.front().runs),
-        {"planted", "found", "possible", "excluded", "most often in its place"},
-        {}};
+    TidyTable table{fmt::format("ranking of {} simulated studies of each true model, with every ± of this study",
+                                h.trials.front().runs),
+                    {"true model", "found", "possible", "excluded", "most frequent other"},
+                    {}};
     for (const auto& law : h.trials)
         table.rows.push_back({law.planted.name(), fmt::format("{}", law.found), fmt::format("{}", law.possible),
                               fmt::format("{}", law.excluded), law.most_taken});
@@ -280,7 +285,7 @@ TidyTable shown_trials(const study::Hysteresis& h) {
 
 std::string speed_text(const Estimate& speed) { return uncertain_number(speed, 1e-6) + " µm/s"; }
 
-/// A line an elastomer whose edge minds its speed or whose bulk relaxes.
+/// One line per elastomer with a rate-dependent contact edge or a bulk that relaxes.
 std::string shown_times(const study::Hysteresis& h) {
     std::string text;
     for (const auto& times : h.elastomers) {
@@ -303,8 +308,8 @@ std::string shown_times(const study::Hysteresis& h) {
     return text.empty() ? text : "\n" + text;
 }
 
-/// Shares of which only the sum is known, with the pairs of which that holds.
-std::string shown_not_told_apart(const study::Hysteresis& h, std::size_t width) {
+/// Shares of which only the sum is known, with the pairs concerned.
+std::string shown_not_distinguished(const study::Hysteresis& h, std::size_t width) {
     std::vector<std::pair<std::string, std::vector<std::string>>> found;
     for (const auto& p : h.pairs) {
         if (!p.decomposition) continue;
@@ -316,27 +321,26 @@ std::string shown_not_told_apart(const study::Hysteresis& h, std::size_t width) 
     }
     std::string text;
     for (const auto& [shares, pairs] : found)
-        text += wrapped(fmt::format("{} are known together three times better than each on {}", shares,
-                                    fmt::join(pairs, ", ")),
+        text += wrapped(fmt::format("the sum of {} is known at least three times better than each share, for {}",
+                                    shares, fmt::join(pairs, ", ")),
                         width, 2) +
                 "\n";
     return text;
 }
 
-/// What loops say of what they rest on.
+/// Inputs before and after the joint fit of all loops.
 std::string shown_joint(const study::Hysteresis& h, std::size_t width) {
     if (!h.joint) return "";
     const auto& joint = *h.joint;
     std::vector<std::string> what;
     if (joint.energies > 0) what.push_back(counted(static_cast<std::size_t>(joint.energies), "energy", "energies"));
     if (joint.works > 0) what.push_back(counted(static_cast<std::size_t>(joint.works), "work", "works"));
-    auto sentence = fmt::format("one fit of {}: χ² {:.3g} of {}", fmt::join(what, " and "), joint.chi2,
+    auto sentence = fmt::format("joint fit of {}: χ² = {:.3g} for {} values", fmt::join(what, " and "), joint.chi2,
                                 joint.energies + joint.works);
     if (joint.energies > 0)
-        sentence += fmt::format("; energies scatter by {} beyond what their inputs leave open",
-                                work(joint.unexplained_per_area));
+        sentence += fmt::format("; the energies have an additional scatter of {}", work(joint.unexplained_per_area));
     const auto text = "\n" + wrapped(sentence, width, 2) + "\n";
-    TidyTable table{"what the loops say of what they rest on", {"input", "before", "after"}, {}};
+    TidyTable table{"inputs before and after the joint fit", {"input", "before", "after"}, {}};
     for (const auto& input : joint.inputs) {
         const auto shown = [&](const Estimate& value) {
             if (input.unit == "m/s") return speed_text(value);
@@ -344,7 +348,7 @@ std::string shown_joint(const study::Hysteresis& h, std::size_t width) {
         };
         table.rows.push_back({input.name, shown(input.before), shown(input.after)});
     }
-    return text + tables::as_text_within(table, width) + shown_not_told_apart(h, width);
+    return text + tables::as_text_within(table, width) + shown_not_distinguished(h, width);
 }
 
 }  // namespace
@@ -360,12 +364,13 @@ std::vector<std::string> hysteresis_sentences(const study::Hysteresis& h) {
     for (const auto& ranking : rankings_of(h)) sentences.push_back(best_sentence(ranking));
     if (sentences.empty())
         sentences.push_back(fmt::format(
-            "{} with W_app and W_ret measured cannot tell retraction models apart, {} on {} surfaces can; what follows is a "
-            "lower bound, W_ret = W_app",
+            "W_app and W_ret are measured for {}; a ranking of retraction models needs at least {} pairs on {} surfaces. The "
+            "predictions below are a lower bound, W_ret = W_app",
             counted(static_cast<std::size_t>(h.measured_pairs), "pair", "pairs"), hysteresis::fewest_ranked_pairs,
             hysteresis::fewest_ranked_surfaces));
     for (auto& sentence : smooth_limit_sentences(h)) sentences.push_back(std::move(sentence));
     if (h.deciding) sentences.push_back(deciding_sentence(*h.deciding));
+    for (auto& sentence : sentences) sentence += ".";
     return sentences;
 }
 
@@ -386,7 +391,7 @@ std::string hysteresis_text(const study::Hysteresis& h, std::size_t width) {
     if (losses.rows.empty()) return text;
     text += "\n" + tables::as_text_within(losses, width);
     if (std::ranges::any_of(h.pairs, [](const auto& p) { return p.decomposition && p.decomposition->of_works; }))
-        text += "* from W_app, W_ret at pull-off and the contact area; the loop's own area is not known\n";
+        text += "* from W_app, W_ret at pull-off and the contact area; the measured loop energy is not known\n";
     return text + shown_joint(h, width);
 }
 

@@ -37,9 +37,10 @@ Span distance_of(const study::Hysteresis& hysteresis, const hysteresis::Retracti
 }  // namespace
 
 tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis) {
-    tables::TidyTable table{"models on a smooth reference, r = 1 and U_el = 0 [mJ/m²]",
-                            {"model", "W_ret at pull-off by the model", "measured", "off by", "tends to the reference"},
-                            {}};
+    tables::TidyTable table{
+        "retraction models on a smooth reference, r = 1 and U_el = 0 [mJ/m²]",
+        {"model", "predicted W_ret at pull-off", "measured", "difference", "tends to the reference"},
+        {}};
     for (const auto& score : hysteresis.all.models) {
         Span model, measured, off;
         bool tends = true, any = false;
@@ -53,7 +54,7 @@ tables::TidyTable smooth_limit_table(const study::Hysteresis& hysteresis) {
         }
         if (!any) continue;
         table.rows.push_back({score.fitted.model.name(), model.text(), measured.text(), off.text(),
-                              std::string(tends ? "yes" : "no: for comparison where surfaces are smooth")});
+                              std::string(tends ? "yes" : "no: for comparison only")});
     }
     return table;
 }
@@ -68,7 +69,8 @@ std::vector<std::string> smooth_limit_sentences(const study::Hysteresis& hystere
         const auto missed = off.least > off.greatest
                                 ? std::string("has no smooth limit")
                                 : fmt::format("misses the smooth reference by {} mJ/m²", off.text());
-        sentences.push_back(fmt::format("Predictions go by {}: the likeliest {}", pair.model.name(), missed));
+        sentences.push_back(
+            fmt::format("Predictions use the model {}, because {} {}", pair.model.name(), model.name(), missed));
     }
     return sentences;
 }

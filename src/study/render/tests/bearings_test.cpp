@@ -20,7 +20,7 @@ bool says(const StudyResult& result, const std::string& part) {
 }
 
 TEST(Bearings, EveryKindOfAlertHasOneOrIsKnownToNeedNone) {
-    // failures, reconstructions and (7) below 0 have sentences of their own
+    // failures, reconstructions and Eq. 7 below 0 have sentences of their own
     const std::set<std::string> elsewhere{"LIKELIHOOD_FAILED", "FILES_LEFT_OUT", "RECONSTRUCTION", "EMPTY_STUDY",
                                           "WILL_NOT_CONFORM"};
     // what was done, or how a file is made
@@ -59,9 +59,9 @@ TEST(Bearings, NameMeasurementsWhileTheyAreFewElseTheirSurface) {
         m.alerts = {{"SPIKES", m.file + " (h)", "", ""}};
     };
     for (const char* file : {"1.csv", "2.csv", "3.csv"}) add(file);
-    EXPECT_TRUE(says(result, "Heights of 1.csv, 2.csv and 3.csv carry marks"));
+    EXPECT_TRUE(says(result, "Heights of 1.csv, 2.csv and 3.csv contain artefacts"));
     add("4.csv");
-    EXPECT_TRUE(says(result, "Heights of A carry marks"));
+    EXPECT_TRUE(says(result, "Heights of A contain artefacts"));
 }
 
 }  // namespace

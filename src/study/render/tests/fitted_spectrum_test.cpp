@@ -197,7 +197,7 @@ TEST_F(FittedSpectrum, StandsBesideTheAverageInEveryTable) {
                             [](const auto& row) { return std::get<std::string>(row[2]) == "average"; }),
               0);
     const auto text = summary(result);
-    EXPECT_NE(text.find("Measured periodograms against what the fitted spectra expect"), std::string::npos);
+    EXPECT_NE(text.find("Measured periodograms against those expected from the fitted spectra"), std::string::npos);
     EXPECT_NE(text.find("likelihood"), std::string::npos);
 }
 

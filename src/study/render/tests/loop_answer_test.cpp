@@ -24,7 +24,7 @@ loops::LoopAnalysis loop() {
 
 TEST(LoopAnswer, SaysModulusWorkWithItsRangePullOffAndLoss) {
     EXPECT_EQ(answer(loop()),
-              "E* 1.84 ± 0.20 MPa, W 40 ± 11 mJ/m² (36.1 to 69.6 by range) on loading, "
+              "E* 1.84 ± 0.20 MPa, W 40 ± 11 mJ/m² (36.1 to 69.6 for other ranges) on loading, "
               "59.820 ± 0.010 mJ/m² at pull-off (-2.11430 ± 0.00030 µN), loss 1.6141 ± 0.0017 pJ");
 }
 
@@ -55,7 +55,7 @@ TEST(CurveAnswer, SaysWhereEachNumberIsFrom) {
     curve.energy_loss = Outcome<Estimate>::missing("the curve has no retraction");
     EXPECT_EQ(
         answer(curve),
-        "E* 27.9 ± 1.3 kPa on extend, pull-off -0.540 ± 0.080 nN, W 23.0 ± 3.4 µJ/m² by it, loss – (the curve has no "
+        "E* 27.9 ± 1.3 kPa on extend, pull-off -0.540 ± 0.080 nN, W 23.0 ± 3.4 µJ/m² from pull-off, loss – (the curve has no "
         "retraction)");
 }
 

@@ -18,15 +18,18 @@ namespace {
 
 using study::StudyResult;
 
-/// Whether the full-contact balance says what was measured.
-std::string sentence_of_test(const adhesion::PredictionTest& test) {
-    if (test.probability >= improbable) return "Roughness explains the work of adhesion on approach";
+/// Whether the full-contact balance predicts what was measured.
+std::string sentences_of_test(const adhesion::PredictionTest& test) {
+    if (test.probability >= improbable)
+        return fmt::format("Roughness explains the loss of adhesion on approach within the errors ({}, {}).",
+                           pairs_text(test.n), test_text(test));
     auto text = fmt::format(
-        "Roughness alone does not explain the work of adhesion on approach: the full-contact "
-        "balance (Eq. 7) misses {} ({})",
+        "Roughness does not explain the loss of adhesion on approach within the errors: the full-contact balance (Eq. "
+        "7) does not fit {} ({}).",
         test.n == 1 ? "the pair" : fmt::format("the {} pairs", test.n), test_text(test));
     if (test.extra_scatter > 0.0 && test.probability_with_scatter >= improbable)
-        text += fmt::format("; they scatter by {} more than their errors", format_value(test.extra_scatter, "J/m2", 2));
+        text += fmt::format(" It fits with an additional scatter of {} between pairs.",
+                            format_value(test.extra_scatter, "J/m2", 2));
     return text;
 }
 
@@ -35,15 +38,16 @@ std::string sentence_of_loss(const StudyResult& result) {
     if (!result.loop) return "";
     const auto loss = work_of(result.loop->through_origin);
     const auto number = format_interval(loss, "J/m2");
-    if (!result.modified) return fmt::format("By the energy loss, W_int is {}.", number);
+    const auto sentence = fmt::format("The energy loss of loops gives W_int = {}", number);
+    if (!result.modified) return sentence + ".";
     const auto apart = *loss_less_approach(result);
-    if (!interval_of(apart)) return fmt::format("The energy loss gives {}.", number);
+    if (!interval_of(apart)) return sentence + ".";
     if (!may_be_zero(apart))
-        return fmt::format("The energy loss gives {}: {} apart.", number, format_uncertain(apart, "J/m2"));
-    return could_have_refused(apart, result)
-               ? fmt::format("The energy loss gives {}: consistent.", number)
-               : fmt::format("The energy loss gives {}: {} cannot tell whether that is the W_int of approach.", number,
-                             pairs_text(result.loop->through_origin.n));
+        return fmt::format("{}, which differs from the W_int of approach by {}.", sentence,
+                           format_uncertain(apart, "J/m2"));
+    if (could_have_refused(apart, result)) return sentence + ", consistent with the W_int of approach.";
+    return fmt::format("{}. The data of {} cannot decide whether this agrees with the W_int of approach.", sentence,
+                       pairs_text(result.loop->through_origin.n));
 }
 
 /// The model that is likeliest by all measured pairs; empty where none was ranked.
@@ -52,34 +56,37 @@ std::string sentence_of_retraction(const study::Hysteresis& h) {
     if (!best) return "";
     const auto& model = best->fitted.model;
     const auto fitted =
-        model.fitted() ? fmt::format(", {} {}", model.parameter().symbol, fitted_number(*best)) : std::string();
+        model.fitted() ? fmt::format(" ({} = {})", model.parameter().symbol, fitted_number(*best)) : std::string();
     const auto others = h.all.possible().size() - 1;
     const std::string beside =
-        h.all.all_refused() ? "every model is off by a constant"
-        : others > 0        ? fmt::format("{} cannot be excluded", counted(others, "other model", "other models"))
-                            : "clearly better than every other model";
+        h.all.all_refused() ? "Every model is off by a constant."
+        : others > 0        ? fmt::format("{} cannot be excluded.", counted(others, "other model", "other models"))
+                            : "This model is clearly better than every other model.";
     auto text = fmt::format(
-        "On retraction the likeliest model of W_ret at pull-off is {}{}: it misses surfaces left out by {} ({}, {}).",
-        model.formula(), fitted, format_value(best->surface_left_out, "J/m2", 2), pairs_text(h.measured_pairs), beside);
+        "Retraction: the model {}, W_ret = {}, describes W_ret at pull-off of {} best{}. Leaving out one surface at a "
+        "time, this model predicts that surface to {} (rms). {}",
+        model.name(), model.formula(), pairs_text(h.measured_pairs), fitted,
+        format_value(best->surface_left_out, "J/m2", 2), beside);
     for (const auto& sentence : smooth_limit_sentences(h)) text += " " + sentence + ".";
     return text;
 }
 
-/// Where W_int in proportion to the smooth references says the approach better than one W_int.
+/// Where W_int in proportion to the smooth references describes the approach better than one W_int.
 std::string sentence_of_references(const StudyResult& result) {
     const auto& scaled = result.reference_scaled;
     if (!scaled || !result.modified || !result.hysteresis) return "";
     const auto& compared = result.hysteresis->all.proportional_work;
     using hysteresis::Distinction;
     if (!compared || !(compared->elastomers_left_out.value > hysteresis::better_odds)) return "";
-    const auto surely = compared->elastomers_left_out.distinction();
-    const bool both = compared->both_branches.distinction() != Distinction::cannot_be_distinguished;
+    const auto words = [](Distinction distinction, const char* otherwise) {
+        return distinction == Distinction::cannot_be_distinguished ? otherwise : hysteresis::name_of(distinction);
+    };
     return fmt::format(
-        "W_int in proportion to each elastomer's smooth reference (tried on the same pairs): R² {:.2f}, not {:.2f}; {} on "
-        "elastomers left out; {} on both branches.",
+        "W_int in proportion to W_app of each elastomer's smooth reference gives R² = {:.2f} instead of {:.2f} on the same "
+        "pairs. Compared with one W_int, this form is {} on elastomers left out and {} on both branches.",
         scaled->r_squared, result.modified->r_squared,
-        surely == Distinction::cannot_be_distinguished ? "likelier, not surely," : hysteresis::name_of(surely),
-        both ? hysteresis::name_of(compared->both_branches.distinction()) : "cannot be distinguished");
+        words(compared->elastomers_left_out.distinction(), "more likely, but not distinguished,"),
+        words(compared->both_branches.distinction(), "not distinguished"));
 }
 
 /// What loops with the measured works would lose, beside what is reported of energies; empty without a report.
@@ -90,47 +97,45 @@ std::string sentence_of_energies(const StudyResult& result) {
     });
     if (!slope || reported == result.study.reported.end()) return "";
     return fmt::format(
-        "Loops with these W_app and W_ret would lose {} per true area, {} are reported: W_ret at pull-off {} over the whole "
-        "retraction.",
+        "Loops with these W_app and W_ret would lose {} per unit true area; the reported value is {}. W_ret at pull-off {} "
+        "the work of the whole retraction.",
         format_uncertain(slope->work_per_true_area, "J/m2"), format_uncertain(reported->value, "J/m2"),
-        may_be_zero(difference(slope->work_per_true_area, reported->value)) ? "may hold" : "does not hold");
+        may_be_zero(difference(slope->work_per_true_area, reported->value)) ? "may be" : "is not");
 }
 
-/// What measured and predicted works of adhesion say together; empty where nothing was measured.
+/// W_int with its interval: fitted to the pairs, or given.
+std::string sentence_of_work(const StudyResult& result) {
+    if (!result.modified)
+        return fmt::format("The given W_int is {}.", format_interval(*result.work_of_adhesion, "J/m2"));
+    const auto work =
+        format_interval(result.study.work_of_adhesion ? work_of(*result.modified) : *result.work_of_adhesion, "J/m2");
+    if (result.prediction_test) return fmt::format("W_int = {}.", work);
+    return fmt::format("The fit to {} gives W_int = {}.", pairs_text(result.modified->n), work);
+}
+
+/// What measured and predicted works of adhesion show together: whether roughness explains the approach, W_int,
+/// retraction, then what else bears on them; empty where nothing was measured.
 std::vector<std::string> sentences_of_approach(const StudyResult& result) {
     const bool fitted = static_cast<bool>(result.modified);
     if (!result.prediction_test && !fitted) return {};
-    std::string text;
-    if (result.prediction_test) text = sentence_of_test(*result.prediction_test);
-    const bool explained = result.prediction_test && result.prediction_test->probability >= improbable;
-    if (fitted) {
-        const auto work = format_interval(
-            result.study.work_of_adhesion ? work_of(*result.modified) : *result.work_of_adhesion, "J/m2");
-        if (text.empty())
-            text = fmt::format("W_int is {} from {}; nothing tests the full-contact balance (Eq. 7)", work,
-                               pairs_text(result.modified->n));
-        else text += fmt::format("{}W_int {}", explained ? ": " : ". ", work);
-    } else {
-        text += fmt::format("{}W_int {}, as given", explained ? ": " : ". ",
-                            format_interval(*result.work_of_adhesion, "J/m2"));
-    }
-    if (explained)
-        text += fmt::format(" ({}, {})", pairs_text(result.prediction_test->n), test_text(*result.prediction_test));
-    std::vector<std::string> sentences{text + "."};
+    const std::string asked = result.prediction_test
+                                  ? sentences_of_test(*result.prediction_test)
+                                  : "The data do not test whether roughness explains the loss of adhesion on approach.";
+    std::vector<std::string> sentences{asked + " " + sentence_of_work(result)};
+    const auto add = [&sentences](std::string sentence) {
+        if (!sentence.empty()) sentences.push_back(std::move(sentence));
+    };
+    add(sentence_of_loss(result));
+    if (result.hysteresis) add(sentence_of_retraction(*result.hysteresis));
+    add(sentence_of_energies(result));
+    add(sentence_of_references(result));
     if (const auto budgets = budgets_of(result);
         fitted && !budgets.empty() && budgets.front().quantity == "work_of_adhesion")
-        sentences.push_back(budget_sentence(budgets.front()) + ".");
-    if (auto loss = sentence_of_loss(result); !loss.empty()) sentences.push_back(std::move(loss));
-    if (result.hysteresis) {
-        if (auto references = sentence_of_references(result); !references.empty())
-            sentences.push_back(std::move(references));
-        if (auto back = sentence_of_retraction(*result.hysteresis); !back.empty()) sentences.push_back(std::move(back));
-    }
-    if (auto energies = sentence_of_energies(result); !energies.empty()) sentences.push_back(std::move(energies));
+        add(budget_sentence(budgets.front()) + ".");
     return sentences;
 }
 
-/// W_app of pairs that nobody measured.
+/// W_app of pairs that were not measured.
 std::vector<std::string> sentences_of_prediction(const StudyResult& result) {
     std::vector<const study::PairResult*> pairs;
     for (const auto& pair : result.pairs)
@@ -144,14 +149,16 @@ std::vector<std::string> sentences_of_prediction(const StudyResult& result) {
     };
     const auto [least, most] =
         std::minmax_element(pairs.begin(), pairs.end(), [&](auto a, auto b) { return work(a) < work(b); });
-    const auto said = [](const study::PairResult* pair) {
+    const auto predicted = [&](const study::PairResult* pair) {
         const auto answer = study::recommended_answer(*pair);
-        return fmt::format("{} on {:.3g} % of the area", format_uncertain(answer.work_of_adhesion, "J/m2"),
+        return fmt::format("{} for {} ({:.3g} % of the area in contact)",
+                           format_uncertain(answer.work_of_adhesion, "J/m2"), name(pair),
                            100.0 * answer.area_fraction.value);
     };
-    auto text = fmt::format("Predicted: W_app of {} is {}", name(*most), said(*most));
-    if (pairs.size() > 1) text += fmt::format(", of {} {}", name(*least), said(*least));
-    return {text + "; no experiment tests it."};
+    if (pairs.size() == 1)
+        return {fmt::format("The predicted W_app is {}. No experiment tests this prediction.", predicted(*most))};
+    return {fmt::format("The predicted W_app ranges from {} to {}. No experiment tests these predictions.",
+                        predicted(*least), predicted(*most))};
 }
 
 std::vector<std::string> sentences_of_roughness(const StudyResult& result) {
@@ -160,7 +167,7 @@ std::vector<std::string> sentences_of_roughness(const StudyResult& result) {
         if (surface.failed()) continue;
         const auto& spectrum = surface.used();
         sentences.push_back(
-            fmt::format("{}: h_rms {}, h'_rms {}, A_true/A_app {}.", surface.name,
+            fmt::format("{}: h_rms = {}, h'_rms = {}, A_true/A_app = {}.", surface.name,
                         format_uncertain(spectrum.estimate([](const auto& p) { return p.rms_height; }), "m"),
                         format_uncertain(spectrum.estimate([](const auto& p) { return p.rms_slope; }), "1"),
                         format_uncertain(spectrum.estimate([](const auto& p) { return p.area_ratio(); }, 1.0), "1")));
@@ -174,8 +181,10 @@ std::vector<std::string> sentences_of_roughness(const StudyResult& result) {
 std::string pairs_text(int n) { return counted(static_cast<std::size_t>(n), "pair", "pairs"); }
 
 std::string test_text(const adhesion::PredictionTest& test) {
-    return fmt::format("χ² {:.1f} of {}, p = {}", test.chi_squared, test.degrees_of_freedom,
-                       probability_text(test.probability));
+    return fmt::format(
+        "χ² = {:.1f} for {}, p = {}", test.chi_squared,
+        counted(static_cast<std::size_t>(test.degrees_of_freedom), "degree of freedom", "degrees of freedom"),
+        probability_text(test.probability));
 }
 
 std::optional<Estimate> loss_less_approach(const StudyResult& result) {
@@ -207,7 +216,7 @@ std::vector<std::string> answer_of(const StudyResult& result) {
     if (sentences.empty()) sentences = sentences_of_roughness(result);
     if (sentences.empty())
         sentences.emplace_back(result.successes() > 0
-                                   ? "Loops were analysed; no surface says what they should be."
+                                   ? "Loops were analysed. Without an analysed surface, nothing is predicted for them."
                                    : "Nothing can be concluded: no part of the study gave a result.");
     return sentences;
 }

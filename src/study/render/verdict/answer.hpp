@@ -19,13 +19,20 @@ namespace setae::output {
 /// The sentences of Verdict::findings.
 [[nodiscard]] std::vector<std::string> findings_of(const study::StudyResult& result);
 
-/// The sentences of Verdict::limits.
-[[nodiscard]] std::vector<std::string> limits_of(const study::StudyResult& result);
+/// What cannot be concluded, and why.
+struct Limit {
+    std::string sentence;
+    std::string note;      ///< what explains it; may be empty
+    bool reserves = true;  ///< a reservation that the answer does not state itself
+};
+
+/// Those of Verdict::limits, worst first.
+[[nodiscard]] std::vector<Limit> limits_of(const study::StudyResult& result);
 
 /// Below this probability a test contradicts.
 inline constexpr double improbable = 0.05;
 
-/// "χ² 193.8 of 15, p = 4·10⁻³³".
+/// "χ² = 193.8 for 15 degrees of freedom, p = 4·10⁻³³".
 [[nodiscard]] std::string test_text(const adhesion::PredictionTest& test);
 
 /// "4 pairs".
@@ -47,8 +54,8 @@ struct Tested {
 };
 [[nodiscard]] Tested tested(const study::StudyResult& result);
 
-/// Balances that the pairs tell from (7), and those they do not: by ln L of each with its own W_int, spectra as the
-/// study takes them.
+/// Balances that the pairs distinguish from the full-contact balance, and those they do not: by ln L of each with its
+/// own W_int, spectra as the study takes them.
 struct Rivals {
     std::vector<std::string> worse, alike, better;
 };

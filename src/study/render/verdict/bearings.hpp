@@ -11,14 +11,15 @@
 
 namespace setae::output {
 
-/// What kinds of alerts say against a conclusion.
+/// How kinds of alerts limit a conclusion.
 struct Bearing {
-    std::vector<std::string_view> codes;  ///< kinds that say the same
+    std::vector<std::string_view> codes;  ///< kinds with the same consequence
     const char* sentence;                 ///< {} stands for whom it concerns
 };
 
-/// Those of every kind that bears on a conclusion, what misleads most first. The others say what was done or how a file
-/// is made, or their matter has a sentence of its own in Verdict::limits: failures, reconstructions, (7) below 0.
+/// Those of every kind that bears on a conclusion, what misleads most first. The others report what was done or how a
+/// file is made, or their matter has a sentence of its own in Verdict::limits: failures, reconstructions, Eq. 7 below
+/// 0.
 [[nodiscard]] const std::vector<Bearing>& bearings();
 
 /// Whom an alert concerns.

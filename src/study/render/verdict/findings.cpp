@@ -14,13 +14,13 @@ namespace {
 
 using study::StudyResult;
 
-/// (7) over enough pairs to test it.
+/// The full-contact balance over enough pairs to test it.
 std::string finding_of_test(const StudyResult& result) {
     const auto over = tested(result);
     if (!result.prediction_test || result.prediction_test->probability < improbable) return "";
     if (over.surfaces.size() < 2 || over.elastomers.size() < 2) return "";
     return fmt::format(
-        "One W_int and balance (7) describe {} of {} surfaces and {} elastomers within their errors ({}).",
+        "The full-contact balance (Eq. 7) with one W_int fits {} of {} surfaces and {} elastomers within the errors ({}).",
         pairs_text(result.prediction_test->n), over.surfaces.size(), over.elastomers.size(),
         test_text(*result.prediction_test));
 }
@@ -28,13 +28,13 @@ std::string finding_of_test(const StudyResult& result) {
 std::string finding_of_rivals(const StudyResult& result) {
     const auto rivals = rivals_of(result);
     if (rivals.worse.empty()) return "";
-    return fmt::format("The pairs speak for (7) and against {}.", listed(rivals.worse));
+    return fmt::format("The pairs support the full-contact balance (Eq. 7) more than {}.", listed(rivals.worse));
 }
 
 std::string finding_of_loss(const StudyResult& result) {
     const auto apart = loss_less_approach(result);
     if (!apart || !may_be_zero(*apart) || !could_have_refused(*apart, result)) return "";
-    return "Energy lost in loops goes with true area, (10), at the W_int that the approach gives.";
+    return "The energy loss of loops is proportional to the true area (Eq. 10), with the W_int of approach.";
 }
 
 /// Whether some decade was seen by two instruments, and none of them is off the fitted spectrum anywhere.
@@ -54,7 +54,7 @@ std::string finding_of_instruments(const StudyResult& result) {
     for (const auto& surface : result.surfaces)
         if (!surface.failed() && surface.fitted && instruments_agree(surface.fitted->agreement))
             names.push_back(surface.name);
-    return names.empty() ? "" : fmt::format("Instruments agree on {} where they overlap.", listed(names));
+    return names.empty() ? "" : fmt::format("Instruments agree on {} where their bands overlap.", listed(names));
 }
 
 std::string finding_of_references(const StudyResult& result) {
@@ -65,7 +65,8 @@ std::string finding_of_references(const StudyResult& result) {
             names.push_back(reference.elastomer);
     if (names.empty()) return "";
     return fmt::format(
-        "Smooth references on {} have the same W in both branches to within {}: what rough surfaces have beyond is the roughness's.",
+        "Smooth references on {} have the same W on both branches to within {}. Larger hysteresis on rough surfaces is "
+        "due to roughness.",
         listed(names), format_value(result.study.comparison.margin, "J/m2", 2));
 }
 
@@ -94,9 +95,9 @@ Rivals rivals_of(const StudyResult& result) {
     Rivals rivals;
     const auto own = as_taken("modified");
     if (own == result.balances.end()) return rivals;
-    for (const auto& [balance, name] : {std::pair{"without_area_change", "(2)"},
-                                        {"persson_tosatti", "(S13)"},
-                                        {"partial_contact", "(7) with partial contact"}}) {
+    for (const auto& [balance, name] : {std::pair{"without_area_change", "the small-slope balance (Eq. 2)"},
+                                        {"persson_tosatti", "the Persson–Tosatti balance (Eq. S13)"},
+                                        {"partial_contact", "the full-contact balance with partial contact"}}) {
         const auto other = as_taken(balance);
         if (other == result.balances.end()) continue;
         const double behind = own->score.log_likelihood - other->score.log_likelihood;

@@ -36,10 +36,10 @@ class Limits {
 public:
     explicit Limits(const StudyResult& result) : result_(result), tested_(tested(result)) {}
 
-    std::vector<std::string> take() {
+    std::vector<Limit> take() {
         if (result_.surfaces.empty() && result_.experiments.empty() && result_.study.published.empty()) {
-            say("Empty study: it names no surface and no experiment, so nothing can be concluded, neither about roughness nor about adhesion.");
-            return std::move(sentences_);
+            say("The study names no surface and no experiment. Nothing can be concluded about roughness or adhesion.");
+            return std::move(limits_);
         }
         say_of_failures();
         say_of_test();
@@ -50,21 +50,27 @@ public:
         say_of_spectra();
         say_of_alerts();
         say_of_exact_inputs();
-        return std::move(sentences_);
+        return std::move(limits_);
     }
 
 private:
-    void say(std::string sentence) { sentences_.push_back(std::move(sentence)); }
+    void say(std::string sentence, std::string note = "") {
+        limits_.push_back({std::move(sentence), std::move(note), true});
+    }
+    /// What the answer states too, or what only notes that a number is missing.
+    void say_beside(std::string sentence) { limits_.push_back({std::move(sentence), "", false}); }
 
     void say_of_failures() {
         for (const auto& surface : result_.surfaces)
             if (!surface.likelihood_error.empty())
-                say(fmt::format("The numbers of {} are averages over its measurements: {}.", surface.name,
-                                surface.likelihood_error));
+                say(
+                    fmt::format("The numbers of {} come from the average over its measurements, because the likelihood "
+                                "fit failed: {}.",
+                                surface.name, surface.likelihood_error));
         if (result_.failures() > 0)
-            say(fmt::format("{} of the study failed and {} in no number here.",
+            say(fmt::format("{} of the study failed and {} not contribute to any number.",
                             counted(static_cast<std::size_t>(result_.failures()), "part", "parts"),
-                            result_.failures() == 1 ? "is" : "are"));
+                            result_.failures() == 1 ? "does" : "do"));
     }
 
     void say_of_test() {
@@ -73,44 +79,52 @@ private:
         const auto& worst = worst_of(test);
         const auto name = worst.elastomer + " on " + worst.surface;
         if (test.probability < improbable)
-            say(fmt::format(
-                "(7) is contradicted by its {} ({}): {} is {:+.1f} standard errors from its prediction, and the "
-                "errors of predictions share a spectrum and a modulus, so that one cause can move several.",
-                test.n == 1 ? "pair" : "pairs", test_text(test), name, worst.standardised()));
+            say_beside(
+                fmt::format("The full-contact balance (Eq. 7) does not fit {} within the errors ({}). The largest "
+                            "deviation from the prediction is {:+.1f} standard errors, for {}. Predictions share "
+                            "spectra and moduli, so one wrong input can shift several pairs.",
+                            test.n == 1 ? "the pair" : fmt::format("the {} pairs", test.n), test_text(test),
+                            worst.standardised(), name));
         else if (stands_out(worst.standardised(), test.n))
             say(fmt::format(
-                "{} is {:+.1f} standard errors from its prediction, though the pairs together have p = {}. {}", name,
-                worst.standardised(), probability_text(test.probability), deviation_note(test)));
+                    "{} deviates by {:+.1f} standard errors from its prediction, although the test of all pairs "
+                    "gives p = {}.",
+                    name, worst.standardised(), probability_text(test.probability)),
+                deviation_note(test));
         if (test.probability < improbable && test.extra_scatter > 0.0)
-            say(fmt::format(
-                "A prediction by (7) for another pair is uncertain by {} beyond its own ±: the scatter that "
-                "the pairs have.",
-                format_value(test.extra_scatter, "J/m2", 2)));
-        if (!test.left_out.empty()) say("Not tested: " + listed(test.left_out) + ".");
+            say_beside(
+                fmt::format("A prediction of the full-contact balance (Eq. 7) for another pair has an additional "
+                            "uncertainty of {}, the scatter between pairs.",
+                            format_value(test.extra_scatter, "J/m2", 2)));
+        if (!test.left_out.empty()) say("The test of the balance does not include " + listed(test.left_out) + ".");
     }
 
     void say_of_rivals() {
         const auto rivals = rivals_of(result_);
         if (!rivals.alike.empty())
-            say(fmt::format("The pairs do not tell (7) from {}: their likelihoods are alike.", listed(rivals.alike)));
-        if (!rivals.better.empty()) say(fmt::format("The pairs speak for {} and against (7).", listed(rivals.better)));
+            say(fmt::format("The pairs cannot distinguish the full-contact balance (Eq. 7) from {}.",
+                            listed(rivals.alike)));
+        if (!rivals.better.empty())
+            say(fmt::format("The pairs support {} more than the full-contact balance (Eq. 7).", listed(rivals.better)));
     }
 
     void say_of_fits() {
         if (const auto apart = loss_less_approach(result_); apart && interval_of(*apart) && !may_be_zero(*apart))
-            say(fmt::format(
-                "Loss and approach give different W_int, {} apart: (10) or (7) leaves out what the other has.",
-                format_uncertain(*apart, "J/m2")));
+            say_beside(
+                fmt::format("The energy loss and the approach give different W_int, with a difference of {}. The "
+                            "full-contact balance (Eq. 7) or the true-area loss (Eq. 10) is incomplete.",
+                            format_uncertain(*apart, "J/m2")));
         if (const auto apart = loss_less_approach(result_);
             apart && may_be_zero(*apart) && !could_have_refused(*apart, result_))
-            say(fmt::format(
-                "Whether loss goes with true area, (10), is not tested: a W_int of loss half as large or twice "
-                "that of approach would agree with these {} as well.",
-                pairs_text(result_.loop->through_origin.n)));
+            say(
+                fmt::format("The data do not test whether the loss is proportional to the true area (Eq. 10). Half or "
+                            "twice the W_int of approach would agree with the data of {} as well.",
+                            pairs_text(result_.loop->through_origin.n)));
         if (result_.pairs.empty()) return;
-        if (!result_.modified && result_.work_of_adhesion) say("No fit of approach: " + result_.modified.reason + ".");
-        if (!result_.loop) say("No fit of loop energies: " + result_.loop.reason + ".");
-        if (!result_.work_of_adhesion) say("No prediction: " + result_.work_of_adhesion.reason + ".");
+        if (!result_.modified && result_.work_of_adhesion)
+            say("The approach is not fitted: " + result_.modified.reason + ".");
+        if (!result_.loop) say_beside("The loop energies are not fitted: " + result_.loop.reason + ".");
+        if (!result_.work_of_adhesion) say("W_app is not predicted: " + result_.work_of_adhesion.reason + ".");
     }
 
     void say_of_retraction() {
@@ -125,13 +139,13 @@ private:
                                                format_uncertain(along->at_pull_off, "J/m2")));
         }
         if (unknown > 0)
-            say(
-                fmt::format("Whether W_ret is the same during the whole retraction is undetermined for {}: only the "
-                            "pull-off is known.",
-                            pairs_text(unknown)));
+            say(fmt::format(
+                "Whether W_ret is constant along the retraction is undetermined for {}: only the pull-off is "
+                "known.",
+                pairs_text(unknown)));
         if (!changing.empty())
             say("W_ret changes along the retraction of " + listed(changing) +
-                ": its value at pull-off is not the work of the whole retraction.");
+                ". The value at pull-off is not the work of the whole retraction.");
     }
 
     void say_of_exact_inputs() {
@@ -139,37 +153,41 @@ private:
         for (const auto& [what, names] : study::exact_inputs(result_))
             kinds.push_back(names.empty() ? what : fmt::format("{} ({})", what, fmt::join(names, ", ")));
         if (!kinds.empty() && result_.work_of_adhesion)
-            say(fmt::format("Taken for exact, as the study gives no ±: {}.", listed(kinds)));
+            say(fmt::format("The study gives no ± for some inputs, which are treated as exact: {}.", listed(kinds)));
     }
 
     void say_of_design() {
         const auto surfaces = std::count_if(result_.surfaces.begin(), result_.surfaces.end(), fine);
         const auto experiments = std::count_if(result_.experiments.begin(), result_.experiments.end(), fine);
         if (result_.surfaces.empty())
-            say("No surface: nothing is known of roughness, so no work of adhesion is predicted and none of the measured ones is compared with a prediction.");
-        else if (surfaces == 0) say("No surface could be analysed: nothing is predicted.");
+            say("The study contains no surface. No work of adhesion is predicted or compared with a measured one.");
+        else if (surfaces == 0) say("No surface could be analysed. No work of adhesion is predicted.");
         if (tested_.pairs == 0 && surfaces > 0) {
-            const std::string none = result_.experiments.empty() ? "No experiment"
-                                     : experiments == 0          ? "No experiment could be analysed"
-                                                                 : "No experiment on a rough surface";
-            say(none + (result_.study.work_of_adhesion
-                            ? fmt::format(": W_app is predicted with the given W_int of {}; nothing measured tests it.",
-                                          format_uncertain(*result_.study.work_of_adhesion, "J/m2"))
-                            : std::string(": roughness is known, but W_app is predicted only with a given W_int "
-                                          "(work_of_adhesion in the study), and this study gives none.")));
+            const std::string none = result_.experiments.empty() ? "The study contains no experiment."
+                                     : experiments == 0          ? "No experiment could be analysed."
+                                                        : "The study contains no experiment on a rough surface.";
+            say(none +
+                (result_.study.work_of_adhesion
+                     ? fmt::format(
+                           " W_app is predicted with the given W_int of {}. No measurement tests this prediction.",
+                           format_uncertain(*result_.study.work_of_adhesion, "J/m2"))
+                     : std::string(" Roughness is known, but a prediction of W_app needs W_int. The study gives no "
+                                   "work_of_adhesion.")));
         }
         if (tested_.pairs == 1)
-            say("One pair: a single measured work of adhesion can always be matched by some W_int, so it neither supports nor contradicts the balance between adhesion and roughness.");
+            say("Only one pair is measured. One value of W_int always matches one pair, so the data neither support nor "
+                "rule out the balance.");
         else if (tested_.pairs > 1 && tested_.surfaces.size() == 1)
             say(fmt::format(
-                "One surface: W_int rests on {} pairs of one surface, {}; the balance is not tested against roughness.",
+                "All {} pairs are on one surface, {}. The data do not test how adhesion depends on roughness.",
                 tested_.pairs, *tested_.surfaces.begin()));
         if (tested_.pairs > 1 && tested_.elastomers.size() == 1)
             say(fmt::format(
-                "One elastomer: every pair is on {}; that the stored energy grows with the modulus is not tested.",
-                *tested_.elastomers.begin()));
+                "All {} pairs are on one elastomer, {}. The data do not test that the stored energy grows with "
+                "the modulus.",
+                tested_.pairs, *tested_.elastomers.begin()));
         if (result_.experiments.size() == 1)
-            say("One experiment: there is no scatter between loops to tell how far a repetition would differ.");
+            say("The study contains one experiment. The scatter between repeated loops is not known.");
     }
 
     /// Names of the surfaces that something holds for.
@@ -183,23 +201,27 @@ private:
 
     void say_of_spectra() {
         if (const auto names = surfaces_where([](const auto& s) { return s.reconstructed; }); !names.empty())
-            say("The spectra of " + listed(names) +
-                " are self-affine reconstructions of published moments, not measurements; what rests on their shape (stored energy, scales) is the model's.");
+            say(fmt::format(
+                "The {} of {} {} from published moments, not measured. Stored energy and the balance scale by "
+                "scale depend on the self-affine model.",
+                names.size() == 1 ? "spectrum" : "spectra", listed(names),
+                names.size() == 1 ? "is reconstructed" : "are reconstructed"));
         const auto measured_once = [](const auto& s) {
             return std::count_if(s.measurements.begin(), s.measurements.end(), fine) == 1;
         };
         if (const auto names = surfaces_where(measured_once); !names.empty())
-            say("Of " + listed(names) + " there is one measurement; what differs from place to place is not known.");
+            say(fmt::format("The study contains one measurement{} of {}. The variation between places is not known.",
+                            names.size() == 1 ? "" : " each", listed(names)));
         std::vector<std::string> nonconforming;
         for (const auto& pair : result_.pairs)
             if (pair.modified && !pair.modified->work.conforms)
                 nonconforming.push_back(pair.surface + " × " + pair.elastomer);
         if (!nonconforming.empty())
-            say("Balance (7) says that " + listed(nonconforming) +
-                " will not conform; it holds for conforming contact only, and 0 stands for them.");
+            say("The full-contact balance (Eq. 7) gives no adhesion for " + listed(nonconforming) +
+                ". The balance applies to full contact only; its value is set to 0.");
     }
 
-    /// Alerts that bear on what can be concluded, each matter in a sentence with whom it concerns.
+    /// Alerts that limit what can be concluded, each matter in a sentence with whom it concerns.
     void say_of_alerts() {
         const auto groups = grouped_alerts(result_);
         const Subjects concerned(result_);
@@ -214,22 +236,32 @@ private:
 
     const StudyResult& result_;
     Tested tested_;
-    std::vector<std::string> sentences_;
+    std::vector<Limit> limits_;
 };
 
 }  // namespace
 
-std::vector<std::string> limits_of(const StudyResult& result) { return Limits(result).take(); }
+std::vector<Limit> limits_of(const StudyResult& result) { return Limits(result).take(); }
 
-Verdict verdict(const StudyResult& result) { return {answer_of(result), findings_of(result), limits_of(result)}; }
+Verdict verdict(const StudyResult& result) {
+    constexpr std::size_t most_reservations = 2;
+    Verdict found{answer_of(result), findings_of(result), {}, {}};
+    for (const auto& limit : limits_of(result)) {
+        found.limits.push_back(limit.note.empty() ? limit.sentence : limit.sentence + " " + limit.note);
+        if (limit.reserves && found.reservations.size() < most_reservations)
+            found.reservations.push_back(limit.sentence);
+    }
+    return found;
+}
 
 std::string deviation_note(const adhesion::PredictionTest& test) {
     return test.work_fitted
-               ? "A deviation counts the errors of its pair alone, at the W_int stated. The test of all pairs counts what "
-                 "they share: one spectrum, modulus or surface energy that is off moves several pairs together, and W_int "
-                 "may move to where it suits them all best. One pair far off and a large p can stand side by side."
-               : "A deviation counts the errors of its pair alone. The test of all pairs counts what they share: one "
-                 "spectrum, modulus, surface energy or W_int that is off moves several pairs together and counts once.";
+               ? "The deviation of a pair includes only the errors of this pair, at the stated W_int. The test of all pairs "
+                 "includes shared errors: one wrong spectrum, modulus or surface energy shifts several pairs together. "
+                 "W_int may also shift to fit all pairs best. One large deviation and a large p are compatible."
+               : "The deviation of a pair includes only the errors of this pair. The test of all pairs includes shared "
+                 "errors: one wrong spectrum, modulus, surface energy or W_int shifts several pairs together and counts "
+                 "once.";
 }
 
 }  // namespace setae::output

@@ -44,10 +44,10 @@ std::string work_with_range(const loops::BranchAnalysis& loading) {
     const auto [least, most] = std::minmax_element(tried.begin(), tried.end());
     const auto from = format_value(*least, "J/m2", 3), to = format_value(*most, "J/m2", 3);
     if (from == to) return work;
-    return fmt::format("{} ({} to {} by range)", work, without_unit_of(work, from), without_unit_of(work, to));
+    return fmt::format("{} ({} to {} for other ranges)", work, without_unit_of(work, from), without_unit_of(work, to));
 }
 
-/// " (poor fit, χ²_red 149)" where a warning says so of loading.
+/// " (poor fit, χ²_red 149)" where loading has this warning.
 std::string quality_of_loading(const loops::LoopAnalysis& loop) {
     const auto warns = [&](const char* code) {
         return std::any_of(loop.alerts.begin(), loop.alerts.end(), [&](const Alert& alert) {
@@ -66,7 +66,7 @@ std::string loading_text(const loops::LoopAnalysis& loop) {
                        work_with_range(loop.loading), quality_of_loading(loop));
 }
 
-/// Reasons of what curves do not say, the most frequent first.
+/// Reasons why curves have no E*, the most frequent first.
 std::string reasons_text(const study::ForceMap& map) {
     std::map<std::string, int> counts;
     for (const auto& curve : map.curves) {
@@ -82,7 +82,8 @@ std::string reasons_text(const study::ForceMap& map) {
     }
     if (all == 0) return "";
     std::sort(ranked.begin(), ranked.end());
-    return fmt::format("; {} without E*, most often: {}", counted(all, "curve", "curves"), ranked.front().second);
+    return fmt::format("; {} without E*, most frequent reason: {}", counted(all, "curve", "curves"),
+                       ranked.front().second);
 }
 
 /// Median and half the range of the middle 68 % of a quantity over the curves.
@@ -90,7 +91,7 @@ Outcome<Estimate> middle_of(const study::ForceMap& map, Outcome<Estimate> ForceC
     std::vector<double> values;
     for (const auto& curve : map.curves)
         if (curve.summary && (*curve.summary).*value) values.push_back(((*curve.summary).*value)->value);
-    if (values.empty()) return Outcome<Estimate>::missing("no curve tells it");
+    if (values.empty()) return Outcome<Estimate>::missing("no curve gives a value");
     std::sort(values.begin(), values.end());
     const double below = normal_probability(-1.0);
     const double middle = sorted_quantile(values, 0.5),
@@ -119,9 +120,10 @@ std::string answer(const ForceCurveSummary& curve) {
                work = text_or_reason(curve.work_of_adhesion, "J/m2");
     const bool one_reason = curve.work_by_pull_off && !curve.pull_off_force;
     return fmt::format("{}, {}, loss {}", modulus,
-                       one_reason ? fmt::format("pull-off and W {}", pull_off)
-                                  : fmt::format("pull-off {}, W {}{}", pull_off, work,
-                                                curve.work_by_pull_off && curve.work_of_adhesion ? " by it" : ""),
+                       one_reason
+                           ? fmt::format("pull-off and W {}", pull_off)
+                           : fmt::format("pull-off {}, W {}{}", pull_off, work,
+                                         curve.work_by_pull_off && curve.work_of_adhesion ? " from pull-off" : ""),
                        text_or_reason(curve.energy_loss, "J"));
 }
 

@@ -17,6 +17,7 @@
 #include "setae/core/constants.hpp"
 #include "setae/core/errors.hpp"
 #include "setae/core/rectified.hpp"
+#include "setae/core/words.hpp"
 #include "setae/study/next_measurement.hpp"
 
 namespace setae::study {
@@ -123,7 +124,9 @@ std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& p
             auto point = balance({surface.name, rough.parameters, rough.spread}, elastomer.soft_side());
             if (!std::isfinite(point.slope) || !std::isfinite(point.offset))
                 throw UndefinedDataError(
-                    fmt::format("its balance is no number: slope {}, offset {} J/m2", point.slope, point.offset));
+                    fmt::format("the balance is not a finite number: slope {}, offset {} J/m2; check the spectrum, the "
+                                "modulus and the surface energy",
+                                point.slope, point.offset));
             point.measured = *pair.approach;
             point.measured.value = std::max(0.0, point.measured.value);
             point.measured_inputs = pair.approach_inputs;
@@ -137,9 +140,9 @@ std::vector<PairPoint> Concluding::points(Balance balance, const ParametersOf& p
 Outcome<adhesion::WorkFit> Concluding::fit_approach(Balance balance) const {
     const auto found = points(balance, whole_spectra());
     if (found.size() < 2)
-        return Outcome<adhesion::WorkFit>::missing(fmt::format(
-            "{} pairs have both a measured work of adhesion and a predictable surface, a fit needs at least 2",
-            found.size()));
+        return Outcome<adhesion::WorkFit>::missing(
+            fmt::format("{} with a measured work of adhesion, a spectrum and a modulus; a fit needs at least 2",
+                        counted(found.size(), "pair", "pairs")));
     auto fit = adhesion::fit_work_of_adhesion(found);
     fit.posterior = adhesion::WorkPosterior(found).work_of_adhesion();
     return fit;
@@ -170,7 +173,8 @@ Outcome<adhesion::LossFits> Concluding::fit_losses() const {
     }
     if (whole.size() < 2)
         return Outcome<adhesion::LossFits>::missing(
-            fmt::format("{} pairs have a loop energy and a contact radius, a fit needs at least 2", whole.size()));
+            fmt::format("{} with a loop energy and a contact radius; a fit needs at least 2",
+                        counted(whole.size(), "pair", "pairs")));
     auto fits = adhesion::fit_losses(whole, reduced);
     fits.through_origin.posterior = adhesion::WorkPosterior(whole).work_of_adhesion();
     return fits;
@@ -342,21 +346,23 @@ std::vector<CutoffPoint> Concluding::scan_cutoffs() const {
 
 void Concluding::fit() {
     find_shares();
-    to_.modified = attempted("fit of (7)", [&] { return fit_approach(adhesion::modified_point); });
-    to_.persson_tosatti = attempted("fit of (S13)", [&] { return fit_approach(adhesion::persson_tosatti_point); });
-    to_.without_area_change =
-        attempted("fit of (2)", [&] { return fit_approach(adhesion::point_without_area_change); });
-    to_.loop = attempted("fit of (10)", [&] { return fit_losses(); });
-    to_.free_energies = attempted("fit with free energies", [&] { return fit_free(); });
-    to_.strained_interface = attempted("fit of a strained interface", [&] { return fit_interface(); });
+    to_.modified =
+        attempted("fit of the full-contact balance (Eq. 7)", [&] { return fit_approach(adhesion::modified_point); });
+    to_.persson_tosatti = attempted("fit of the Persson–Tosatti balance (Eq. S13)",
+                                    [&] { return fit_approach(adhesion::persson_tosatti_point); });
+    to_.without_area_change = attempted("fit of the small-slope balance (Eq. 2)",
+                                        [&] { return fit_approach(adhesion::point_without_area_change); });
+    to_.loop = attempted("fit of the true-area loss (Eq. 10)", [&] { return fit_losses(); });
+    to_.free_energies = attempted("fit of Eq. 7 with free stored energies", [&] { return fit_free(); });
+    to_.strained_interface = attempted("fit of Eq. 7 with a strained interface", [&] { return fit_interface(); });
     to_.reference_scaled =
-        attempted("fit of W_int in proportion to references", [&] { return fit_reference_scaled(); });
+        attempted("fit of Eq. 7 with W_int in proportion to references", [&] { return fit_reference_scaled(); });
     if (to_.modified) {
         const auto& pairs = to_.modified->pairs;
         const auto part = [&](const char* name, const auto& computation) {
             alone(to_.failed_parts, name, computation);
         };
-        part("pairs left out", [&] { to_.left_out = adhesion::predict_left_out(pairs); });
+        part("leave-one-out predictions", [&] { to_.left_out = adhesion::predict_left_out(pairs); });
         part("profiles over inputs",
              [&] { to_.profiles = adhesion::profile_inputs(pairs, to_.modified->generalised, profiled_inputs()); });
         part("scan of short cutoffs", [&] { to_.cutoff_scan = scan_cutoffs(); });
@@ -370,10 +376,10 @@ void Concluding::fit() {
         posterior_.emplace(to_.modified->pairs);
         to_.traced_work_of_adhesion = adhesion::traced_work(*posterior_, to_.modified->pairs);
         to_.work_of_adhesion = to_.modified->stated();
-        to_.work_of_adhesion_source = "fit of (7) to the measured pairs";
+        to_.work_of_adhesion_source = "fit of the full-contact balance (Eq. 7) to the measured pairs";
     } else {
-        to_.work_of_adhesion =
-            Outcome<Estimate>::missing("no work_of_adhesion in the study, and no fit: " + to_.modified.reason);
+        to_.work_of_adhesion = Outcome<Estimate>::missing(
+            "the study gives no work_of_adhesion, and W_int is not fitted: " + to_.modified.reason);
     }
 }
 

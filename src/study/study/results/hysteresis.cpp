@@ -216,7 +216,7 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     else if (auto loop = hysteresis::predicted_retraction_loop(fitted, roughness)) found.loop = std::move(*loop);
     else
         found.loop = Outcome<hysteresis::PredictedRetraction>::missing(
-            "no work of adhesion on approach: stretching costs all that the contact gains");
+            "W_app is 0: stretching the soft side costs more than the contact gains");
     // of an edge that minds its speed no 3/2 πR W_ret: every force has a G of its own
     if (found.loop && fitted.model.tip == Tip::speed) found.pull_off_force = found.loop->pull_off_force;
     found.residuals = loop_residuals(result_, found);
@@ -281,7 +281,7 @@ void HysteresisOf::decide() {
 Hysteresis hysteresis_of(const StudyResult& result, const std::optional<hysteresis::TrialOptions>& trials,
                          parallel::Threads threads) {
     if (!result.work_of_adhesion)
-        throw UndefinedDataError("no hysteresis can be predicted: " + result.work_of_adhesion.reason);
+        throw UndefinedDataError("hysteresis cannot be predicted: " + result.work_of_adhesion.reason);
     return HysteresisOf(result, threads).all(trials);
 }
 

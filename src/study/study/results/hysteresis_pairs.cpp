@@ -160,18 +160,18 @@ void read_area(PreparedPair& pair, const std::optional<PairDrive>& drive) {
     pair.of_area = std::move(read);
 }
 
-/// Why laws say nothing of a pair; empty where they do.
+/// Why retraction models do not apply to a pair; empty where they do.
 std::string reason_against(const SurfaceResult& surface, const PairResult& pair, double work_of_adhesion,
                            const ElastomerResult& elastomer) {
     if (surface.failed()) return surface.error;
-    if (!pair.modified) return "no modulus is known";
+    if (!pair.modified) return "the modulus is not known";
     const hysteresis::PairState state{.area_ratio = pair.area_ratio,
                                       .work_of_adhesion = work_of_adhesion,
                                       .surface_energy = elastomer.input.surface_energy.value};
     return state.conforming_gain() > 0.0 ? "" : "stretching the soft side costs more than W_int gains";
 }
 
-/// Why a law cannot be evaluated for a pair; empty where all can.
+/// Why a retraction model cannot be evaluated for a pair; empty where all can.
 std::string reason_of_laws(const PreparedPair& pair) {
     const hysteresis::MeasuredWork any{.value = {.value = 1.0, .standard_error = 0.0}, .inputs = {}};
     try {

@@ -95,10 +95,10 @@ Outcome<Prepared> prepared(const PairLaw& law) {
     using Missing = Outcome<Prepared>;
     const auto& pair = law.pair;
     const auto retraction = pair.traced_retraction();
-    if (!pair.ranked() || !retraction) return Missing::missing("no work of adhesion is measured on both branches");
+    if (!pair.ranked() || !retraction) return Missing::missing("the work of adhesion is not measured on both branches");
     auto measured = *pair.as_measured;
     if (!measured.radius || !(measured.contact_area || measured.pressing))
-        return Missing::missing("the radius of the sphere and the contact area or a preload are not known");
+        return Missing::missing("the sphere radius, and the contact area or a preload, are not known");
     Prepared result{.law = &law};
     result.loss.model = law.fitted.model.name();
     const auto recorded = pair.measured.traced_loss();

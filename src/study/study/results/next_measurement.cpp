@@ -28,7 +28,7 @@ struct BalanceTarget {
 /// @throws UndefinedDataError where it is not fitted.
 adhesion::Target target_of(const BalanceTarget& balance) {
     if (!*balance.fit)
-        throw UndefinedDataError(fmt::format("no W_int is fitted by {}: {}", balance.name, balance.fit->reason));
+        throw UndefinedDataError(fmt::format("{} gives no fitted W_int: {}", balance.name, balance.fit->reason));
     return adhesion::work_target((*balance.fit)->pairs, (*balance.fit)->generalised);
 }
 
@@ -68,7 +68,7 @@ std::string pair_target(const std::string& elastomer, const std::string& surface
 }
 
 adhesion::Target target_of(const StudyResult& result, const std::string& text) {
-    if (!result.modified) throw UndefinedDataError("no W_int is fitted: " + result.modified.reason);
+    if (!result.modified) throw UndefinedDataError("W_int is not fitted: " + result.modified.reason);
     const auto& fit = *result.modified;
     if (text == "W_int") return adhesion::work_target(fit.pairs, fit.generalised);
     if (auto difference = difference_of(result, text)) return *difference;
@@ -80,14 +80,14 @@ adhesion::Target target_of(const StudyResult& result, const std::string& text) {
     }
     const auto nearest = nearest_match(text, known);
     throw InvalidArgument(
-        fmt::format("'{}' is no number to be improved; expected W_int, a difference such as '(7) - (10)' "
+        fmt::format("'{}' is not a target; expected W_int, a difference such as '(7) - (10)' "
                     "or a pair such as '{}'{}",
                     text, known.back(), nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
 std::vector<Candidate> candidates_of(const StudyResult& result) {
     using Kind = Candidate::Kind;
-    if (!result.modified) throw UndefinedDataError("no W_int is fitted: " + result.modified.reason);
+    if (!result.modified) throw UndefinedDataError("W_int is not fitted: " + result.modified.reason);
     std::vector<Candidate> list;
     for (const auto& name : stated_inputs(result, result))
         list.push_back({Kind::input, name, "", 1, hours_of(result, name)});

@@ -132,7 +132,7 @@ TEST(MovingEdge, RefusesWhatIsNone) {
     EXPECT_NE(refused(edge).find("v0 0 m/s"), std::string::npos);
     edge = rubber;
     edge.motor_speed = -1.0;
-    EXPECT_NE(refused(edge).find("pulled at -1 m/s"), std::string::npos);
+    EXPECT_NE(refused(edge).find("motor speed -1 m/s"), std::string::npos);
     EXPECT_THROW((void)work_at_rest(sphere, {.maximum_force = 1e-3}, rubber, Reading::last_points, -1.0),
                  InvalidArgument);
     EXPECT_THROW((void)recession_course(sphere, {.maximum_force = 1e-3}, rubber, 2), InvalidArgument);

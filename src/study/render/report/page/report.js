@@ -62,13 +62,13 @@
 
   async function copyTable(button) {
     const table = button.closest("section.table").querySelector("table");
-    const told = button.parentElement.querySelector(".told");
+    const notice = button.parentElement.querySelector(".notice");
     try {
       await navigator.clipboard.writeText(tableText(table));
-      told.textContent = "Copied " + table.tBodies[0].rows.length + " rows, full precision, SI units";
+      notice.textContent = "Copied " + table.tBodies[0].rows.length + " rows, full precision, SI units";
     } catch {
       getSelection().selectAllChildren(table);
-      told.textContent = "Selected; copy it with Ctrl+C";
+      notice.textContent = "Selected; copy it with Ctrl+C";
     }
   }
 

@@ -268,7 +268,7 @@ TEST(PerssonFigure, IsDrawnAgainstWhatItsTableRunsOver) {
     scales.columns = {{"wavevector", "1/m", Array1D{{1e6, 1e8}}},
                       {"area_fraction", "1", Array1D{{1.0, 0.1}}},
                       {"mean_gap", "m", Array1D{{0.0, 1e-8}}}};
-    EXPECT_EQ(persson_figure(scales, "s.csv", {}).title, "Contact of s.csv against the waves counted");
+    EXPECT_EQ(persson_figure(scales, "s.csv", {}).title, "Contact of s.csv against the included waves");
 }
 
 TEST(ComparisonFigure, ShowsSolutionsWithTheirErrorsAndTheTheoryBeside) {
@@ -284,7 +284,7 @@ TEST(ComparisonFigure, ShowsSolutionsWithTheirErrorsAndTheTheoryBeside) {
     }
     load.columns[7].values[2] = std::numeric_limits<double>::infinity();  // a full contact does not give way
     const auto narrow = comparison_figure(load, "folder/spectrum.csv", {});
-    EXPECT_EQ(narrow.title, "Contact of spectrum.csv: solved, and by Persson's theory");
+    EXPECT_EQ(narrow.title, "Contact of spectrum.csv: solved, and Persson's theory");
     EXPECT_EQ(narrow.figure.panels.size(), 2U);
     EXPECT_LE(narrow.figure.height_mm, 120.0);
     const auto wide = comparison_figure(load, "spectrum.csv", {.width = FigureWidth::double_column});

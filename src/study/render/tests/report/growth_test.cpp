@@ -9,9 +9,9 @@
 
 #include "allocated_bytes.hpp"
 #include "pages.hpp"
+#include "report/table.hpp"
 #include "setae/output/json.hpp"
 #include "setae/report/report.hpp"
-#include "report/table.hpp"
 
 namespace setae::report::growth_test {
 namespace {
@@ -130,8 +130,8 @@ TEST(ReportOfMany, SaysWhatItLeavesOutAndWhereThatIs) {
     EXPECT_NE(page.find(fmt::format(
                   "The table shows the first {} of 1000 rows. The file measurements.csv contains all rows.", max_rows)),
               std::string::npos);
-    EXPECT_NE(page.find("800 more. The file alerts.csv contains all alerts."), std::string::npos);
-    EXPECT_NE(page.find("The figure shows 200 of them, at even steps through the list."), std::string::npos);
+    EXPECT_NE(page.find("800 more. The file alerts.csv contains all warnings."), std::string::npos);
+    EXPECT_NE(page.find("The figure shows 200 of them, at equal steps through the list."), std::string::npos);
     const auto of_many_surfaces = page_of(of_surfaces(1000));
     EXPECT_NE(of_many_surfaces.find("The figure shows the first 100 of 1000 surfaces."), std::string::npos);
     EXPECT_NE(of_many_surfaces.find("more surfaces are not in this page"), std::string::npos);

@@ -29,7 +29,7 @@ TEST(HysteresisFigures, ShowPairsAndBars) {
 
 TEST(HysteresisFigures, OfNothingMeasuredSayWhy) {
     const study::Hysteresis none;
-    EXPECT_EQ(hysteresis_figure(none, FigureWidth::single_column).reason, "no pair has W_ret at pull-off measured");
+    EXPECT_EQ(hysteresis_figure(none, FigureWidth::single_column).reason, "no pair has a measured W_ret at pull-off");
     EXPECT_FALSE(loss_shares_figure(none, FigureWidth::single_column).drawable());
 }
 

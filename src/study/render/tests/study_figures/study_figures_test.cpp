@@ -181,7 +181,7 @@ TEST(Scales, AreSharesThatEndAtTheWhole) {
 
 TEST(Agreement, IsDrawnByInstrumentInTheMiddleOfEachDecade) {
     auto result = study_of_pairs();
-    EXPECT_EQ(reason_of(result, "agreement"), "no surface's spectrum was fitted to its measurements by likelihood");
+    EXPECT_EQ(reason_of(result, "agreement"), "no spectrum was fitted to the measurements of a surface by likelihood");
     study::FittedSpectrum fitted;
     fitted.agreement = {
         {.instrument = "afm", .decade = 6, .ratio = 1.1, .standard_error = 0.2, .chi_squared = 5.0, .groups = 4},
@@ -215,7 +215,7 @@ TEST(PredictionFigure, ShowsMeasuredValuesBesideTheCurveOfTheirSurface) {
     EXPECT_EQ(rough.notes[0].text, "−1.0 σ");
     // below every bar and the axis' line
     for (const auto& note : rough.notes) EXPECT_LT(note.y, 0.0);
-    const auto& curve = series_of(rough, "predicted by (7), 95 %");
+    const auto& curve = series_of(rough, "Eq. 7, 95 % band");
     EXPECT_LT(curve.x[0], 1.0 / 0.75);
     EXPECT_GT(curve.x[curve.x.size() - 1], 2.0 / 0.75);
     EXPECT_TRUE((curve.lower <= curve.y).all() && (curve.y <= curve.upper).all());

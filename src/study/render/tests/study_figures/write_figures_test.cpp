@@ -102,13 +102,13 @@ TEST(FigureNumbers, SayHowTheyAreMadeAgain) {
     const auto figure = study_figure(study_of_pairs(), "4");
     const auto text = data_of(figure, "my study.toml", FigureWidth::single_column);
     EXPECT_EQ(
-        text.rfind("# title: Work of adhesion measured and predicted, and energy lost\n# figure: 4\n# caption: ", 0),
+        text.rfind("# title: Measured and predicted work of adhesion, and energy loss\n# figure: 4\n# caption: ", 0),
         0u)
         << text.substr(0, 200);
     EXPECT_NE(text.find("\n# written by: setae "), std::string::npos);
     EXPECT_NE(
         text.find(
-            "\n# made again by: setae plot 'my study.toml' --figure 4 --width single -o figure_4.svg\npanel,series,name,"),
+            "\n# command: setae plot 'my study.toml' --figure 4 --width single -o figure_4.svg\npanel,series,name,"),
         std::string::npos);
     EXPECT_NE(
         text.find("\nA,smooth on soft,smooth on soft,predicted W_app,mJ/m2,30,measured W_app,mJ/m2,33,31,35,28,32\n"),

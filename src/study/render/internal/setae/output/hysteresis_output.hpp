@@ -16,29 +16,29 @@ namespace setae::output {
 /// first), "deciding_pair", "trials" where they were made, "pairs".
 [[nodiscard]] Json to_json(const study::Hysteresis& hysteresis);
 
-/// "87.9 ± 4.4 mJ/m²": the number of a law that has one, as it was fitted.
+/// "87.9 ± 4.4 mJ/m²": the parameter of a model that has one, as fitted.
 [[nodiscard]] std::string fitted_number(const hysteresis::ModelScore& score);
 
-/// Which law says W_ret best, how well, what cannot be told apart from it and what would decide.
+/// Which model fits W_ret best, how well, which models cannot be excluded and which pair distinguishes them.
 [[nodiscard]] std::vector<std::string> hysteresis_sentences(const study::Hysteresis& hysteresis);
-/// The same in lines of at most so many characters.
+/// These sentences in lines of at most so many characters.
 [[nodiscard]] std::string hysteresis_answer(const study::Hysteresis& hysteresis, std::size_t width);
 
 /// Answer and tables for a terminal.
 [[nodiscard]] std::string hysteresis_text(const study::Hysteresis& hysteresis, std::size_t width);
 
-/// One row a ranking and model, SI.
+/// One row per ranking and model, SI.
 [[nodiscard]] tables::TidyTable model_table(const study::Hysteresis& hysteresis);
-/// One row a planted law.
+/// One row per true model of the trials.
 [[nodiscard]] tables::TidyTable trial_table(const study::Hysteresis& hysteresis);
-/// One row a pair: W_ret, pull-off and loss predicted and measured, SI.
+/// One row per pair: W_ret, pull-off and loss predicted and measured, SI.
 [[nodiscard]] tables::TidyTable hysteresis_table(const study::Hysteresis& hysteresis);
-/// One row a pair and model: W_ret from roughness alone, SI.
+/// One row per pair and model: W_ret from roughness only, SI.
 [[nodiscard]] tables::TidyTable model_work_table(const study::Hysteresis& hysteresis);
-/// One row a measured pair: where its joules went, SI.
+/// One row per measured pair: the energy budget of its loop, SI.
 [[nodiscard]] tables::TidyTable decomposition_table(const study::Hysteresis& hysteresis);
 
-/// All of these that have something to say, with the names of their files.
+/// All tables that have rows, with the names of their files.
 [[nodiscard]] std::vector<std::pair<std::string, tables::TidyTable>> hysteresis_tables(
     const study::Hysteresis& hysteresis);
 

@@ -8,18 +8,19 @@
 
 namespace setae::output {
 
-/// What a study says, in sentences of plain text: symbols as "W_int", numbers with their unit.
+/// The result of a study in sentences of plain text: symbols as "W_int", numbers with their unit.
 struct Verdict {
-    std::vector<std::string> answer;    ///< whether roughness explains the approach, what the loss says; at least one
+    std::vector<std::string> answer;    ///< whether roughness explains the approach, W_int, retraction; at least one
     std::vector<std::string> findings;  ///< what tests support: may be none
     std::vector<std::string> limits;    ///< what cannot be concluded and why, worst first
+    std::vector<std::string> reservations;  ///< the two most important limits that the answer does not state itself
 };
 
 /// The verdict from fits, tests and alerts.
 ///
-/// Roughness explains the approach where the χ² of (7) with both errors has a probability of at least 0.05; two works
-/// of adhesion are consistent where the 95 % interval of their difference holds 0. Their errors are those of
-/// WorkFit::generalised, with what both rest on.
+/// Roughness explains the approach where the χ² of the full-contact balance (Eq. 7) with both errors has a probability
+/// of at least 0.05; two works of adhesion are consistent where the 95 % interval of their difference covers 0. Their
+/// errors are those of WorkFit::generalised, with the inputs that both share.
 [[nodiscard]] Verdict verdict(const study::StudyResult& result);
 
 /// Why a pair may be some standard errors from its prediction while the test of all pairs is passed, in sentences.
