@@ -69,7 +69,7 @@ Frames usable_frames(const CameraRecord& camera) {
     const auto n = static_cast<Index>(time.size());
     if (n < fewest_frames)
         throw UndefinedDataError(
-            fmt::format("{} frames have a contact radius; aligning the clocks needs at least {}", n, fewest_frames));
+            fmt::format("{} frames have a contact radius; expected at least {} to align the clocks", n, fewest_frames));
     Frames frames{Eigen::Map<const Array1D>(time.data(), n), Eigen::Map<const Array1D>(radius.data(), n), 0.0};
     frames.interval = upper_median(std::move(steps));
     const double largest = frames.radius.abs().maxCoeff();
@@ -327,7 +327,7 @@ ClockAlignment align_clocks(const Loop& force, const CameraRecord& camera, const
     const auto frames = displaced ? all : before_unloading(all);
     if (frames.time.size() < fewest_frames)
         throw UndefinedDataError(
-            fmt::format("{} frames lie before unloading or out of contact; aligning the clocks needs at least {}",
+            fmt::format("{} frames lie before unloading or out of contact; expected at least {} to align the clocks",
                         frames.time.size(), fewest_frames));
     const auto onset = by_onset(force, all);
     auto range = searched(force, frames.time, options);

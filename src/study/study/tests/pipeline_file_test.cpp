@@ -96,7 +96,7 @@ TEST_F(PipelineFile, SaysOnWhichLineWhatIsWrong) {
         complaint("p.yml", "steps:\n  - step: despike\n    treshold: 5\n"),
         "p.yml:3: unknown parameter 'treshold' of despike; did you mean 'threshold'?; it has threshold, reach, replace_by");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    threshold: many\n"),
-              "p.yml:3: threshold: 'many' is no number");
+              "p.yml:3: threshold: 'many' is not a number");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    enabled: maybe\n"),
               "p.yml:3: enabled: 'maybe'; expected true or false");
     EXPECT_EQ(complaint("p.yml", "steps:\n  - step: despike\n    reach: 3\n    reach: 4\n"),
