@@ -26,7 +26,7 @@ std::vector<double> measured(const std::vector<PairPoint>& pairs) {
 
 void require_at_least(std::size_t pairs, std::size_t least) {
     if (pairs < least)
-        throw InvalidArgument(fmt::format("{} pairs, a comparison of balances needs at least {}", pairs, least));
+        throw InvalidArgument(fmt::format("{} pairs; a comparison of balances needs at least {}", pairs, least));
 }
 
 /// rms residual of each surface's pairs under what a fit to all others says; NaN where the others are too few to fit.
@@ -68,7 +68,7 @@ ChangeAndWork best_change(const std::vector<PairPoint>& pairs) {
         largest = std::max({largest, std::abs(pair.measured.value), std::abs(pair.offset)});
     }
     if (!(most > least * (1.0 + 1e-9)))
-        throw InvalidArgument("all pairs have the same true area, a change with it cannot be seen");
+        throw InvalidArgument("all pairs have the same true area, so that a dependence on it cannot be tested");
     auto terms = terms_of(pairs);
     const auto fitted_at = [&](double change) {
         for (std::size_t i = 0; i < pairs.size(); ++i) terms[i].offset = pairs[i].offset - change * by_change(pairs[i]);

@@ -23,12 +23,12 @@ void require_positive(const std::optional<double>& length, const char* name) {
 }  // namespace
 
 ContactShares contact_shares(const spectra::Spectrum& curve, const ContactScales& scales) {
-    require_positive(scales.contact_diameter, "a contact's diameter");
-    require_positive(scales.thickness, "a soft body's thickness");
+    require_positive(scales.contact_diameter, "diameter of the contact");
+    require_positive(scales.thickness, "thickness of the soft body");
     const double first = scales.contact_diameter ? 2.0 * pi / *scales.contact_diameter : 0.0;
     if (first >= curve.band.upper)
         throw InvalidArgument(
-            fmt::format("a contact of {} m is smaller than every wave of the spectrum", *scales.contact_diameter));
+            fmt::format("a contact of {} m is smaller than all wavelengths of the spectrum", *scales.contact_diameter));
     const auto below = roughness::cumulative_parameters(curve);
     const auto n = below.wavevector.size();
     double energy = 0.0, squared_slope = 0.0;

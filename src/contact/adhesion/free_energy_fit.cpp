@@ -24,7 +24,7 @@ PairPoint FreeEnergyPoint::storing(double energy_per_modulus) const {
 
 FreeEnergyFit fit_with_free_energies(const std::vector<FreeEnergyPoint>& pairs) {
     if (pairs.size() < 2)
-        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
+        throw InvalidArgument(fmt::format("{} pairs; a fit over pairs needs at least 2", pairs.size()));
     std::map<std::string, std::vector<FreeEnergyPoint>> by_surface;
     std::vector<double> measured;
     double largest = 0.0;

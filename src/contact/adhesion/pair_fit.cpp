@@ -191,7 +191,7 @@ double squares_about_mean(const std::vector<double>& values) {
 
 void require_pairs(const Pairs& pairs) {
     if (pairs.size() < 2)
-        throw InvalidArgument(fmt::format("{} pairs, a fit over pairs needs at least 2", pairs.size()));
+        throw InvalidArgument(fmt::format("{} pairs; a fit over pairs needs at least 2", pairs.size()));
     for (const auto& pair : pairs)
         if (!(pair.slope > 0.0) || !std::isfinite(pair.measured.value) || !std::isfinite(pair.offset))
             throw InvalidArgument(fmt::format("pair {} × {} has slope {}, offset {} and measured value {}",
@@ -239,7 +239,7 @@ WorkFit fit_work_of_adhesion(const Pairs& pairs) {
 LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     const auto n = static_cast<double>(x.size());
     if (x.size() < 3 || x.size() != y.size())
-        throw InvalidArgument(fmt::format("{} points, a line with intercept needs at least 3", x.size()));
+        throw InvalidArgument(fmt::format("{} points; a line with intercept needs at least 3", x.size()));
     const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
                  mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
     double sxx = 0.0, sxy = 0.0;
@@ -247,7 +247,7 @@ LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
         sxx += square(x[i] - mean_x);
         sxy += (x[i] - mean_x) * (y[i] - mean_y);
     }
-    if (!(sxx > 0.0)) throw InvalidArgument("all x are alike, a line has no slope there");
+    if (!(sxx > 0.0)) throw InvalidArgument("all values of x are equal, so that a line has no slope");
     LineFit fit;
     fit.n = static_cast<int>(x.size());
     const double slope = sxy / sxx, intercept = mean_y - slope * mean_x;

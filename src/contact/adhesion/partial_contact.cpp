@@ -142,7 +142,7 @@ double PartialContactPoint::prediction(double work) const {
 
 BalanceScore score_partial_contact(const std::vector<PartialContactPoint>& pairs) {
     if (pairs.size() < 2)
-        throw InvalidArgument(fmt::format("{} pairs, a comparison of balances needs at least 2", pairs.size()));
+        throw InvalidArgument(fmt::format("{} pairs; a comparison of balances needs at least 2", pairs.size()));
     std::vector<double> values;
     for (const auto& pair : pairs) values.push_back(pair.gained.measured.value);
     const auto [work, residual] = best_work(pairs);

@@ -19,7 +19,8 @@ double chi_squared_of(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& c
     const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
     if (factor.info() != Eigen::Success)
         throw UndefinedDataError(
-            "the covariance of measured minus predicted is not positive definite: errors that are 0 test nothing");
+            "the covariance of measured minus predicted is not positive definite; a test needs errors above "
+            "0");
     const Eigen::VectorXd weighted = factor.solve(residuals);
     const double all = residuals.dot(weighted);
     if (!slopes) return all;
@@ -41,7 +42,7 @@ PredictionTest prediction_test(std::vector<PredictionResidual> pairs, const Arra
     test.degrees_of_freedom = test.n - (slopes && (*slopes != 0.0).any() ? 1 : 0);
     if (test.degrees_of_freedom < 1)
         throw InvalidArgument(
-            fmt::format("{} residuals leave no degree of freedom; a test needs {}", n, slopes ? 2 : 1));
+            fmt::format("{} residuals leave no degree of freedom; a test needs at least {}", n, slopes ? 2 : 1));
     Eigen::VectorXd residuals(n);
     for (Index i = 0; i < n; ++i) {
         auto& pair = pairs[static_cast<std::size_t>(i)];
@@ -76,8 +77,8 @@ PredictionTest test_predictions(const std::vector<PairPoint>& pairs, const Trace
     const auto n = static_cast<Index>(pairs.size());
     const Index least = work_fitted ? 2 : 1;
     if (n < least)
-        throw UndefinedDataError(
-            fmt::format("{} pairs with a prediction and a measured value with its error; a test needs {}", n, least));
+        throw UndefinedDataError(fmt::format(
+            "{} pairs have a prediction and a measured value with its error; a test needs at least {}", n, least));
     Array1D slopes(n);
     std::vector<Components> inputs;
     std::vector<PredictionResidual> residuals;

@@ -13,13 +13,13 @@ namespace {
 
 void require_not_negative(double value, const char* what) {
     if (!(value >= 0.0) || std::isinf(value))
-        throw InvalidArgument(fmt::format("{} is {} J/m2, expected a number >= 0", what, value));
+        throw InvalidArgument(fmt::format("{} is {} J/m2; expected a number >= 0", what, value));
 }
 
 void require_state(const ConformalState& state) {
     require_not_negative(state.stored_energy, "stored energy");
     if (!(state.area_ratio >= 1.0))
-        throw InvalidArgument(fmt::format("true over apparent area is {}, expected >= 1", state.area_ratio));
+        throw InvalidArgument(fmt::format("true over apparent area is {}; expected >= 1", state.area_ratio));
 }
 
 ApparentWork apparent(double raw) { return {raw, std::max(0.0, raw), raw > 0.0}; }
@@ -45,11 +45,12 @@ ApparentWork persson_tosatti_balance(double work_of_adhesion, double rms_slope, 
 void SurfaceEnergyLaw::validate() const {
     const auto n = area_ratio.size();
     if (n < 1 || n != surface_energy.size() || area_ratio[0] != 1.0)
-        throw InvalidArgument("a surface energy law needs as many energies as area ratios, the first ratio being 1");
+        throw InvalidArgument(
+            "a law of surface energy needs as many energies as area ratios, and 1 as the first ratio");
     for (Index i = 1; i < n; ++i)
         if (!(area_ratio[i] > area_ratio[i - 1]))
             throw InvalidArgument(
-                fmt::format("area ratios of a surface energy law must increase, entry {} does not", i + 1));
+                fmt::format("area ratios of a law of surface energy must increase; entry {} does not", i + 1));
 }
 
 double SurfaceEnergyLaw::at(double x) const {
@@ -77,7 +78,7 @@ ApparentWork end_state_balance(double work_of_adhesion, double surface_energy, d
     require_not_negative(surface_energy, "surface energy");
     require_state(state);
     if (!std::isfinite(interface_change))
-        throw InvalidArgument(fmt::format("change of the interface's energy is {} J/m2", interface_change));
+        throw InvalidArgument(fmt::format("change of the energy of the interface is {} J/m2", interface_change));
     const double r = state.area_ratio;
     return apparent((work_of_adhesion - interface_change) * r - surface_energy * (r - 1.0) - state.stored_energy);
 }

@@ -377,7 +377,7 @@ void WorkPosterior::find_grid() {
         cumulative_[k] = cumulative_[k - 1] + 0.5 * (density_[k] + density_[k - 1]) * (grid_[k] - grid_[k - 1]);
     const double total = cumulative_[points - 1];
     if (!(total > 0.0) || !std::isfinite(total))
-        throw UndefinedDataError("no work of adhesion says the measured pairs better than another");
+        throw UndefinedDataError("the measured pairs do not prefer any work of adhesion to another");
     density_ /= total;
     cumulative_ /= total;
     log_evidence_ = highest + std::log(total);

@@ -14,7 +14,7 @@ namespace setae::contact::wavy {
 
 double closing_pressure(double energy_ratio) {
     if (!(energy_ratio > 0.0))
-        throw InvalidArgument(fmt::format("stored energy over work of adhesion is {}, expected > 0", energy_ratio));
+        throw InvalidArgument(fmt::format("stored energy over work of adhesion is {}; expected > 0", energy_ratio));
     if (std::isinf(energy_ratio)) return 1.0;
     const double alpha = 1.0 / std::sqrt(2.0 * pi * energy_ratio);
     // beyond a = 1/4 the curve has one maximum, the last before full contact

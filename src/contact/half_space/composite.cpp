@@ -10,8 +10,8 @@ namespace setae::half_space {
 Array2D composite_heights(const ArrayView2D& first, const ArrayView2D& second) {
     if (first.rows() != second.rows() || first.cols() != second.cols())
         throw InvalidArgument(
-            fmt::format("surfaces of {} x {} and {} x {} points; expected the same grid, resample one", first.rows(),
-                        first.cols(), second.rows(), second.cols()));
+            fmt::format("surfaces of {} x {} and {} x {} points; expected the same grid: resample one of them",
+                        first.rows(), first.cols(), second.rows(), second.cols()));
     return first + second.colwise().reverse();
 }
 

@@ -25,7 +25,7 @@ struct LoopStates {
 void require_points(int points) {
     constexpr int fewest = 8;
     if (points < fewest)
-        throw InvalidArgument(fmt::format("a loop of {} points a branch; expected {} or more", points, fewest));
+        throw InvalidArgument(fmt::format("a loop of {} points per branch; expected {} or more", points, fewest));
 }
 
 /// Equilibrium at contact radii evenly apart.
@@ -62,9 +62,10 @@ void require_valid(const Drive& drive) {
     const auto positive = [](double speed) { return speed > 0.0 && std::isfinite(speed); };
     if (!positive(drive.approach_speed) || !positive(drive.retraction_speed) ||
         !(drive.hold_time >= 0.0 && std::isfinite(drive.hold_time)))
-        throw InvalidArgument(fmt::format(
-            "a motor that comes at {} m/s, rests for {} s and leaves at {} m/s; expected speeds > 0 and a time from 0",
-            drive.approach_speed, drive.hold_time, drive.retraction_speed));
+        throw InvalidArgument(
+            fmt::format("a motor that approaches at {} m/s, rests for {} s and retracts at {} m/s; expected speeds > 0 "
+                        "and a time >= 0",
+                        drive.approach_speed, drive.hold_time, drive.retraction_speed));
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ void require_valid(const MovingEdge& edge) {
     if (!positive(edge.law.reference_speed) || !positive(edge.law.exponent) || !positive(edge.motor_speed) ||
         !(edge.reading_time >= 0.0 && std::isfinite(edge.reading_time)))
         throw InvalidArgument(
-            fmt::format("a moving edge with v0 {} m/s, n {}, pulled at {} m/s and read over {} s; expected speeds and "
-                        "exponent above 0, and a time from 0",
+            fmt::format("a moving edge with v0 {} m/s and n {}, pulled at {} m/s and read over {} s; expected speeds "
+                        "and exponent above 0, and a time >= 0",
                         edge.law.reference_speed, edge.law.exponent, edge.motor_speed, edge.reading_time));
 }
 
@@ -200,7 +200,7 @@ double read_from(double largest, const HystereticSphere& sphere, const Pressing&
             return contact::jkr::work_of_adhesion_from_pull_off(receding.smallest_force, sphere.radius);
         case Reading::loop_area: return resting_equivalent(largest, sphere, pressing, receding.edge_work);
     }
-    throw InternalError("a reading of W_ret that no one knows");
+    throw InternalError("a reading of W_ret is unknown");
 }
 
 }  // namespace

@@ -58,8 +58,8 @@ PinningCoefficient fitted(double energy_share, double larkin_lengths) {
 void require_front(double energy_share, double larkin_lengths) {
     if (!(energy_share >= 0.0 && larkin_lengths >= 0.0))
         throw InvalidArgument(
-            fmt::format("pinning by U_el/(AW) = {} on a front of {} Larkin lengths; expected both at least 0",
-                        energy_share, larkin_lengths));
+            fmt::format("pinning with U_el/(AW) = {} on a front of {} Larkin lengths; expected both >= 0", energy_share,
+                        larkin_lengths));
 }
 
 /// No front was simulated beyond.

@@ -35,8 +35,10 @@ std::string too_few(const std::vector<RankedPair>& pairs) {
     std::set<std::string> surfaces;
     for (const auto& pair : pairs) surfaces.insert(pair.pair.rough.name);
     if (pairs.size() >= fewest_ranked_pairs && surfaces.size() >= fewest_ranked_surfaces) return "";
-    return fmt::format("{} pairs on {} surfaces have W_app and W_ret measured; {} on {} can tell models apart",
-                       pairs.size(), surfaces.size(), fewest_ranked_pairs, fewest_ranked_surfaces);
+    return fmt::format(
+        "{} pairs on {} surfaces have W_app and W_ret measured; distinguishing models needs {} pairs on "
+        "{} surfaces",
+        pairs.size(), surfaces.size(), fewest_ranked_pairs, fewest_ranked_surfaces);
 }
 
 double rms_left_out(const std::vector<adhesion::LeftOutPrediction>& predictions, bool surfaces) {
@@ -243,7 +245,9 @@ private:
         std::vector<Judged*> ranked;
         for (auto& of : judged_) {
             if (of.ok() && std::isfinite(of.score.left_out_log_likelihood)) ranked.push_back(&of);
-            else ranking.unranked.push_back({of.score.fitted.model, of.ok() ? "its density is no number" : of.reason});
+            else
+                ranking.unranked.push_back(
+                    {of.score.fitted.model, of.ok() ? "its density is not a finite number" : of.reason});
         }
         if (ranked.empty()) return ranking;
         std::ranges::stable_sort(ranked, [](const Judged* a, const Judged* b) {

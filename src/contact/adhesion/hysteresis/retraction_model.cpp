@@ -28,19 +28,20 @@ LawText text_of(Law law) {
         case Law::fitted_conformal_loss: return {"fitted_conformal_loss", "W_app + W_x A_true/A"};
         case Law::opening_work: return {"opening_work", "W_x A_true/A"};
     }
-    throw InternalError("a law of retraction without a name");
+    throw InternalError("a retraction model without a name");
 }
 
 void require_valid(const PairState& state) {
     if (!(state.area_ratio >= 1.0 && state.contact_fraction > 0.0 && state.contact_fraction <= 1.0 &&
           state.stored_energy >= 0.0 && state.work_of_adhesion > 0.0 && state.work_approach >= 0.0 &&
           state.tip_factor > 0.0 && state.conforming_gain() > 0.0))
-        throw InvalidArgument(fmt::format(
-            "a pair with A_true/A {:.4g}, {:.4g} of it in contact, U_el/A {:.4g} J/m2, W_int {:.4g} J/m2, γ1 {:.4g} J/m2, W_app {:.4g} J/m2 and "
-            "W_ret/W_app {:.4g} of its reference; expected a ratio of areas of 1 or more, contact, works and a factor above 0, and more "
-            "gained by conforming than stretching costs",
-            state.area_ratio, state.contact_fraction, state.stored_energy, state.work_of_adhesion, state.surface_energy,
-            state.work_approach, state.tip_factor));
+        throw InvalidArgument(
+            fmt::format("a pair with A_true/A {:.4g}, {:.4g} of it in contact, U_el/A {:.4g} J/m2, W_int {:.4g} J/m2, "
+                        "γ1 {:.4g} J/m2, W_app {:.4g} J/m2 and W_ret/W_app {:.4g} of its reference; expected A_true/A "
+                        ">= 1, a share in contact, works and a factor above 0, and an energy gained by full contact "
+                        "above the energy of stretching",
+                        state.area_ratio, state.contact_fraction, state.stored_energy, state.work_of_adhesion,
+                        state.surface_energy, state.work_approach, state.tip_factor));
 }
 
 /// k U_el/A of simulated fronts [J/m²] on an edge that bends over free_length.
@@ -107,7 +108,7 @@ RetractionLine retraction_line(const RetractionModel& model, const PairState& st
         case Law::fitted_conformal_loss: return fits(state.true_contact(), state.work_approach - state.jumps_per_area);
         case Law::opening_work: return fits(state.true_contact(), 0.0);
     }
-    throw InternalError("a law of retraction without a formula");
+    throw InternalError("a retraction model without a formula");
 }
 
 double pinned_on_approach(const RetractionModel& model, const PairState& state, const std::vector<PinningBand>& bands,

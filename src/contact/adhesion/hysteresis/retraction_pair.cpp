@@ -117,11 +117,13 @@ Pressing RetractionPair::pressed(const Contact& contact, double area, double sti
 }
 
 std::string RetractionPair::lacks(const RetractionModel& model) const {
-    if (model.tip == Tip::reference && !tip_factor) return "no smooth reference on " + soft.name;
-    if (model.tip == Tip::speed && !edge_speed) return "no law of the edge's speed on " + soft.name;
+    if (model.tip == Tip::reference && !tip_factor) return "no smooth reference is given on " + soft.name;
+    if (model.tip == Tip::speed && !edge_speed)
+        return "no law for the speed of the contact edge is known on " + soft.name;
     if (model.tip == Tip::speed && !speed_factor)
-        return fmt::format("no sphere, machine speed or contact area of {} on {}", soft.name, rough.name);
-    if (model.law == Law::pinning_by_bands && bands.empty()) return "no spectrum of " + rough.name;
+        return fmt::format("the sphere, the speed of the testing machine or the contact area of {} on {} is not given",
+                           soft.name, rough.name);
+    if (model.law == Law::pinning_by_bands && bands.empty()) return "no spectrum is known for " + rough.name;
     return "";
 }
 
@@ -169,8 +171,9 @@ TracedValue predicted_retraction(const FittedModel& fitted, const RetractionPair
 
 std::optional<PredictedRetraction> predicted_retraction_loop(const FittedModel& fitted, const RetractionPair& pair) {
     if (!pair.radius || !(pair.pressing || pair.contact_area))
-        throw InvalidArgument(fmt::format("the loop of {} on {}: expected the radius of its sphere and a preload",
-                                          pair.soft.name, pair.rough.name));
+        throw InvalidArgument(
+            fmt::format("the loop of {} on {} cannot be predicted; expected the radius of the sphere and a preload",
+                        pair.soft.name, pair.rough.name));
     PairFunctions functions(pair);
     functions.set(fitted);
     const auto& model = fitted.model;

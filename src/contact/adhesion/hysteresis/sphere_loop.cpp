@@ -64,8 +64,8 @@ double work_retraction_for_loss(HystereticSphere sphere, const Pressing& pressin
     const SphereLoop least = sphere_loop(sphere, pressing);
     if (!(energy_loss >= least.energy_loss() && std::isfinite(energy_loss)))
         throw InvalidArgument(
-            fmt::format("a loop with W_app = {:.4g} J/m2 loses at least {:.4g} J in its jumps, got {:.4g} J; ask "
-                        "for more, or press harder",
+            fmt::format("a loop with W_app = {:.4g} J/m2 loses at least {:.4g} J in its jumps, got {:.4g} J; give a "
+                        "larger loss, or press harder",
                         sphere.work_approach, least.energy_loss(), energy_loss));
     const auto excess = [&](double work) {
         sphere.work_retraction = work;

@@ -37,7 +37,7 @@ void require_edge(const RecedingEdge& edge, double radius, const Estimate& conta
     for (Index i = 1; i < edge.time.size(); ++i)
         if (!(edge.time[i] > edge.time[i - 1]))
             throw InvalidArgument(
-                fmt::format("time must rise: sample {} at {} s follows {} s", i, edge.time[i], edge.time[i - 1]));
+                fmt::format("time must increase: sample {} at {} s follows {} s", i, edge.time[i], edge.time[i - 1]));
     if (!(radius > 0.0)) throw InvalidArgument(fmt::format("sphere radius must be > 0, got {}", radius));
     if (!(contact_modulus.value > 0.0))
         throw InvalidArgument(fmt::format("contact modulus must be > 0, got {}", contact_modulus.value));

@@ -242,7 +242,7 @@ TEST(StudyReplicates, OfLoopsThatAreAllExcludedSaySo) {
     for (auto& e : result.experiments) e.input.exclusion = "dust";
     result.replicates = elastomer_replicates(result);
     EXPECT_FALSE(result.replicates.at(0).model);
-    EXPECT_EQ(result.replicates[0].model.reason, "all 4 rows are excluded; a mean needs one");
+    EXPECT_EQ(result.replicates[0].model.reason, "all 4 rows are excluded; a mean needs at least one");
     result.pairs = measured_pairs(result);
     EXPECT_FALSE(result.pairs[0].approach);
     EXPECT_EQ(output::to_json(result).at("replicates").at(0).at("rows").size(), 4U);

@@ -150,10 +150,10 @@ CombinedFunction combine(std::span<const FunctionOfScale> functions, const Combi
             bins[bin].push_back(share);
     }
     if (bins.empty())
-        throw InvalidArgument(
-            fmt::format("no {} of {} measurements is reliable: all distances are shorter than what tip, resolution and "
-                        "sampling allow",
-                        functions[0].quantity, functions.size()));
+        throw InvalidArgument(fmt::format(
+            "no {} of {} {} is reliable: all distances are shorter than what tip, resolution and "
+            "sampling allow",
+            functions[0].quantity, functions.size(), functions.size() == 1 ? "measurement" : "measurements"));
 
     const auto n = static_cast<Index>(bins.size());
     CombinedFunction result{

@@ -115,9 +115,10 @@ TEST(RetractionPair, WithARelaxingBulkLosesThatBeside) {
 
 TEST(RetractionPair, SaysWhatATipThatMindsItsSpeedLacks) {
     auto pair = known_pair();
-    EXPECT_NE(pair.lacks({Law::reversible, Tip::speed}).find("machine speed"), std::string::npos);
+    EXPECT_NE(pair.lacks({Law::reversible, Tip::speed}).find("the speed of the testing machine"), std::string::npos);
     pair.edge_speed.reset();
-    EXPECT_NE(pair.lacks({Law::reversible, Tip::speed}).find("no law of the edge's speed on E"), std::string::npos);
+    EXPECT_NE(pair.lacks({Law::reversible, Tip::speed}).find("no law for the speed of the contact edge is known on E"),
+              std::string::npos);
 }
 
 }  // namespace
