@@ -133,11 +133,12 @@ TEST_F(ReplicateFiles, SayWhatIsMissing) {
         const auto path = write("table.csv", text);
         return message_of([&] { (void)read_replicates({path}, columns, {}); });
     };
-    EXPECT_NE(message("").find("an empty table"), std::string::npos);
+    EXPECT_NE(message("").find("the table is empty"), std::string::npos);
     EXPECT_NE(message("surface,lens\nA,1\n").find("no column of 'W'"), std::string::npos);
     EXPECT_NE(message("surface,W\nA,1\n").find("has no unit"), std::string::npos);
     EXPECT_NE(message("sample,W [J/m2]\nA,1\n").find("--group-by"), std::string::npos);
-    EXPECT_NE(message("surface,W [J/m2]\nA,1,2\n").find("table.csv:2: 3 cells; the header has 2"), std::string::npos);
+    EXPECT_NE(message("surface,W [J/m2]\nA,1,2\n").find("table.csv:2: 3 cells, but the header has 2"),
+              std::string::npos);
     EXPECT_NE(message("surface,W [J/m2]\nA,\n").find("no row with a number"), std::string::npos);
 }
 
