@@ -44,11 +44,11 @@ TEST(ChannelChoice, TakesNumbersAndNames) {
 
 TEST(ChannelChoice, SaysWhyNoneIsTakenForHeights) {
     auto index = channel("i", false);
-    index.info.not_heights = "whole numbers that grow from value to value: an index";
+    index.info.not_heights = "whole numbers that increase from value to value: an index";
     const auto message = message_of([&] {
         (void)chosen_channels("f", {index, channel("phase", false)}, std::nullopt);
     });
-    EXPECT_NE(message.find("none of its 2 channels holds heights; 0 'i' is not heights: whole numbers"),
+    EXPECT_NE(message.find("none of its 2 channels contains heights; 0 'i' is not heights: whole numbers"),
               std::string::npos)
         << message;
 }
