@@ -43,16 +43,17 @@ BlindTipAnswer blind_tip(const std::string& file, const topography::Measurement&
     if (!answer.blind.converged)
         answer.alerts.push_back(
             {"TIP_NOT_CONVERGED", topography::label(map->metadata),
-             fmt::format("the estimate still sharpened in round {}: the tip may be sharper", answer.blind.rounds),
-             "allow more with --rounds"});
+             fmt::format("the estimate of the tip still became sharper in round {}: the tip may be sharper",
+                         answer.blind.rounds),
+             "allow more rounds (`rounds`)"});
     const double radius = answer.quantities.front().estimate.value,
                  pixel = std::max(tip.pixel_size[0], tip.pixel_size[1]);
     if (radius < pixel)
         answer.alerts.push_back(
             {"TIP_BELOW_PIXEL", topography::label(map->metadata),
-             fmt::format("the apex radius of {} is below the pixel of {}: a map with such pixels cannot show it",
+             fmt::format("the apex radius of {} is below the pixel size of {}: a map with such pixels cannot show it",
                          format_value(radius, "m", 3), format_value(pixel, "m", 3)),
-             "take the pixel as an upper limit of the radius, or scan with smaller pixels"});
+             "use the pixel size as an upper limit of the radius, or scan with smaller pixels"});
     return answer;
 }
 

@@ -119,10 +119,11 @@ ContactComparison compare_contact(const study::SurfaceResult& surface, const Com
     for (std::size_t i = 0; i < compared.size(); ++i)
         add_statistics(comparison.load, compared[i], found[i], theory.at(compared[i].name));
     if (comparison.largest_duality_gap > request.tolerance)
-        comparison.alerts.push_back({"CONTACT_NOT_CONVERGED", "contact",
-                                     fmt::format("pressures may be off: the duality gap is {:.1e}, wanted was {:.1e}",
-                                                 comparison.largest_duality_gap, request.tolerance),
-                                     "raise --tolerance, or resolve the surface's shortest waves with more points"});
+        comparison.alerts.push_back(
+            {"CONTACT_NOT_CONVERGED", "contact",
+             fmt::format("pressures may be wrong: the duality gap is {:.1e}, the tolerance {:.1e}",
+                         comparison.largest_duality_gap, request.tolerance),
+             "increase `tolerance`, or resolve the shortest waves of the surface with more points"});
     return comparison;
 }
 

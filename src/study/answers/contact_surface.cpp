@@ -52,13 +52,12 @@ void window(PipelineResult& surface) {
 }
 
 Alert alert_of(const processing::Seam& seam, const topography::Metadata& metadata) {
-    return {
-        "MAP_NOT_PERIODIC", topography::label(metadata),
-        fmt::format("heights differ by {} (rms) where the map meets itself, neighbouring points by {}: the contact of "
-                    "the repeated map has a step there that the surface does not have",
-                    format_value(seam.height_step, "m", 3), format_value(seam.usual_step, "m", 3)),
-        "--edges windowed takes the step away, --free lets nothing touch beyond the map, and --edges periodic says "
-        "that the surface does repeat itself"};
+    return {"MAP_NOT_PERIODIC", topography::label(metadata),
+            fmt::format("where the repeated map meets itself, heights differ by {} (rms), but neighbouring points only "
+                        "by {}: the contact has a step there that the surface does not have",
+                        format_value(seam.height_step, "m", 3), format_value(seam.usual_step, "m", 3)),
+            "set `edges` to windowed to remove the step, or to periodic if the surface is periodic; with "
+            "`free`, nothing touches beyond the map"};
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ void name_surfaces(const std::string& name, formats::ContainerDraft& draft) {
         if (!surface.name.empty()) continue;
         surface.name = name;
         draft.alerts.push_back(
-            {"NAME_MISSING", name, "a surface without name was given this one", "give another by --name"});
+            {"NAME_MISSING", name, "a surface had no name and was given this one", "give another name in `name`"});
     }
 }
 

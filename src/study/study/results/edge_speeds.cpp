@@ -62,7 +62,7 @@ public:
         const Eigen::Matrix3d covariance =
             inverse.asDiagonal() * fit.covariance.topLeftCorner<3, 3>() * inverse.asDiagonal();
         if (!covariance.inverse().allFinite() || !(fit.slow_speed > 0.0) || !(fit.speed_ratio > 1.0))
-            throw UndefinedDataError("the law of its edge has no standard errors");
+            throw UndefinedDataError("the fitted law of the edge speed has no standard errors");
         laws_.emplace_back(values.array().log().matrix());
         covariances_.push_back(covariance);
         slow_ += std::log(fit.slow_speed);
@@ -129,7 +129,7 @@ private:
             law += step;
             if (length < settled) return law;
         }
-        throw UndefinedDataError("the references' edges differ too much to be of one law");
+        throw UndefinedDataError("the edges of the references differ too much for one law");
     }
 
     /// By how much references differ beyond their own errors: χ² over its degrees of freedom, at least 1.
@@ -180,7 +180,7 @@ loops::Outcome<ElastomerEdgeSpeed> edge_speed_of(const StudyResult& result, cons
     if (const auto& input = result.elastomer(elastomer).input.crack_speed) return stated(*input, elastomer);
     Combination combination;
     std::vector<Estimate> approach;
-    std::string reason = "no loop on a smooth standard";
+    std::string reason = "no loop on a smooth reference is given";
     for (const auto& e : result.experiments) {
         if (!e.edge_speed || e.input.excluded() || e.input.elastomer != elastomer) continue;
         try {

@@ -47,7 +47,7 @@ void take_loops(ElastomerResult& elastomer, const StudyResult& result) {
         const auto& fit = e.analysis->loading.primary();
         if (!std::isfinite(fit.youngs_modulus.value)) {
             add_failed_part(elastomer.alerts, "elastomer " + elastomer.input.name,
-                            fmt::format("{} gives no E: its E* is {}, and the rough solid alone yields {}",
+                            fmt::format("{} gives no E: its E* is {}, but the rough solid by itself yields {}",
                                         e.input.file, format_value(fit.contact_modulus.value, "Pa", 3),
                                         format_value(rough_contact_modulus(result.study), "Pa", 3)));
             continue;

@@ -60,9 +60,10 @@ std::vector<Alert> pinning_alerts(const std::vector<PairHysteresis>& pairs) {
     }
     if (beyond.empty()) return {};
     return {{"PINNING_EXTRAPOLATED", fmt::format("{}", fmt::join(beyond, ", ")),
-             "k of the pinning models is extrapolated: no front of this U_el/AW and as many Larkin lengths N was "
-             "simulated; the standard error of k counts the distance",
-             "take the pinning models for estimates there; docs/validation/crack-front.md has the range"}};
+             "k of the pinning models is extrapolated: no simulated front has this U_el/AW and this number N "
+             "of Larkin lengths; the standard error of k includes the distance",
+             "use the pinning models as estimates for these pairs; see the simulated range in "
+             "docs/validation/crack-front.md"}};
 }
 
 class HysteresisOf {
@@ -216,7 +217,7 @@ PairHysteresis HysteresisOf::of(const PreparedPair& pair) {
     else if (auto loop = hysteresis::predicted_retraction_loop(fitted, roughness)) found.loop = std::move(*loop);
     else
         found.loop = Outcome<hysteresis::PredictedRetraction>::missing(
-            "no work of adhesion on approach: stretching costs all that the contact gains");
+            "no work of adhesion on approach: stretching needs all the energy that contact gains");
     // of an edge that minds its speed no 3/2 πR W_ret: every force has a G of its own
     if (found.loop && fitted.model.tip == Tip::speed) found.pull_off_force = found.loop->pull_off_force;
     found.residuals = loop_residuals(result_, found);

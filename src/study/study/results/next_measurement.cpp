@@ -28,7 +28,7 @@ struct BalanceTarget {
 /// @throws UndefinedDataError where it is not fitted.
 adhesion::Target target_of(const BalanceTarget& balance) {
     if (!*balance.fit)
-        throw UndefinedDataError(fmt::format("no W_int is fitted by {}: {}", balance.name, balance.fit->reason));
+        throw UndefinedDataError(fmt::format("the fit of {} gives no W_int: {}", balance.name, balance.fit->reason));
     return adhesion::work_target((*balance.fit)->pairs, (*balance.fit)->generalised);
 }
 
@@ -80,7 +80,7 @@ adhesion::Target target_of(const StudyResult& result, const std::string& text) {
     }
     const auto nearest = nearest_match(text, known);
     throw InvalidArgument(
-        fmt::format("'{}' is no number to be improved; expected W_int, a difference such as '(7) - (10)' "
+        fmt::format("'{}' is not a number that can be improved; expected W_int, a difference such as '(7) - (10)' "
                     "or a pair such as '{}'{}",
                     text, known.back(), nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
